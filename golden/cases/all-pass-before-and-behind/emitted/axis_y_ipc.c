@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  776a92067fc0c97acf1358dc09f1df77
- * structure   e85734e3abff1c23afe622dbb4aa68f2
- * checksum    399fb15b4122b81a0f1f99e0f67f499a
+ * structure   3effa669e110459a1720840499d53b34
+ * checksum    d2b0d75d24def43e2e425822631f23a2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   79a9a00de4186acefbf13af7e15af100
- * checksum    46363c35995145adf087fbb64a94166b
+ * structure   a758a0685e415fe039528647f147d8da
+ * checksum    69bff85480729392b7eeae0beaddc64a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"
@@ -45,6 +45,19 @@ static double axis_p_axis_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_p_axis_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_p_axis_nearest(double value)
@@ -64,7 +77,11 @@ void axis_p_axis_init(axis_p_axis_state *fresh)
     state->position_control_shift_x0 = 0.0;
     state->position_control_shift_x1 = 0.0;
     state->position_control_shift_x2 = 0.0;
+    state->position_control_shift_copy0 = 0.0;
+    state->position_control_shift_copy1 = 0.0;
+    state->position_control_shift_copy2 = 0.0;
     state->position_control_x_held = 0.0;
+    state->position_control_x_held_copy = 0.0;
 }
 
 void axis_p_axis_inputs_init(axis_p_axis_inputs *inputs)
@@ -112,16 +129,23 @@ void axis_p_axis_step(
     static const double sample_limit = 1000000000000000.0;
 
     if (!(axis_p_axis_magnitude(inputs->x_command) <= sample_limit)) {
-        state->position_control_preset = false;
-        outputs->x_drive = state->position_control_x_held;
-        outputs->v_feedforward = 0.0;
-        outputs->xerr = 0;
-        outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = AXIS_P_AXIS_ERROR_X_COMMAND;
+        outputs->limited = false;
+        outputs->xerr = 0;
+        outputs->v_feedforward = 0.0;
+        state->position_control_preset = false;
+        if (axis_p_axis_is_zero(state->position_control_x_held - state->position_control_x_held_copy)) {
+            outputs->x_drive = state->position_control_x_held;
+            outputs->error_id = AXIS_P_AXIS_ERROR_X_COMMAND;
+        } else {
+            /* the position has been overwritten, and there is no other: 0, with the id that says so */
+            outputs->x_drive = 0.0;
+            outputs->error_id = AXIS_P_AXIS_ERROR_STATE;
+        }
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->x_drive = inputs->x_command;
         outputs->xerr = 0;
@@ -131,6 +155,7 @@ void axis_p_axis_step(
     } else if (!(axis_p_axis_magnitude(inputs->x_actual) <= sample_limit)) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->x_drive = inputs->x_command;
         outputs->xerr = 0;
@@ -140,6 +165,7 @@ void axis_p_axis_step(
     } else if (!inputs->position_controlled || inputs->reset) {
         state->position_control_preset = false;
         state->position_control_x_held = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         outputs->v_feedforward = 0.0;
         outputs->x_drive = inputs->x_command;
         outputs->xerr = 0;
@@ -147,11 +173,13 @@ void axis_p_axis_step(
         outputs->fault = false;
         outputs->error_id = AXIS_P_AXIS_ERROR_NONE;
     } else {
+        bool fault_so_far;
+        uint32_t error_id_so_far;
         double feedforward_v_feedforward;
         if (axis_p_axis_magnitude(inputs->v_interpolator) <= sample_limit
                 && axis_p_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
-            outputs->fault = false;
-            outputs->error_id = AXIS_P_AXIS_ERROR_NONE;
+            fault_so_far = false;
+            error_id_so_far = AXIS_P_AXIS_ERROR_NONE;
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -165,29 +193,53 @@ void axis_p_axis_step(
             const double feedforward_v_a = inputs->v_interpolator + feedforward_t_a * inputs->a_interpolator;
             feedforward_v_feedforward = feedforward_gain_now * feedforward_v_a;
         } else {
-            outputs->fault = true;
             if (axis_p_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
-                outputs->error_id = AXIS_P_AXIS_ERROR_V_INTERPOLATOR;
+                error_id_so_far = AXIS_P_AXIS_ERROR_V_INTERPOLATOR;
             } else {
-                outputs->error_id = AXIS_P_AXIS_ERROR_A_INTERPOLATOR;
+                error_id_so_far = AXIS_P_AXIS_ERROR_A_INTERPOLATOR;
             }
             feedforward_v_feedforward = 0.0;
+            fault_so_far = true;
         }
         outputs->v_feedforward = feedforward_v_feedforward;
         if (!state->position_control_preset) {
             state->position_control_shift_x0 = inputs->x_command;
+            state->position_control_shift_copy0 = inputs->x_command;
             state->position_control_shift_x1 = inputs->x_command;
+            state->position_control_shift_copy1 = inputs->x_command;
             state->position_control_shift_x2 = inputs->x_command;
+            state->position_control_shift_copy2 = inputs->x_command;
         }
         state->position_control_preset = true;
         const double position_control_shift_x_whole = state->position_control_shift_x2;
+        const double position_control_shift_x_whole_next = state->position_control_shift_copy2;
+        double position_control_shift_y;
+        bool position_control_shift_overwritten;
+        if (axis_p_axis_is_zero(position_control_shift_x_whole - position_control_shift_x_whole_next)) {
+            position_control_shift_y = position_control_shift_x_whole;
+            position_control_shift_overwritten = false;
+        } else {
+            position_control_shift_y = inputs->x_command;
+            position_control_shift_overwritten = true;
+        }
         state->position_control_shift_x2 = state->position_control_shift_x1;
         state->position_control_shift_x1 = state->position_control_shift_x0;
         state->position_control_shift_x0 = inputs->x_command;
-        const double position_control_x =
-            position_control_shift_x_whole + position_control_lag * feedforward_v_feedforward;
+        state->position_control_shift_copy2 = state->position_control_shift_copy1;
+        state->position_control_shift_copy1 = state->position_control_shift_copy0;
+        state->position_control_shift_copy0 = inputs->x_command;
+        if (position_control_shift_overwritten) {
+            state->position_control_preset = false;
+            outputs->error_id = AXIS_P_AXIS_ERROR_STATE;
+            outputs->fault = true;
+        } else {
+            outputs->fault = fault_so_far;
+            outputs->error_id = error_id_so_far;
+        }
+        const double position_control_x = position_control_shift_y + position_control_lag * feedforward_v_feedforward;
         outputs->x_drive = position_control_x;
         state->position_control_x_held = position_control_x;
+        state->position_control_x_held_copy = position_control_x;
         const double position_control_deviation = position_control_xerr_scale * (position_control_x - inputs->x_actual);
         if (axis_p_axis_magnitude(position_control_deviation) <= position_control_xerr_range_upper_limit) {
             outputs->limited = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   37bf1cd8b331c3fca96c685b7bee57dc
- * checksum    99c2846dcd6a11ce14c93fe3660c8fa2
+ * structure   a758a0685e415fe039528647f147d8da
+ * checksum    3a30612b86f7bdd8891839061fb2bc5a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -30,14 +30,14 @@ extern "C" {
 #define AXIS_P_AXIS_PARAMETERS_2 0x0f5b0eb8u
 #define AXIS_P_AXIS_PARAMETERS_3 0xd906051au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_P_AXIS_STRUCTURE_0 0x37bf1cd8u
-#define AXIS_P_AXIS_STRUCTURE_1 0xb331c3fcu
-#define AXIS_P_AXIS_STRUCTURE_2 0xa96c685bu
-#define AXIS_P_AXIS_STRUCTURE_3 0x7bee57dcu
+#define AXIS_P_AXIS_STRUCTURE_0 0xa758a068u
+#define AXIS_P_AXIS_STRUCTURE_1 0x5e415fe0u
+#define AXIS_P_AXIS_STRUCTURE_2 0x39528647u
+#define AXIS_P_AXIS_STRUCTURE_3 0xf147d8dau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_P_AXIS_INPUTS_SIZE 48u
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u
-#define AXIS_P_AXIS_STATE_SIZE 40u
+#define AXIS_P_AXIS_STATE_SIZE 72u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -53,6 +53,8 @@ typedef char axis_p_axis_real_has_64_bits[sizeof(double) == sizeof(uint64_t) ? 1
 enum {
     AXIS_P_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_P_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_P_AXIS_ERROR_STATE = 3,
     AXIS_P_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
     AXIS_P_AXIS_ERROR_A_INTERPOLATOR = 15, /* a_interpolator is not within the sample limit */
     AXIS_P_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
@@ -80,7 +82,7 @@ typedef struct {
     double x_drive; /* position control in the drive: the position command of the drive [um] */
     int32_t xerr; /* PROFIdrive: control deviation XERR, signal 25 (P-AXIS-00092) [increments] */
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18 x_actual */
+     * reads them: 0 none, 1 cycle_time, 3 state, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18 x_actual */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -92,7 +94,11 @@ typedef struct {
     double position_control_shift_x0; /* the samples before the present one, the latest first */
     double position_control_shift_x1; /* the samples before the present one, the latest first */
     double position_control_shift_x2; /* the samples before the present one, the latest first */
+    double position_control_shift_copy0; /* the same again: what has been overwritten differs */
+    double position_control_shift_copy1; /* the same again: what has been overwritten differs */
+    double position_control_shift_copy2; /* the same again: what has been overwritten differs */
     double position_control_x_held; /* the last position command of the drive */
+    double position_control_x_held_copy; /* the same again: what has been overwritten differs */
 } axis_p_axis_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

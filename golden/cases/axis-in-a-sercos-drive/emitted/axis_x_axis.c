@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   31eaf412f3b9ddc732f4133b158fcd6f
- * checksum    bbf2144c036500ea7aec0c170910908e
+ * structure   7205fb4f2b1dfede0c4c5a362a23fb1d
+ * checksum    7000ac022c57a04db755fc7e3a117443
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -45,6 +45,19 @@ static double axis_x_axis_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_x_axis_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_x_axis_nearest(double value)
@@ -62,12 +75,19 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     volatile axis_x_axis_state *const state = fresh;
     state->feedforward_preset = false;
     state->feedforward_velocity_delay_x0 = 0.0;
+    state->feedforward_velocity_delay_copy0 = 0.0;
     state->feedforward_acceleration_delay_x0 = 0.0;
     state->feedforward_acceleration_delay_x1 = 0.0;
     state->feedforward_acceleration_delay_x2 = 0.0;
     state->feedforward_acceleration_delay_x3 = 0.0;
     state->feedforward_acceleration_delay_x4 = 0.0;
     state->feedforward_acceleration_delay_x5 = 0.0;
+    state->feedforward_acceleration_delay_copy0 = 0.0;
+    state->feedforward_acceleration_delay_copy1 = 0.0;
+    state->feedforward_acceleration_delay_copy2 = 0.0;
+    state->feedforward_acceleration_delay_copy3 = 0.0;
+    state->feedforward_acceleration_delay_copy4 = 0.0;
+    state->feedforward_acceleration_delay_copy5 = 0.0;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_stage0_oscillation_s1 = 0.0;
@@ -75,6 +95,7 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     state->ipc_stage0_filter0_section0_s1 = 0.0;
     state->ipc_stage0_filter0_section0_s2 = 0.0;
     state->position_control_x_held = 0.0;
+    state->position_control_x_held_copy = 0.0;
 }
 
 void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
@@ -177,19 +198,26 @@ void axis_x_axis_step(
     static const double anti_denormal = 1.0e-30;
 
     if (!(axis_x_axis_magnitude(inputs->x_command) <= sample_limit)) {
-        outputs->x_drive = state->position_control_x_held;
-        state->feedforward_preset = false;
-        state->ipc_preset = false;
-        state->ipc_fade = 0u;
-        outputs->v_add = 0.0;
-        outputs->v_add_calculated = 0.0;
-        outputs->additive_velocity = 0;
-        outputs->additive_torque = 0;
-        outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = AXIS_X_AXIS_ERROR_X_COMMAND;
+        outputs->limited = false;
+        outputs->additive_torque = 0;
+        outputs->additive_velocity = 0;
+        outputs->v_add_calculated = 0.0;
+        outputs->v_add = 0.0;
+        state->ipc_fade = 0u;
+        state->ipc_preset = false;
+        state->feedforward_preset = false;
+        if (axis_x_axis_is_zero(state->position_control_x_held - state->position_control_x_held_copy)) {
+            outputs->x_drive = state->position_control_x_held;
+            outputs->error_id = AXIS_X_AXIS_ERROR_X_COMMAND;
+        } else {
+            /* the position has been overwritten, and there is no other: 0, with the id that says so */
+            outputs->x_drive = 0.0;
+            outputs->error_id = AXIS_X_AXIS_ERROR_STATE;
+        }
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         state->position_control_x_held = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         state->feedforward_preset = false;
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -203,6 +231,7 @@ void axis_x_axis_step(
         outputs->error_id = AXIS_X_AXIS_ERROR_CYCLE_TIME;
     } else if (!inputs->position_controlled || inputs->reset) {
         state->position_control_x_held = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         state->feedforward_preset = false;
         state->ipc_preset = false;
         state->ipc_fade = 0u;
@@ -216,15 +245,14 @@ void axis_x_axis_step(
         outputs->error_id = AXIS_X_AXIS_ERROR_NONE;
     } else {
         outputs->x_drive = inputs->x_command;
+        state->position_control_x_held_copy = inputs->x_command;
         state->position_control_x_held = inputs->x_command;
-        bool fault_so_far;
-        uint32_t error_id_so_far;
         double feedforward_v_additive;
+        bool feedforward_fault_next;
+        uint32_t feedforward_error_id_next;
         bool limited_so_far;
         if (axis_x_axis_magnitude(inputs->v_interpolator) <= sample_limit
                 && axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
-            fault_so_far = false;
-            error_id_so_far = AXIS_X_AXIS_ERROR_NONE;
             double feedforward_gain_now;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -240,32 +268,88 @@ void axis_x_axis_step(
             if (!state->feedforward_preset) {
                 /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
                 state->feedforward_velocity_delay_x0 = feedforward_v;
+                state->feedforward_velocity_delay_copy0 = feedforward_v;
                 /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
                 state->feedforward_acceleration_delay_x0 = feedforward_a;
+                state->feedforward_acceleration_delay_copy0 = feedforward_a;
                 state->feedforward_acceleration_delay_x1 = feedforward_a;
+                state->feedforward_acceleration_delay_copy1 = feedforward_a;
                 state->feedforward_acceleration_delay_x2 = feedforward_a;
+                state->feedforward_acceleration_delay_copy2 = feedforward_a;
                 state->feedforward_acceleration_delay_x3 = feedforward_a;
+                state->feedforward_acceleration_delay_copy3 = feedforward_a;
                 state->feedforward_acceleration_delay_x4 = feedforward_a;
+                state->feedforward_acceleration_delay_copy4 = feedforward_a;
                 state->feedforward_acceleration_delay_x5 = feedforward_a;
+                state->feedforward_acceleration_delay_copy5 = feedforward_a;
                 state->feedforward_preset = true;
             }
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-            feedforward_v_additive =
+            const double feedforward_velocity_delay_y =
                 feedforward_velocity_delay_now * feedforward_v
                     + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
             state->feedforward_velocity_delay_x0 = feedforward_v;
+            const double feedforward_velocity_delay_y_next =
+                feedforward_velocity_delay_now * feedforward_v
+                    + feedforward_velocity_delay_before * state->feedforward_velocity_delay_copy0;
+            state->feedforward_velocity_delay_copy0 = feedforward_v;
+            bool feedforward_velocity_delay_overwritten;
+            if (axis_x_axis_is_zero(feedforward_velocity_delay_y - feedforward_velocity_delay_y_next)) {
+                feedforward_v_additive = feedforward_velocity_delay_y;
+                feedforward_velocity_delay_overwritten = false;
+            } else {
+                feedforward_v_additive = feedforward_v;
+                feedforward_velocity_delay_overwritten = true;
+            }
+            bool feedforward_fault;
+            uint32_t feedforward_error_id;
+            if (feedforward_velocity_delay_overwritten) {
+                state->feedforward_preset = false;
+                feedforward_fault = true;
+                feedforward_error_id = AXIS_X_AXIS_ERROR_STATE;
+            } else {
+                feedforward_fault = false;
+                feedforward_error_id = AXIS_X_AXIS_ERROR_NONE;
+            }
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
             const double feedforward_acceleration_delay_x_whole = state->feedforward_acceleration_delay_x4;
             const double feedforward_acceleration_delay_y =
                 feedforward_acceleration_delay_now * feedforward_acceleration_delay_x_whole
                     + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_x5;
+            const double feedforward_acceleration_delay_x_whole_next = state->feedforward_acceleration_delay_copy4;
+            const double feedforward_acceleration_delay_y_next =
+                feedforward_acceleration_delay_now * feedforward_acceleration_delay_x_whole_next
+                    + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_copy5;
+            double feedforward_acceleration_delay_y_last;
+            bool feedforward_acceleration_delay_overwritten;
+            if (axis_x_axis_is_zero(feedforward_acceleration_delay_y - feedforward_acceleration_delay_y_next)) {
+                feedforward_acceleration_delay_y_last = feedforward_acceleration_delay_y;
+                feedforward_acceleration_delay_overwritten = false;
+            } else {
+                feedforward_acceleration_delay_y_last = feedforward_a;
+                feedforward_acceleration_delay_overwritten = true;
+            }
             state->feedforward_acceleration_delay_x5 = state->feedforward_acceleration_delay_x4;
             state->feedforward_acceleration_delay_x4 = state->feedforward_acceleration_delay_x3;
             state->feedforward_acceleration_delay_x3 = state->feedforward_acceleration_delay_x2;
             state->feedforward_acceleration_delay_x2 = state->feedforward_acceleration_delay_x1;
             state->feedforward_acceleration_delay_x1 = state->feedforward_acceleration_delay_x0;
             state->feedforward_acceleration_delay_x0 = feedforward_a;
-            const double feedforward_torque_a = feedforward_torque_acceleration * feedforward_acceleration_delay_y;
+            state->feedforward_acceleration_delay_copy5 = state->feedforward_acceleration_delay_copy4;
+            state->feedforward_acceleration_delay_copy4 = state->feedforward_acceleration_delay_copy3;
+            state->feedforward_acceleration_delay_copy3 = state->feedforward_acceleration_delay_copy2;
+            state->feedforward_acceleration_delay_copy2 = state->feedforward_acceleration_delay_copy1;
+            state->feedforward_acceleration_delay_copy1 = state->feedforward_acceleration_delay_copy0;
+            state->feedforward_acceleration_delay_copy0 = feedforward_a;
+            const double feedforward_torque_a = feedforward_torque_acceleration * feedforward_acceleration_delay_y_last;
+            if (feedforward_acceleration_delay_overwritten) {
+                state->feedforward_preset = false;
+                feedforward_fault_next = true;
+                feedforward_error_id_next = AXIS_X_AXIS_ERROR_STATE;
+            } else {
+                feedforward_fault_next = feedforward_fault;
+                feedforward_error_id_next = feedforward_error_id;
+            }
             if (axis_x_axis_magnitude(feedforward_torque_a) <= feedforward_torque_range_upper_limit) {
                 limited_so_far = false;
                 outputs->additive_torque = axis_x_axis_nearest(feedforward_torque_a);
@@ -285,12 +369,21 @@ void axis_x_axis_step(
             state->feedforward_preset = false;
             limited_so_far = false;
             if (axis_x_axis_magnitude(inputs->a_interpolator) <= sample_limit) {
-                error_id_so_far = AXIS_X_AXIS_ERROR_V_INTERPOLATOR;
+                feedforward_error_id_next = AXIS_X_AXIS_ERROR_V_INTERPOLATOR;
             } else {
-                error_id_so_far = AXIS_X_AXIS_ERROR_A_INTERPOLATOR;
+                feedforward_error_id_next = AXIS_X_AXIS_ERROR_A_INTERPOLATOR;
             }
             feedforward_v_additive = 0.0;
+            feedforward_fault_next = true;
+        }
+        bool fault_so_far;
+        uint32_t error_id_so_far;
+        if (feedforward_fault_next) {
             fault_so_far = true;
+            error_id_so_far = feedforward_error_id_next;
+        } else {
+            fault_so_far = false;
+            error_id_so_far = AXIS_X_AXIS_ERROR_NONE;
         }
         bool ipc_runs;
         uint32_t ipc_reason;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   4a3554cff2e3b344d0ed737e1540ae12
- * checksum    5daa639fea7084b6a19fa3688cc0a939
+ * structure   7205fb4f2b1dfede0c4c5a362a23fb1d
+ * checksum    bf06e9b9a46b841608a69906b2df3036
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,14 +32,14 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x4a3554cfu
-#define AXIS_X_AXIS_STRUCTURE_1 0xf2e3b344u
-#define AXIS_X_AXIS_STRUCTURE_2 0xd0ed737eu
-#define AXIS_X_AXIS_STRUCTURE_3 0x1540ae12u
+#define AXIS_X_AXIS_STRUCTURE_0 0x7205fb4fu
+#define AXIS_X_AXIS_STRUCTURE_1 0x2b1dfedeu
+#define AXIS_X_AXIS_STRUCTURE_2 0x0c4c5a36u
+#define AXIS_X_AXIS_STRUCTURE_3 0x2a23fb1du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u
-#define AXIS_X_AXIS_STATE_SIZE 112u
+#define AXIS_X_AXIS_STATE_SIZE 176u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -105,12 +105,19 @@ typedef struct {
 typedef struct {
     bool feedforward_preset; /* whether the delays have been filled */
     double feedforward_velocity_delay_x0; /* the samples before the present one, the latest first */
+    double feedforward_velocity_delay_copy0; /* the same again: what has been overwritten differs */
     double feedforward_acceleration_delay_x0; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x1; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x2; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x3; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x4; /* the samples before the present one, the latest first */
     double feedforward_acceleration_delay_x5; /* the samples before the present one, the latest first */
+    double feedforward_acceleration_delay_copy0; /* the same again: what has been overwritten differs */
+    double feedforward_acceleration_delay_copy1; /* the same again: what has been overwritten differs */
+    double feedforward_acceleration_delay_copy2; /* the same again: what has been overwritten differs */
+    double feedforward_acceleration_delay_copy3; /* the same again: what has been overwritten differs */
+    double feedforward_acceleration_delay_copy4; /* the same again: what has been overwritten differs */
+    double feedforward_acceleration_delay_copy5; /* the same again: what has been overwritten differs */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
      * state was overwritten */
@@ -120,6 +127,7 @@ typedef struct {
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     double ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
     double position_control_x_held; /* the last position command of the drive */
+    double position_control_x_held_copy; /* the same again: what has been overwritten differs */
 } axis_x_axis_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

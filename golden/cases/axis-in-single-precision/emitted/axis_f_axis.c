@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   8a38999eb3a93a4694eebfe4caa471f9
- * checksum    7c75c4b2123df5f0ffa1c248d911e838
+ * structure   3ac15a771f94c29310e4aea9ca399807
+ * checksum    b5e3597d941cb5ea4d81b5d3e3127caa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

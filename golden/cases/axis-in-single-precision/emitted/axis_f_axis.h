@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  a7946ea0b07c6e724bf5e648d7f9875f
- * structure   889bd95cdd62a4dc07d6e21be55df86d
- * checksum    1fb0e887c3f255d73a4732bae283e93b
+ * structure   3ac15a771f94c29310e4aea9ca399807
+ * checksum    5be1043f552ff2fa965937f64efb8738
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
 #define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_AXIS_STRUCTURE_0 0x889bd95cu
-#define AXIS_F_AXIS_STRUCTURE_1 0xdd62a4dcu
-#define AXIS_F_AXIS_STRUCTURE_2 0x07d6e21bu
-#define AXIS_F_AXIS_STRUCTURE_3 0xe55df86du
+#define AXIS_F_AXIS_STRUCTURE_0 0x3ac15a77u
+#define AXIS_F_AXIS_STRUCTURE_1 0x1f94c293u
+#define AXIS_F_AXIS_STRUCTURE_2 0x10e4aea9u
+#define AXIS_F_AXIS_STRUCTURE_3 0xca399807u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u

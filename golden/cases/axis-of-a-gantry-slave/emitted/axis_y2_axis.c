@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   ce092c42aad269edc2fefd2e173dac3c
- * checksum    05d454956df8f78be86d70ba574d93f5
+ * structure   a987b5bc07c99aedee28fd95b061e39d
+ * checksum    0b6f0a1abbd5f3a0d94b48b8cfd27a2d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_y2_axis.h"

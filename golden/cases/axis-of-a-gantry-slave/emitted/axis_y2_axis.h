@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  2db12b55d2534ca103a8883bcea9d407
- * structure   0f8e9e94dce92c890f77545d4d6bcd90
- * checksum    d6e09ab46574f7d3651801981a162a39
+ * structure   a987b5bc07c99aedee28fd95b061e39d
+ * checksum    b30b81638b0919eb2575c7db062ee549
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_Y2_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_Y2_AXIS_PARAMETERS_2 0x03a8883bu
 #define AXIS_Y2_AXIS_PARAMETERS_3 0xcea9d407u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_Y2_AXIS_STRUCTURE_0 0x0f8e9e94u
-#define AXIS_Y2_AXIS_STRUCTURE_1 0xdce92c89u
-#define AXIS_Y2_AXIS_STRUCTURE_2 0x0f77545du
-#define AXIS_Y2_AXIS_STRUCTURE_3 0x4d6bcd90u
+#define AXIS_Y2_AXIS_STRUCTURE_0 0xa987b5bcu
+#define AXIS_Y2_AXIS_STRUCTURE_1 0x07c99aedu
+#define AXIS_Y2_AXIS_STRUCTURE_2 0xee28fd95u
+#define AXIS_Y2_AXIS_STRUCTURE_3 0xb061e39du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_Y2_AXIS_INPUTS_SIZE 32u
 #define AXIS_Y2_AXIS_OUTPUTS_SIZE 40u

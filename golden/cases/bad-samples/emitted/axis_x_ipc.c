@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  05550f54ed225d18fecf0f48000fec37
- * structure   6f05c185633ca73c2cb92a0f008942b4
- * checksum    2e28ca2505c0ca5b550ceef2b0b38142
+ * structure   db47f7e971da202484af9536033d1279
+ * checksum    4a245ab91ba0f27ebef4b6d3a7ecc4e5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  d866a6f941d589509e7405f1c45ff916
- * structure   d9a18c4b88f0bda3d80fd663afc42383
- * checksum    baf24591e51f128f8095a85c8316d64a
+ * structure   fc625c896fdc215dda70f371a87d4f6d
+ * checksum    feebda1a9b4d85e985da464151da3ad0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

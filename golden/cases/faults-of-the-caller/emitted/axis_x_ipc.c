@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  899d9161a2ded0013f7b34563e3f8ca5
- * structure   e97b57cb8cf9a41e66b98c94798f280a
- * checksum    31c819463a2b0246ce8b5cae0e46a5ee
+ * structure   18748b6db02c4535259de0715d728a7c
+ * checksum    6af10f71c3ca710e54934f1704acacfe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

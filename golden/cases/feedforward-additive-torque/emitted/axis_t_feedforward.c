@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   9617f4a8296e9b08ac356b6ef08d06b4
- * checksum    a887cf17d49689173ab264f7e46084c8
+ * structure   9487ddfe8b32f36fa297190384121109
+ * checksum    69e33a559cc1058de3e8717d298d0960
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_t_feedforward.h"
@@ -45,6 +45,19 @@ static double axis_t_feedforward_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_t_feedforward_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_t_feedforward_nearest(double value)
@@ -62,6 +75,7 @@ void axis_t_feedforward_init(axis_t_feedforward_state *fresh)
     volatile axis_t_feedforward_state *const state = fresh;
     state->preset = false;
     state->acceleration_delay_x0 = 0.0;
+    state->acceleration_delay_copy0 = 0.0;
 }
 
 void axis_t_feedforward_inputs_init(axis_t_feedforward_inputs *inputs)
@@ -123,8 +137,6 @@ void axis_t_feedforward_step(
         outputs->fault = false;
         outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
     } else {
-        outputs->fault = false;
-        outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -139,13 +151,28 @@ void axis_t_feedforward_step(
         if (!state->preset) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
             state->acceleration_delay_x0 = a;
+            state->acceleration_delay_copy0 = a;
             state->preset = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
         const double acceleration_delay_y =
             acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
-        const double torque_a = torque_acceleration * acceleration_delay_y;
+        const double acceleration_delay_y_next =
+            acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_copy0;
+        state->acceleration_delay_copy0 = a;
+        double acceleration_delay_y_last;
+        if (axis_t_feedforward_is_zero(acceleration_delay_y - acceleration_delay_y_next)) {
+            outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
+            outputs->fault = false;
+            acceleration_delay_y_last = acceleration_delay_y;
+        } else {
+            acceleration_delay_y_last = a;
+            state->preset = false;
+            outputs->fault = true;
+            outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_STATE;
+        }
+        const double torque_a = torque_acceleration * acceleration_delay_y_last;
         if (axis_t_feedforward_magnitude(torque_a) <= torque_range_upper_limit) {
             outputs->additive_torque = axis_t_feedforward_nearest(torque_a);
             outputs->torque_limited = false;

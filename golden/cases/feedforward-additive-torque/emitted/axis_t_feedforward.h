@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   8ddc451898d90e9951ab36439e8e5cd0
- * checksum    7e14d022241333ab768984d1fb45dc48
+ * structure   9487ddfe8b32f36fa297190384121109
+ * checksum    46bd2e10e6b5c4da33f4669ef3c43f14
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_T_FEEDFORWARD_H
@@ -30,14 +30,14 @@ extern "C" {
 #define AXIS_T_FEEDFORWARD_PARAMETERS_2 0x2ebaa9f3u
 #define AXIS_T_FEEDFORWARD_PARAMETERS_3 0x9de14a3fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x8ddc4518u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x98d90e99u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0x51ab3643u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0x9e8e5cd0u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x9487ddfeu
+#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x8b32f36fu
+#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0xa2971903u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0x84121109u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_T_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_T_FEEDFORWARD_OUTPUTS_SIZE 12u
-#define AXIS_T_FEEDFORWARD_STATE_SIZE 16u
+#define AXIS_T_FEEDFORWARD_STATE_SIZE 24u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -54,6 +54,8 @@ enum {
     AXIS_T_FEEDFORWARD_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_T_FEEDFORWARD_ERROR_CYCLE_TIME = 1,
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_T_FEEDFORWARD_ERROR_STATE = 3,
     AXIS_T_FEEDFORWARD_ERROR_A_INTERPOLATOR = 15 /* a_interpolator is not within the sample limit */
 };
 
@@ -73,13 +75,14 @@ typedef struct {
     int32_t additive_torque;
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 15 a_interpolator */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 3 state, 15 a_interpolator */
 } axis_t_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the delays have been filled */
     double acceleration_delay_x0; /* the samples before the present one, the latest first */
+    double acceleration_delay_copy0; /* the same again: what has been overwritten differs */
 } axis_t_feedforward_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

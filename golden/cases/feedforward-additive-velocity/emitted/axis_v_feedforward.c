@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   f48e88ec1cc75ebd97f8714571ff5292
- * checksum    5a3acdc3ffd565565f45de48d227ba9c
+ * structure   a016ca467c8ca83f8da0b5be75728a88
+ * checksum    b961f21a91fbd6971e30f2262372545d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_v_feedforward.h"
@@ -45,6 +45,19 @@ static double axis_v_feedforward_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_v_feedforward_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_v_feedforward_nearest(double value)
@@ -62,6 +75,7 @@ void axis_v_feedforward_init(axis_v_feedforward_state *fresh)
     volatile axis_v_feedforward_state *const state = fresh;
     state->preset = false;
     state->velocity_delay_x0 = 0.0;
+    state->velocity_delay_copy0 = 0.0;
 }
 
 void axis_v_feedforward_inputs_init(axis_v_feedforward_inputs *inputs)
@@ -125,8 +139,6 @@ void axis_v_feedforward_step(
         outputs->fault = false;
         outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
     } else {
-        outputs->fault = false;
-        outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -141,13 +153,28 @@ void axis_v_feedforward_step(
         if (!state->preset) {
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
+            state->velocity_delay_copy0 = v;
             state->preset = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
         const double velocity_delay_y = velocity_delay_now * v + velocity_delay_before * state->velocity_delay_x0;
         state->velocity_delay_x0 = v;
-        outputs->v_additive = velocity_delay_y;
-        const double velocity = velocity_scale * velocity_delay_y;
+        const double velocity_delay_y_next =
+            velocity_delay_now * v + velocity_delay_before * state->velocity_delay_copy0;
+        state->velocity_delay_copy0 = v;
+        double velocity_delay_y_last;
+        if (axis_v_feedforward_is_zero(velocity_delay_y - velocity_delay_y_next)) {
+            outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
+            outputs->fault = false;
+            velocity_delay_y_last = velocity_delay_y;
+        } else {
+            velocity_delay_y_last = v;
+            state->preset = false;
+            outputs->fault = true;
+            outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_STATE;
+        }
+        outputs->v_additive = velocity_delay_y_last;
+        const double velocity = velocity_scale * velocity_delay_y_last;
         if (axis_v_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
             outputs->additive_velocity = axis_v_feedforward_nearest(velocity);
             outputs->velocity_limited = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   852464133b613bd424eb60c285f069cc
- * checksum    1a7ac8e276cc406304b68eaf84317541
+ * structure   a016ca467c8ca83f8da0b5be75728a88
+ * checksum    f5cdfa110820fa1722889103b147a186
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_V_FEEDFORWARD_H
@@ -30,14 +30,14 @@ extern "C" {
 #define AXIS_V_FEEDFORWARD_PARAMETERS_2 0x482e4203u
 #define AXIS_V_FEEDFORWARD_PARAMETERS_3 0x9b26788cu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0x85246413u
-#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x3b613bd4u
-#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x24eb60c2u
-#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x85f069ccu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0xa016ca46u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x7c8ca83fu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x8da0b5beu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x75728a88u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_V_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_V_FEEDFORWARD_OUTPUTS_SIZE 24u
-#define AXIS_V_FEEDFORWARD_STATE_SIZE 16u
+#define AXIS_V_FEEDFORWARD_STATE_SIZE 24u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -54,6 +54,8 @@ enum {
     AXIS_V_FEEDFORWARD_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_V_FEEDFORWARD_ERROR_CYCLE_TIME = 1,
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_V_FEEDFORWARD_ERROR_STATE = 3,
     AXIS_V_FEEDFORWARD_ERROR_V_INTERPOLATOR = 14 /* v_interpolator is not within the sample limit */
 };
 
@@ -73,13 +75,14 @@ typedef struct {
     int32_t additive_velocity; /* v_additive as process data of the drive (P-AXIS-00205 to 00207) [increments] */
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 14 v_interpolator */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 3 state, 14 v_interpolator */
 } axis_v_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     bool preset; /* whether the delays have been filled */
     double velocity_delay_x0; /* the samples before the present one, the latest first */
+    double velocity_delay_copy0; /* the same again: what has been overwritten differs */
 } axis_v_feedforward_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b3ed5792d9f8226b8fcc93505e5e2511
- * structure   7cece44b9e1acc647b384c4f009eada1
- * checksum    7b06b64e1245528343ec20a7f9fe8775
+ * structure   492cb4559603e904c751d6a62b8c0542
+ * checksum    f979fa13e17bbb17cd07579f5636066c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"

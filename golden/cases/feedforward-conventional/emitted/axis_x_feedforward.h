@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  b3ed5792d9f8226b8fcc93505e5e2511
- * structure   e61573778e7f5cdfcb618f7f50d2030c
- * checksum    c945c338b0e47f294392b499c9dcbd19
+ * structure   492cb4559603e904c751d6a62b8c0542
+ * checksum    6091ac56594943fbb3dfe5df28090704
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_X_FEEDFORWARD_PARAMETERS_2 0x8fcc9350u
 #define AXIS_X_FEEDFORWARD_PARAMETERS_3 0x5e5e2511u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0xe6157377u
-#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x8e7f5cdfu
-#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xcb618f7fu
-#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x50d2030cu
+#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x492cb455u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x9603e904u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xc751d6a6u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x2b8c0542u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_FEEDFORWARD_INPUTS_SIZE 40u
 #define AXIS_X_FEEDFORWARD_OUTPUTS_SIZE 16u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   7de2212c90ae1e6a1b2926f90da39e62
- * checksum    42e092fd277ec590b8aeb36974c7c90d
+ * structure   619e71a8ea6a31eeefbc89aa6fdee3fa
+ * checksum    137dff595e9ef9273245b63b10b94352
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
@@ -45,6 +45,19 @@ static double axis_x_feedforward_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_x_feedforward_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_x_feedforward_nearest(double value)
@@ -67,8 +80,16 @@ void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
     state->velocity_delay_x3 = 0.0;
     state->velocity_delay_x4 = 0.0;
     state->velocity_delay_x5 = 0.0;
+    state->velocity_delay_copy0 = 0.0;
+    state->velocity_delay_copy1 = 0.0;
+    state->velocity_delay_copy2 = 0.0;
+    state->velocity_delay_copy3 = 0.0;
+    state->velocity_delay_copy4 = 0.0;
+    state->velocity_delay_copy5 = 0.0;
     state->acceleration_delay_x0 = 0.0;
     state->acceleration_delay_x1 = 0.0;
+    state->acceleration_delay_copy0 = 0.0;
+    state->acceleration_delay_copy1 = 0.0;
 }
 
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
@@ -158,8 +179,6 @@ void axis_x_feedforward_step(
         outputs->fault = false;
         outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
     } else {
-        outputs->fault = false;
-        outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_NONE;
         double gain_now;
         if (inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -176,14 +195,22 @@ void axis_x_feedforward_step(
         if (!state->preset) {
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
             state->velocity_delay_x0 = v;
+            state->velocity_delay_copy0 = v;
             state->velocity_delay_x1 = v;
+            state->velocity_delay_copy1 = v;
             state->velocity_delay_x2 = v;
+            state->velocity_delay_copy2 = v;
             state->velocity_delay_x3 = v;
+            state->velocity_delay_copy3 = v;
             state->velocity_delay_x4 = v;
+            state->velocity_delay_copy4 = v;
             state->velocity_delay_x5 = v;
+            state->velocity_delay_copy5 = v;
             /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
             state->acceleration_delay_x0 = a;
+            state->acceleration_delay_copy0 = a;
             state->acceleration_delay_x1 = a;
+            state->acceleration_delay_copy1 = a;
             /* delay of 0 us = 0 cycles (P-AXIS-00547) */
             state->preset = true;
         }
@@ -191,14 +218,36 @@ void axis_x_feedforward_step(
         const double velocity_delay_x_whole = state->velocity_delay_x4;
         const double velocity_delay_y =
             velocity_delay_now * velocity_delay_x_whole + velocity_delay_before * state->velocity_delay_x5;
+        const double velocity_delay_x_whole_next = state->velocity_delay_copy4;
+        const double velocity_delay_y_next =
+            velocity_delay_now * velocity_delay_x_whole_next + velocity_delay_before * state->velocity_delay_copy5;
+        uint32_t error_id_so_far;
+        bool fault_so_far;
+        double velocity_delay_y_last;
+        if (axis_x_feedforward_is_zero(velocity_delay_y - velocity_delay_y_next)) {
+            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_NONE;
+            fault_so_far = false;
+            velocity_delay_y_last = velocity_delay_y;
+        } else {
+            velocity_delay_y_last = v;
+            state->preset = false;
+            fault_so_far = true;
+            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_STATE;
+        }
         state->velocity_delay_x5 = state->velocity_delay_x4;
         state->velocity_delay_x4 = state->velocity_delay_x3;
         state->velocity_delay_x3 = state->velocity_delay_x2;
         state->velocity_delay_x2 = state->velocity_delay_x1;
         state->velocity_delay_x1 = state->velocity_delay_x0;
         state->velocity_delay_x0 = v;
-        outputs->v_additive = velocity_delay_y;
-        const double velocity = velocity_scale * velocity_delay_y;
+        state->velocity_delay_copy5 = state->velocity_delay_copy4;
+        state->velocity_delay_copy4 = state->velocity_delay_copy3;
+        state->velocity_delay_copy3 = state->velocity_delay_copy2;
+        state->velocity_delay_copy2 = state->velocity_delay_copy1;
+        state->velocity_delay_copy1 = state->velocity_delay_copy0;
+        state->velocity_delay_copy0 = v;
+        outputs->v_additive = velocity_delay_y_last;
+        const double velocity = velocity_scale * velocity_delay_y_last;
         if (axis_x_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
             outputs->additive_velocity = axis_x_feedforward_nearest(velocity);
             outputs->velocity_limited = false;
@@ -215,9 +264,23 @@ void axis_x_feedforward_step(
         }
         /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
         const double acceleration_delay_x_whole = state->acceleration_delay_x1;
+        const double acceleration_delay_x_whole_next = state->acceleration_delay_copy1;
+        double acceleration_delay_y;
+        if (axis_x_feedforward_is_zero(acceleration_delay_x_whole - acceleration_delay_x_whole_next)) {
+            outputs->error_id = error_id_so_far;
+            outputs->fault = fault_so_far;
+            acceleration_delay_y = acceleration_delay_x_whole;
+        } else {
+            acceleration_delay_y = a;
+            state->preset = false;
+            outputs->fault = true;
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_STATE;
+        }
         state->acceleration_delay_x1 = state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
-        const double torque_a = torque_acceleration * acceleration_delay_x_whole;
+        state->acceleration_delay_copy1 = state->acceleration_delay_copy0;
+        state->acceleration_delay_copy0 = a;
+        const double torque_a = torque_acceleration * acceleration_delay_y;
         /* delay of 0 us = 0 cycles (P-AXIS-00547) */
         const double torque_a_j = torque_a + torque_jerk * j;
         if (axis_x_feedforward_magnitude(torque_a_j) <= torque_range_upper_limit) {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   0c8a872af7a93942a4a752ef109ef7db
- * checksum    62ff1777c252d423456c06cd705bce65
+ * structure   619e71a8ea6a31eeefbc89aa6fdee3fa
+ * checksum    3b33c26584ffbb965afe5ddf2bb99791
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -30,14 +30,14 @@ extern "C" {
 #define AXIS_X_FEEDFORWARD_PARAMETERS_2 0xd12905c1u
 #define AXIS_X_FEEDFORWARD_PARAMETERS_3 0xb2a3f3dbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x0c8a872au
-#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0xf7a93942u
-#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xa4a752efu
-#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x109ef7dbu
+#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x619e71a8u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0xea6a31eeu
+#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xefbc89aau
+#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x6fdee3fau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_FEEDFORWARD_INPUTS_SIZE 40u
 #define AXIS_X_FEEDFORWARD_OUTPUTS_SIZE 24u
-#define AXIS_X_FEEDFORWARD_STATE_SIZE 72u
+#define AXIS_X_FEEDFORWARD_STATE_SIZE 136u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -54,6 +54,8 @@ enum {
     AXIS_X_FEEDFORWARD_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_FEEDFORWARD_ERROR_CYCLE_TIME = 1,
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_X_FEEDFORWARD_ERROR_STATE = 3,
     AXIS_X_FEEDFORWARD_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
     AXIS_X_FEEDFORWARD_ERROR_A_INTERPOLATOR = 15, /* a_interpolator is not within the sample limit */
     AXIS_X_FEEDFORWARD_ERROR_J_INTERPOLATOR = 16 /* j_interpolator is not within the sample limit */
@@ -79,7 +81,7 @@ typedef struct {
     bool velocity_limited; /* the process-data type cuts additive_velocity off in this cycle */
     bool torque_limited; /* the process-data type cuts additive_torque off in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* 0 none, 1 cycle_time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator */
+    uint32_t error_id; /* 0 none, 1 cycle_time, 3 state, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator */
 } axis_x_feedforward_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
@@ -91,8 +93,16 @@ typedef struct {
     double velocity_delay_x3; /* the samples before the present one, the latest first */
     double velocity_delay_x4; /* the samples before the present one, the latest first */
     double velocity_delay_x5; /* the samples before the present one, the latest first */
+    double velocity_delay_copy0; /* the same again: what has been overwritten differs */
+    double velocity_delay_copy1; /* the same again: what has been overwritten differs */
+    double velocity_delay_copy2; /* the same again: what has been overwritten differs */
+    double velocity_delay_copy3; /* the same again: what has been overwritten differs */
+    double velocity_delay_copy4; /* the same again: what has been overwritten differs */
+    double velocity_delay_copy5; /* the same again: what has been overwritten differs */
     double acceleration_delay_x0; /* the samples before the present one, the latest first */
     double acceleration_delay_x1; /* the samples before the present one, the latest first */
+    double acceleration_delay_copy0; /* the same again: what has been overwritten differs */
+    double acceleration_delay_copy1; /* the same again: what has been overwritten differs */
 } axis_x_feedforward_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

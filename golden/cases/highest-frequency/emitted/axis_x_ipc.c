@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  4000000 ns
  * parameters  677de2a23211c4ed594818a9169e5c31
- * structure   26cf82a0f4297a790d204a6a404f218a
- * checksum    c00386f4aae1d9f24c5559ef38c93bd7
+ * structure   8e9f92facf1dd08b3458fc36a64394f2
+ * checksum    97d4d0507ce0b2d6a2bb0384193f41c7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

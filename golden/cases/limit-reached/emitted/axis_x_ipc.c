@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  035a2ceba1d4549378e201e9e82370a6
- * structure   1d85b85e31fe45ec7a766b990d031e2d
- * checksum    8d214ba8d393b7c138964c937a6d79b4
+ * structure   ee341d0fcf1248a3a8512bdfe720fa71
+ * checksum    8d6b2e2696cd92407b693247294b6de1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

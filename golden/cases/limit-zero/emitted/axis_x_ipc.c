@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  2cb36657eb5edd333340ce8cb8317bc0
- * structure   6c7a1b1ccd25aa7e2ae875a6d2a81e4d
- * checksum    a57b0282f5b6520c4b62d1a9535940cf
+ * structure   a77c7dca2a88668ab3a13d723deb366b
+ * checksum    943cd9ced54f20f3e95aae74d8fcea68
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

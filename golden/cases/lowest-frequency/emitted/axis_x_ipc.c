@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  62500 ns
  * parameters  2ebd2317bdfdf9946197084c79fdae1d
- * structure   80e9ec0ef4e1f063cbaba6a749f71eb3
- * checksum    a5f12fc4be9cdc0106420b926e105724
+ * structure   35353bf6be272d65f82d5e995576b435
+ * checksum    280beef832245a241d617373f2b4cf50
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

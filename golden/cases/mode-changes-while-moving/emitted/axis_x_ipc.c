@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  310bc9f2d370ffdb55eb325b34f7ea20
- * structure   680a276cb1222e9eb2fd5683f97dc93c
- * checksum    49bd2b25b5b2a8ab6f18e2daa8b5554a
+ * structure   9d821a92ab2cb8a37adb04544f78a3e0
+ * checksum    2c0ff46187e4a4aacb0ba9ce5ea833cf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   836ff6980a0ce4e8738e89b26922af43
- * checksum    0b48a1c3cf26775d19fc6b65a134c08f
+ * structure   ee0683c3e0a736895811384b44f912b5
+ * checksum    e94912f41b19c72aa602d9053b1a4ed9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -28,6 +28,12 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
+#endif
 
 /* |value|, without a library */
 static float axis_x_ipc_magnitude(float value)
@@ -38,6 +44,19 @@ static float axis_x_ipc_magnitude(float value)
     return value < 0.0f ? -value : value;
 #endif
 }
+
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_x_ipc_is_zero(float value)
+{
+    return value == 0.0f;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t axis_x_ipc_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
@@ -57,7 +76,7 @@ static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade 
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
-static const uint32_t axis_x_ipc_differed = 4294967295u; /* a number differed from its copy */
+static const int32_t axis_x_ipc_differed = 2147483647; /* a number differed from its copy */
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     3436647191u, /* structure */
@@ -97,7 +116,7 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->copy_stage0_filter0_bandpass0_b = 0.0f;
     state->copy_stage0_filter0_bandpass0_c = 0.0f;
     state->copy_stage0_gain = 0.0f;
-    state->turn_next = 0u;
+    state->turn_next = 0;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -133,6 +152,8 @@ static void axis_x_ipc_any_cycle(
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
     static const float pole_limit = 2.0f; /* 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it */
     static const float first_cut = 32768.0f; /* 2^15: the first cut */
+    /* the largest number below 2^31: what is left of a number is below it after each cut */
+    static const float largest_piece = 2147483500.0f;
     static const float next_cut = 2147483600.0f; /* 2^31: each further cut */
     static const float half = 0.5f; /* 1/2: half a word of 32 bits becomes a number that can be cut */
 
@@ -158,7 +179,7 @@ static void axis_x_ipc_any_cycle(
             state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
             state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
             state->copy_stage0_gain = state->now_stage0_gain;
-            state->turn_next = 0u;
+            state->turn_next = 0;
             refused = AXIS_X_IPC_ERROR_NONE;
         } else if (must_wait) {
             state->pause = state->pause - 1u;
@@ -183,7 +204,7 @@ static void axis_x_ipc_any_cycle(
                             && axis_x_ipc_magnitude(state->copy_lower_limit) <= axis_x_ipc_ipc_limit
                             && axis_x_ipc_magnitude(state->copy_sum_limit * limit_scale) <= largest_number) {
                         are_sound_so_far =
-                            state->copy_limit >= 0.0f && state->copy_lower_limit + state->copy_limit == 0.0f
+                            state->copy_limit >= 0.0f && axis_x_ipc_is_zero(state->copy_lower_limit + state->copy_limit)
                                 && state->copy_sum_limit >= state->copy_limit;
                     } else {
                         are_sound_so_far = false;
@@ -208,19 +229,34 @@ static void axis_x_ipc_any_cycle(
                         const float limits_last = state->copy_sum_limit;
                         const float number0 = limits * limit_scale;
                         const float rest0 = number0 * first_cut;
-                        const int32_t piece00 = (int32_t)rest0;
+                        int32_t piece00;
+                        if (axis_x_ipc_magnitude(rest0) <= largest_piece) {
+                            piece00 = (int32_t)rest0;
+                        } else {
+                            piece00 = 0;
+                        }
                         const int32_t part00 = piece00 % 46337;
                         const int32_t first00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
                         const int32_t second00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
                         const float rest00 = (rest0 - (float)piece00) * next_cut;
-                        const int32_t piece01 = (int32_t)rest00;
+                        int32_t piece01;
+                        if (axis_x_ipc_magnitude(rest00) <= largest_piece) {
+                            piece01 = (int32_t)rest00;
+                        } else {
+                            piece01 = 0;
+                        }
                         const int32_t part01 = piece01 % 46337;
                         const int32_t first01 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00 * (uint32_t)31337)) + (uint32_t)part01)) % 46337;
                         const int32_t second01 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00 * (uint32_t)17389)) + (uint32_t)part01)) % 46337;
                         const float rest01 = (rest00 - (float)piece01) * next_cut;
-                        const int32_t piece02 = (int32_t)rest01;
+                        int32_t piece02;
+                        if (axis_x_ipc_magnitude(rest01) <= largest_piece) {
+                            piece02 = (int32_t)rest01;
+                        } else {
+                            piece02 = 0;
+                        }
                         const int32_t part02 = piece02 % 46337;
                         const int32_t first02 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first01 * (uint32_t)31337)) + (uint32_t)part02)) % 46337;
@@ -230,21 +266,36 @@ static void axis_x_ipc_any_cycle(
                         const float left_over0 = 0.0f + rest02;
                         const float number1 = limits_next * limit_scale;
                         const float rest1 = number1 * first_cut;
-                        const int32_t piece10 = (int32_t)rest1;
+                        int32_t piece10;
+                        if (axis_x_ipc_magnitude(rest1) <= largest_piece) {
+                            piece10 = (int32_t)rest1;
+                        } else {
+                            piece10 = 0;
+                        }
                         const int32_t part10 = piece10 % 46337;
                         const int32_t first10 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first02 * (uint32_t)31337)) + (uint32_t)part10)) % 46337;
                         const int32_t second10 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second02 * (uint32_t)17389)) + (uint32_t)part10)) % 46337;
                         const float rest10 = (rest1 - (float)piece10) * next_cut;
-                        const int32_t piece11 = (int32_t)rest10;
+                        int32_t piece11;
+                        if (axis_x_ipc_magnitude(rest10) <= largest_piece) {
+                            piece11 = (int32_t)rest10;
+                        } else {
+                            piece11 = 0;
+                        }
                         const int32_t part11 = piece11 % 46337;
                         const int32_t first11 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first10 * (uint32_t)31337)) + (uint32_t)part11)) % 46337;
                         const int32_t second11 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second10 * (uint32_t)17389)) + (uint32_t)part11)) % 46337;
                         const float rest11 = (rest10 - (float)piece11) * next_cut;
-                        const int32_t piece12 = (int32_t)rest11;
+                        int32_t piece12;
+                        if (axis_x_ipc_magnitude(rest11) <= largest_piece) {
+                            piece12 = (int32_t)rest11;
+                        } else {
+                            piece12 = 0;
+                        }
                         const int32_t part12 = piece12 % 46337;
                         const int32_t first12 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first11 * (uint32_t)31337)) + (uint32_t)part12)) % 46337;
@@ -254,21 +305,36 @@ static void axis_x_ipc_any_cycle(
                         const float left_over1 = left_over0 + rest12;
                         const float number2 = limits_last * limit_scale;
                         const float rest2 = number2 * first_cut;
-                        const int32_t piece20 = (int32_t)rest2;
+                        int32_t piece20;
+                        if (axis_x_ipc_magnitude(rest2) <= largest_piece) {
+                            piece20 = (int32_t)rest2;
+                        } else {
+                            piece20 = 0;
+                        }
                         const int32_t part20 = piece20 % 46337;
                         const int32_t first20 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first12 * (uint32_t)31337)) + (uint32_t)part20)) % 46337;
                         const int32_t second20 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second12 * (uint32_t)17389)) + (uint32_t)part20)) % 46337;
                         const float rest20 = (rest2 - (float)piece20) * next_cut;
-                        const int32_t piece21 = (int32_t)rest20;
+                        int32_t piece21;
+                        if (axis_x_ipc_magnitude(rest20) <= largest_piece) {
+                            piece21 = (int32_t)rest20;
+                        } else {
+                            piece21 = 0;
+                        }
                         const int32_t part21 = piece21 % 46337;
                         const int32_t first21 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first20 * (uint32_t)31337)) + (uint32_t)part21)) % 46337;
                         const int32_t second21 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second20 * (uint32_t)17389)) + (uint32_t)part21)) % 46337;
                         const float rest21 = (rest20 - (float)piece21) * next_cut;
-                        const int32_t piece22 = (int32_t)rest21;
+                        int32_t piece22;
+                        if (axis_x_ipc_magnitude(rest21) <= largest_piece) {
+                            piece22 = (int32_t)rest21;
+                        } else {
+                            piece22 = 0;
+                        }
                         const int32_t part22 = piece22 % 46337;
                         const int32_t first22 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first21 * (uint32_t)31337)) + (uint32_t)part22)) % 46337;
@@ -280,21 +346,36 @@ static void axis_x_ipc_any_cycle(
                         const float numbers000_next = state->copy_stage0_filter0_bandpass0_b;
                         const float numbers000_last = state->copy_stage0_filter0_bandpass0_c;
                         const float rest0000 = numbers000 * first_cut;
-                        const int32_t piece00000 = (int32_t)rest0000;
+                        int32_t piece00000;
+                        if (axis_x_ipc_magnitude(rest0000) <= largest_piece) {
+                            piece00000 = (int32_t)rest0000;
+                        } else {
+                            piece00000 = 0;
+                        }
                         const int32_t part00000 = piece00000 % 46337;
                         const int32_t first00000 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first22 * (uint32_t)31337)) + (uint32_t)part00000)) % 46337;
                         const int32_t second00000 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second22 * (uint32_t)17389)) + (uint32_t)part00000)) % 46337;
                         const float rest00000 = (rest0000 - (float)piece00000) * next_cut;
-                        const int32_t piece00001 = (int32_t)rest00000;
+                        int32_t piece00001;
+                        if (axis_x_ipc_magnitude(rest00000) <= largest_piece) {
+                            piece00001 = (int32_t)rest00000;
+                        } else {
+                            piece00001 = 0;
+                        }
                         const int32_t part00001 = piece00001 % 46337;
                         const int32_t first00001 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00000 * (uint32_t)31337)) + (uint32_t)part00001)) % 46337;
                         const int32_t second00001 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00000 * (uint32_t)17389)) + (uint32_t)part00001)) % 46337;
                         const float rest00001 = (rest00000 - (float)piece00001) * next_cut;
-                        const int32_t piece00002 = (int32_t)rest00001;
+                        int32_t piece00002;
+                        if (axis_x_ipc_magnitude(rest00001) <= largest_piece) {
+                            piece00002 = (int32_t)rest00001;
+                        } else {
+                            piece00002 = 0;
+                        }
                         const int32_t part00002 = piece00002 % 46337;
                         const int32_t first00002 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00001 * (uint32_t)31337)) + (uint32_t)part00002)) % 46337;
@@ -303,21 +384,36 @@ static void axis_x_ipc_any_cycle(
                         const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
                         const float left_over0000 = left_over2 + rest00002;
                         const float rest0001 = numbers000_next * first_cut;
-                        const int32_t piece00010 = (int32_t)rest0001;
+                        int32_t piece00010;
+                        if (axis_x_ipc_magnitude(rest0001) <= largest_piece) {
+                            piece00010 = (int32_t)rest0001;
+                        } else {
+                            piece00010 = 0;
+                        }
                         const int32_t part00010 = piece00010 % 46337;
                         const int32_t first00010 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00002 * (uint32_t)31337)) + (uint32_t)part00010)) % 46337;
                         const int32_t second00010 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00002 * (uint32_t)17389)) + (uint32_t)part00010)) % 46337;
                         const float rest00010 = (rest0001 - (float)piece00010) * next_cut;
-                        const int32_t piece00011 = (int32_t)rest00010;
+                        int32_t piece00011;
+                        if (axis_x_ipc_magnitude(rest00010) <= largest_piece) {
+                            piece00011 = (int32_t)rest00010;
+                        } else {
+                            piece00011 = 0;
+                        }
                         const int32_t part00011 = piece00011 % 46337;
                         const int32_t first00011 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00010 * (uint32_t)31337)) + (uint32_t)part00011)) % 46337;
                         const int32_t second00011 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00010 * (uint32_t)17389)) + (uint32_t)part00011)) % 46337;
                         const float rest00011 = (rest00010 - (float)piece00011) * next_cut;
-                        const int32_t piece00012 = (int32_t)rest00011;
+                        int32_t piece00012;
+                        if (axis_x_ipc_magnitude(rest00011) <= largest_piece) {
+                            piece00012 = (int32_t)rest00011;
+                        } else {
+                            piece00012 = 0;
+                        }
                         const int32_t part00012 = piece00012 % 46337;
                         const int32_t first00012 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00011 * (uint32_t)31337)) + (uint32_t)part00012)) % 46337;
@@ -326,21 +422,36 @@ static void axis_x_ipc_any_cycle(
                         const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
                         const float left_over0001 = left_over0000 + rest00012;
                         const float rest0002 = numbers000_last * first_cut;
-                        const int32_t piece00020 = (int32_t)rest0002;
+                        int32_t piece00020;
+                        if (axis_x_ipc_magnitude(rest0002) <= largest_piece) {
+                            piece00020 = (int32_t)rest0002;
+                        } else {
+                            piece00020 = 0;
+                        }
                         const int32_t part00020 = piece00020 % 46337;
                         const int32_t first00020 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00012 * (uint32_t)31337)) + (uint32_t)part00020)) % 46337;
                         const int32_t second00020 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00012 * (uint32_t)17389)) + (uint32_t)part00020)) % 46337;
                         const float rest00020 = (rest0002 - (float)piece00020) * next_cut;
-                        const int32_t piece00021 = (int32_t)rest00020;
+                        int32_t piece00021;
+                        if (axis_x_ipc_magnitude(rest00020) <= largest_piece) {
+                            piece00021 = (int32_t)rest00020;
+                        } else {
+                            piece00021 = 0;
+                        }
                         const int32_t part00021 = piece00021 % 46337;
                         const int32_t first00021 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00020 * (uint32_t)31337)) + (uint32_t)part00021)) % 46337;
                         const int32_t second00021 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00020 * (uint32_t)17389)) + (uint32_t)part00021)) % 46337;
                         const float rest00021 = (rest00020 - (float)piece00021) * next_cut;
-                        const int32_t piece00022 = (int32_t)rest00021;
+                        int32_t piece00022;
+                        if (axis_x_ipc_magnitude(rest00021) <= largest_piece) {
+                            piece00022 = (int32_t)rest00021;
+                        } else {
+                            piece00022 = 0;
+                        }
                         const int32_t part00022 = piece00022 % 46337;
                         const int32_t first00022 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00021 * (uint32_t)31337)) + (uint32_t)part00022)) % 46337;
@@ -350,21 +461,36 @@ static void axis_x_ipc_any_cycle(
                         const float left_over0002 = left_over0001 + rest00022;
                         const float number0_next = state->copy_stage0_gain;
                         const float rest0_next = number0_next * first_cut;
-                        const int32_t piece00_next = (int32_t)rest0_next;
+                        int32_t piece00_next;
+                        if (axis_x_ipc_magnitude(rest0_next) <= largest_piece) {
+                            piece00_next = (int32_t)rest0_next;
+                        } else {
+                            piece00_next = 0;
+                        }
                         const int32_t part00_next = piece00_next % 46337;
                         const int32_t first00_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00022 * (uint32_t)31337)) + (uint32_t)part00_next)) % 46337;
                         const int32_t second00_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00022 * (uint32_t)17389)) + (uint32_t)part00_next)) % 46337;
                         const float rest00_next = (rest0_next - (float)piece00_next) * next_cut;
-                        const int32_t piece01_next = (int32_t)rest00_next;
+                        int32_t piece01_next;
+                        if (axis_x_ipc_magnitude(rest00_next) <= largest_piece) {
+                            piece01_next = (int32_t)rest00_next;
+                        } else {
+                            piece01_next = 0;
+                        }
                         const int32_t part01_next = piece01_next % 46337;
                         const int32_t first01_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first00_next * (uint32_t)31337)) + (uint32_t)part01_next)) % 46337;
                         const int32_t second01_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00_next * (uint32_t)17389)) + (uint32_t)part01_next)) % 46337;
                         const float rest01_next = (rest00_next - (float)piece01_next) * next_cut;
-                        const int32_t piece02_next = (int32_t)rest01_next;
+                        int32_t piece02_next;
+                        if (axis_x_ipc_magnitude(rest01_next) <= largest_piece) {
+                            piece02_next = (int32_t)rest01_next;
+                        } else {
+                            piece02_next = 0;
+                        }
                         const int32_t part02_next = piece02_next % 46337;
                         const int32_t first02_next =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first01_next * (uint32_t)31337)) + (uint32_t)part02_next)) % 46337;
@@ -378,21 +504,36 @@ static void axis_x_ipc_any_cycle(
                         const float high0 = (float)high_half0;
                         const float number00 = low0 * half;
                         const float rest00_last = number00 * first_cut;
-                        const int32_t piece000 = (int32_t)rest00_last;
+                        int32_t piece000;
+                        if (axis_x_ipc_magnitude(rest00_last) <= largest_piece) {
+                            piece000 = (int32_t)rest00_last;
+                        } else {
+                            piece000 = 0;
+                        }
                         const int32_t part000 = piece000 % 46337;
                         const int32_t first000 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first02_next * (uint32_t)31337)) + (uint32_t)part000)) % 46337;
                         const int32_t second000 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second02_next * (uint32_t)17389)) + (uint32_t)part000)) % 46337;
                         const float rest000 = (rest00_last - (float)piece000) * next_cut;
-                        const int32_t piece001 = (int32_t)rest000;
+                        int32_t piece001;
+                        if (axis_x_ipc_magnitude(rest000) <= largest_piece) {
+                            piece001 = (int32_t)rest000;
+                        } else {
+                            piece001 = 0;
+                        }
                         const int32_t part001 = piece001 % 46337;
                         const int32_t first001 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first000 * (uint32_t)31337)) + (uint32_t)part001)) % 46337;
                         const int32_t second001 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second000 * (uint32_t)17389)) + (uint32_t)part001)) % 46337;
                         const float rest001 = (rest000 - (float)piece001) * next_cut;
-                        const int32_t piece002 = (int32_t)rest001;
+                        int32_t piece002;
+                        if (axis_x_ipc_magnitude(rest001) <= largest_piece) {
+                            piece002 = (int32_t)rest001;
+                        } else {
+                            piece002 = 0;
+                        }
                         const int32_t part002 = piece002 % 46337;
                         const int32_t first002 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first001 * (uint32_t)31337)) + (uint32_t)part002)) % 46337;
@@ -402,21 +543,36 @@ static void axis_x_ipc_any_cycle(
                         const float left_over00 = left_over0_next + rest002;
                         const float number01 = high0 * half;
                         const float rest01_last = number01 * first_cut;
-                        const int32_t piece010 = (int32_t)rest01_last;
+                        int32_t piece010;
+                        if (axis_x_ipc_magnitude(rest01_last) <= largest_piece) {
+                            piece010 = (int32_t)rest01_last;
+                        } else {
+                            piece010 = 0;
+                        }
                         const int32_t part010 = piece010 % 46337;
                         const int32_t first010 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first002 * (uint32_t)31337)) + (uint32_t)part010)) % 46337;
                         const int32_t second010 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second002 * (uint32_t)17389)) + (uint32_t)part010)) % 46337;
                         const float rest010 = (rest01_last - (float)piece010) * next_cut;
-                        const int32_t piece011 = (int32_t)rest010;
+                        int32_t piece011;
+                        if (axis_x_ipc_magnitude(rest010) <= largest_piece) {
+                            piece011 = (int32_t)rest010;
+                        } else {
+                            piece011 = 0;
+                        }
                         const int32_t part011 = piece011 % 46337;
                         const int32_t first011 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first010 * (uint32_t)31337)) + (uint32_t)part011)) % 46337;
                         const int32_t second011 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second010 * (uint32_t)17389)) + (uint32_t)part011)) % 46337;
                         const float rest011 = (rest010 - (float)piece011) * next_cut;
-                        const int32_t piece012 = (int32_t)rest011;
+                        int32_t piece012;
+                        if (axis_x_ipc_magnitude(rest011) <= largest_piece) {
+                            piece012 = (int32_t)rest011;
+                        } else {
+                            piece012 = 0;
+                        }
                         const int32_t part012 = piece012 % 46337;
                         const int32_t first012 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first011 * (uint32_t)31337)) + (uint32_t)part012)) % 46337;
@@ -430,21 +586,36 @@ static void axis_x_ipc_any_cycle(
                         const float high1 = (float)high_half1;
                         const float number10 = low1 * half;
                         const float rest10_next = number10 * first_cut;
-                        const int32_t piece100 = (int32_t)rest10_next;
+                        int32_t piece100;
+                        if (axis_x_ipc_magnitude(rest10_next) <= largest_piece) {
+                            piece100 = (int32_t)rest10_next;
+                        } else {
+                            piece100 = 0;
+                        }
                         const int32_t part100 = piece100 % 46337;
                         const int32_t first100 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first012 * (uint32_t)31337)) + (uint32_t)part100)) % 46337;
                         const int32_t second100 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second012 * (uint32_t)17389)) + (uint32_t)part100)) % 46337;
                         const float rest100 = (rest10_next - (float)piece100) * next_cut;
-                        const int32_t piece101 = (int32_t)rest100;
+                        int32_t piece101;
+                        if (axis_x_ipc_magnitude(rest100) <= largest_piece) {
+                            piece101 = (int32_t)rest100;
+                        } else {
+                            piece101 = 0;
+                        }
                         const int32_t part101 = piece101 % 46337;
                         const int32_t first101 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first100 * (uint32_t)31337)) + (uint32_t)part101)) % 46337;
                         const int32_t second101 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second100 * (uint32_t)17389)) + (uint32_t)part101)) % 46337;
                         const float rest101 = (rest100 - (float)piece101) * next_cut;
-                        const int32_t piece102 = (int32_t)rest101;
+                        int32_t piece102;
+                        if (axis_x_ipc_magnitude(rest101) <= largest_piece) {
+                            piece102 = (int32_t)rest101;
+                        } else {
+                            piece102 = 0;
+                        }
                         const int32_t part102 = piece102 % 46337;
                         const int32_t first102 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first101 * (uint32_t)31337)) + (uint32_t)part102)) % 46337;
@@ -454,21 +625,36 @@ static void axis_x_ipc_any_cycle(
                         const float left_over10 = left_over01 + rest102;
                         const float number11 = high1 * half;
                         const float rest11_next = number11 * first_cut;
-                        const int32_t piece110 = (int32_t)rest11_next;
+                        int32_t piece110;
+                        if (axis_x_ipc_magnitude(rest11_next) <= largest_piece) {
+                            piece110 = (int32_t)rest11_next;
+                        } else {
+                            piece110 = 0;
+                        }
                         const int32_t part110 = piece110 % 46337;
                         const int32_t first110 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first102 * (uint32_t)31337)) + (uint32_t)part110)) % 46337;
                         const int32_t second110 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second102 * (uint32_t)17389)) + (uint32_t)part110)) % 46337;
                         const float rest110 = (rest11_next - (float)piece110) * next_cut;
-                        const int32_t piece111 = (int32_t)rest110;
+                        int32_t piece111;
+                        if (axis_x_ipc_magnitude(rest110) <= largest_piece) {
+                            piece111 = (int32_t)rest110;
+                        } else {
+                            piece111 = 0;
+                        }
                         const int32_t part111 = piece111 % 46337;
                         const int32_t first111 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first110 * (uint32_t)31337)) + (uint32_t)part111)) % 46337;
                         const int32_t second111 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second110 * (uint32_t)17389)) + (uint32_t)part111)) % 46337;
                         const float rest111 = (rest110 - (float)piece111) * next_cut;
-                        const int32_t piece112 = (int32_t)rest111;
+                        int32_t piece112;
+                        if (axis_x_ipc_magnitude(rest111) <= largest_piece) {
+                            piece112 = (int32_t)rest111;
+                        } else {
+                            piece112 = 0;
+                        }
                         const int32_t part112 = piece112 % 46337;
                         const int32_t first112 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first111 * (uint32_t)31337)) + (uint32_t)part112)) % 46337;
@@ -478,7 +664,7 @@ static void axis_x_ipc_any_cycle(
                         const float left_over11 = left_over10 + rest112;
                         const bool is_same =
                             inputs->params->check_first == first112 && inputs->params->check_second == second112;
-                        if (left_over11 == 0.0f && is_same) {
+                        if (axis_x_ipc_is_zero(left_over11) && is_same) {
                             refused = AXIS_X_IPC_ERROR_NONE;
                         } else {
                             refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
@@ -501,7 +687,7 @@ static void axis_x_ipc_any_cycle(
                     state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
                     state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
                     state->copy_stage0_gain = state->now_stage0_gain;
-                    state->turn_next = 0u;
+                    state->turn_next = 0;
                 } else if (state->ipc_fade == 0u) {
                     state->now_limit = state->copy_limit;
                     state->now_lower_limit = state->copy_lower_limit;
@@ -510,7 +696,7 @@ static void axis_x_ipc_any_cycle(
                     state->now_stage0_filter0_bandpass0_b = state->copy_stage0_filter0_bandpass0_b;
                     state->now_stage0_filter0_bandpass0_c = state->copy_stage0_filter0_bandpass0_c;
                     state->now_stage0_gain = state->copy_stage0_gain;
-                    state->turn_next = 0u;
+                    state->turn_next = 0;
                     state->set_id = state->offered_set;
                     state->acting_set = state->offered_set;
                     state->ipc_preset = false;
@@ -677,13 +863,8 @@ static void axis_x_ipc_any_cycle(
         ipc_limited_next = false;
         error_id_so_far = ipc_reason;
     }
-    float v_limited;
-    if (mode == AXIS_X_IPC_MODE_OFF) {
-        v_limited = ipc_v_add;
-    } else {
-        v_limited = ipc_v_add_calculated;
-    }
-    if (axis_x_ipc_magnitude(v_limited) <= axis_x_ipc_ipc_limit) {
+    if (axis_x_ipc_magnitude(ipc_v_add) <= axis_x_ipc_ipc_limit
+            && axis_x_ipc_magnitude(ipc_v_add_calculated) <= axis_x_ipc_ipc_limit) {
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
         outputs->limited = ipc_limited_next;
@@ -696,80 +877,113 @@ static void axis_x_ipc_any_cycle(
         outputs->limited = true;
     }
     if (state->acting_set != 0u) {
-        const uint32_t turn_next = state->turn_next;
-        state->turn_next = turn_next + 1u;
+        const int32_t turn_next = state->turn_next;
         switch (turn_next) {
-        case 0u: {
-            const float turn_limits0_next = state->now_limit;
+        case 0: {
+            const float turn_limits0_next = *(const volatile float *)&state->now_limit;
             const float turn_copies0_next = state->copy_limit;
             const float turn_difference0_last = turn_limits0_next - turn_copies0_next;
-            if (!(turn_difference0_last == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0_last;
+            if (axis_x_ipc_is_zero(turn_difference0_last)) {
+                turn_next0_last = 1;
+            } else {
+                turn_next0_last = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0_last;
             break;
         }
-        case 1u: {
-            const float turn_limits1_next = state->now_lower_limit;
+        case 1: {
+            const float turn_limits1_next = *(const volatile float *)&state->now_lower_limit;
             const float turn_copies1_next = state->copy_lower_limit;
             const float turn_difference1_next = turn_limits1_next - turn_copies1_next;
-            if (!(turn_difference1_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next1_next;
+            if (axis_x_ipc_is_zero(turn_difference1_next)) {
+                turn_next1_next = 2;
+            } else {
+                turn_next1_next = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next1_next;
             break;
         }
-        case 2u: {
-            const float turn_limits2_next = state->now_sum_limit;
+        case 2: {
+            const float turn_limits2_next = *(const volatile float *)&state->now_sum_limit;
             const float turn_copies2_next = state->copy_sum_limit;
             const float turn_difference2_next = turn_limits2_next - turn_copies2_next;
-            if (!(turn_difference2_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next2_next;
+            if (axis_x_ipc_is_zero(turn_difference2_next)) {
+                turn_next2_next = 3;
+            } else {
+                turn_next2_next = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next2_next;
             break;
         }
-        case 3u: {
-            const float turn_numbers0000_next = state->now_stage0_filter0_bandpass0_a;
+        case 3: {
+            const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
             const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
             const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
-            if (!(turn_difference0000_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0000_next;
+            if (axis_x_ipc_is_zero(turn_difference0000_next)) {
+                turn_next0000_next = 4;
+            } else {
+                turn_next0000_next = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0000_next;
             break;
         }
-        case 4u: {
-            const float turn_numbers0001_next = state->now_stage0_filter0_bandpass0_b;
+        case 4: {
+            const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
             const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
             const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
-            if (!(turn_difference0001_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0001_next;
+            if (axis_x_ipc_is_zero(turn_difference0001_next)) {
+                turn_next0001_next = 5;
+            } else {
+                turn_next0001_next = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0001_next;
             break;
         }
-        case 5u: {
-            const float turn_numbers0002_next = state->now_stage0_filter0_bandpass0_c;
+        case 5: {
+            const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
             const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
             const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
-            if (!(turn_difference0002_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0002_next;
+            if (axis_x_ipc_is_zero(turn_difference0002_next)) {
+                turn_next0002_next = 6;
+            } else {
+                turn_next0002_next = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0002_next;
             break;
         }
-        case 6u: {
-            const float turn_difference0_2 = state->now_stage0_gain - state->copy_stage0_gain;
-            if (!(turn_difference0_2 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+        case 6: {
+            const float turn_difference0_2 = *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
+            int32_t turn_next0_2;
+            if (axis_x_ipc_is_zero(turn_difference0_2)) {
+                turn_next0_2 = 7;
+            } else {
+                turn_next0_2 = axis_x_ipc_differed;
             }
-            break;
-        }
-        case 14u: {
-            state->turn_next = 0u;
+            state->turn_next = turn_next0_2;
             break;
         }
         default: {
-            if (turn_next > 14u) {
-                /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-                 * anew */
-                state->turn_next = 0u;
-                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+            if (turn_next < 0) {
+                state->turn_next = axis_x_ipc_differed;
+            } else if (turn_next >= 7) {
+                if (turn_next < 28) {
+                    state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
+                } else {
+                    state->turn_next = 0;
+                }
+                if (turn_next > 28) {
+                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+                     * anew */
+                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+                }
+            } else {
+                /* nothing else is to be done */
             }
             break;
         }
@@ -856,80 +1070,114 @@ void axis_x_ipc_step(
             outputs->v_add_calculated = 0.0f;
             outputs->limited = true;
         }
-        const uint32_t turn = state->turn_next;
-        state->turn_next = turn + 1u;
+        const int32_t turn = state->turn_next;
         switch (turn) {
-        case 0u: {
-            const float turn_limits0 = state->now_limit;
+        case 0: {
+            const float turn_limits0 = *(const volatile float *)&state->now_limit;
             const float turn_copies0 = state->copy_limit;
             const float turn_difference0 = turn_limits0 - turn_copies0;
-            if (!(turn_difference0 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0;
+            if (axis_x_ipc_is_zero(turn_difference0)) {
+                turn_next0 = 1;
+            } else {
+                turn_next0 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0;
             break;
         }
-        case 1u: {
-            const float turn_limits1 = state->now_lower_limit;
+        case 1: {
+            const float turn_limits1 = *(const volatile float *)&state->now_lower_limit;
             const float turn_copies1 = state->copy_lower_limit;
             const float turn_difference1 = turn_limits1 - turn_copies1;
-            if (!(turn_difference1 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next1;
+            if (axis_x_ipc_is_zero(turn_difference1)) {
+                turn_next1 = 2;
+            } else {
+                turn_next1 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next1;
             break;
         }
-        case 2u: {
-            const float turn_limits2 = state->now_sum_limit;
+        case 2: {
+            const float turn_limits2 = *(const volatile float *)&state->now_sum_limit;
             const float turn_copies2 = state->copy_sum_limit;
             const float turn_difference2 = turn_limits2 - turn_copies2;
-            if (!(turn_difference2 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next2;
+            if (axis_x_ipc_is_zero(turn_difference2)) {
+                turn_next2 = 3;
+            } else {
+                turn_next2 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next2;
             break;
         }
-        case 3u: {
-            const float turn_numbers0000 = state->now_stage0_filter0_bandpass0_a;
+        case 3: {
+            const float turn_numbers0000 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
             const float turn_copies0000 = state->copy_stage0_filter0_bandpass0_a;
             const float turn_difference0000 = turn_numbers0000 - turn_copies0000;
-            if (!(turn_difference0000 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0000;
+            if (axis_x_ipc_is_zero(turn_difference0000)) {
+                turn_next0000 = 4;
+            } else {
+                turn_next0000 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0000;
             break;
         }
-        case 4u: {
-            const float turn_numbers0001 = state->now_stage0_filter0_bandpass0_b;
+        case 4: {
+            const float turn_numbers0001 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
             const float turn_copies0001 = state->copy_stage0_filter0_bandpass0_b;
             const float turn_difference0001 = turn_numbers0001 - turn_copies0001;
-            if (!(turn_difference0001 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0001;
+            if (axis_x_ipc_is_zero(turn_difference0001)) {
+                turn_next0001 = 5;
+            } else {
+                turn_next0001 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0001;
             break;
         }
-        case 5u: {
-            const float turn_numbers0002 = state->now_stage0_filter0_bandpass0_c;
+        case 5: {
+            const float turn_numbers0002 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
             const float turn_copies0002 = state->copy_stage0_filter0_bandpass0_c;
             const float turn_difference0002 = turn_numbers0002 - turn_copies0002;
-            if (!(turn_difference0002 == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+            int32_t turn_next0002;
+            if (axis_x_ipc_is_zero(turn_difference0002)) {
+                turn_next0002 = 6;
+            } else {
+                turn_next0002 = axis_x_ipc_differed;
             }
+            state->turn_next = turn_next0002;
             break;
         }
-        case 6u: {
-            const float turn_difference0_next = state->now_stage0_gain - state->copy_stage0_gain;
-            if (!(turn_difference0_next == 0.0f)) {
-                state->turn_next = axis_x_ipc_differed;
+        case 6: {
+            const float turn_difference0_next =
+                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
+            int32_t turn_next0_next;
+            if (axis_x_ipc_is_zero(turn_difference0_next)) {
+                turn_next0_next = 7;
+            } else {
+                turn_next0_next = axis_x_ipc_differed;
             }
-            break;
-        }
-        case 14u: {
-            state->turn_next = 0u;
+            state->turn_next = turn_next0_next;
             break;
         }
         default: {
-            if (turn > 14u) {
-                /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-                 * anew */
-                state->turn_next = 0u;
-                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+            if (turn < 0) {
+                state->turn_next = axis_x_ipc_differed;
+            } else if (turn >= 7) {
+                if (turn < 28) {
+                    state->turn_next = (int32_t)((uint32_t)turn + (uint32_t)1);
+                } else {
+                    state->turn_next = 0;
+                }
+                if (turn > 28) {
+                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+                     * anew */
+                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+                }
+            } else {
+                /* nothing else is to be done */
             }
             break;
         }
@@ -939,3 +1187,9 @@ void axis_x_ipc_step(
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   836ff6980a0ce4e8738e89b26922af43
- * checksum    d24642b92b169017068311fa59a01320
+ * structure   ee0683c3e0a736895811384b44f912b5
+ * checksum    a6314cffddab3e5324dbc71a8b18c01a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x836ff698u
-#define AXIS_X_IPC_STRUCTURE_1 0x0a0ce4e8u
-#define AXIS_X_IPC_STRUCTURE_2 0x738e89b2u
-#define AXIS_X_IPC_STRUCTURE_3 0x6922af43u
+#define AXIS_X_IPC_STRUCTURE_0 0xee0683c3u
+#define AXIS_X_IPC_STRUCTURE_1 0xe0a73689u
+#define AXIS_X_IPC_STRUCTURE_2 0x5811384bu
+#define AXIS_X_IPC_STRUCTURE_3 0x44f912b5u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -120,7 +120,9 @@ typedef struct {
     bool position_controlled; /* FALSE: the axis is not in position control, the output is 0 at once; start true */
     bool reset; /* while TRUE the output is 0 and the states follow the input; start false */
     uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
-    const axis_x_ipc_params *params; /* the parameter set, never NULL; start &axis_x_ipc_designed */
+    /* the parameter set, never NULL; start &axis_x_ipc_designed; volatile: each number is read once, so that what was checked is what is
+     * used */
+    const volatile axis_x_ipc_params *params;
 } axis_x_ipc_inputs;
 
 /* Written by axis_x_ipc_step. */
@@ -156,8 +158,8 @@ typedef struct {
     float copy_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float copy_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
-    /* cycle of the round: which number is compared with its copy, from 0 on; beyond the round a number differed */
-    uint32_t turn_next;
+    /* cycle of the round: which number is compared with its copy, from 0 on; any other: a number differed */
+    int32_t turn_next;
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
      * state was overwritten */

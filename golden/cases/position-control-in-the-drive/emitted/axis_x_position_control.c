@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   5816a31608215d4a95e9ea6920b11ba0
- * checksum    84adce495cf7ea9d987572a610f8c0dc
+ * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
+ * checksum    3d5b95a3421d13ad3a6c1ee41036f8b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"
@@ -45,6 +45,19 @@ static double axis_x_position_control_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_x_position_control_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_x_position_control_nearest(double value)
@@ -61,6 +74,7 @@ void axis_x_position_control_init(axis_x_position_control_state *fresh)
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_x_position_control_state *const state = fresh;
     state->x_held = 0.0;
+    state->x_held_copy = 0.0;
 }
 
 void axis_x_position_control_inputs_init(axis_x_position_control_inputs *inputs)
@@ -103,8 +117,14 @@ void axis_x_position_control_step(
         outputs->additive_torque = 0;
         outputs->limited = false;
         outputs->fault = true;
-        outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_X_COMMAND;
-        outputs->x_drive = state->x_held;
+        if (axis_x_position_control_is_zero(state->x_held - state->x_held_copy)) {
+            outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_X_COMMAND;
+            outputs->x_drive = state->x_held;
+        } else {
+            outputs->x_drive = 0.0;
+            /* the position has been overwritten, and there is no other: 0, with the id that says so */
+            outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_STATE;
+        }
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
         outputs->additive_velocity = 0;
         outputs->additive_torque = 0;
@@ -112,6 +132,7 @@ void axis_x_position_control_step(
         outputs->fault = true;
         outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_CYCLE_TIME;
         state->x_held = inputs->x_command;
+        state->x_held_copy = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else if (!(axis_x_position_control_magnitude(inputs->v_feedforward) <= sample_limit)) {
         outputs->additive_velocity = 0;
@@ -120,6 +141,7 @@ void axis_x_position_control_step(
         outputs->fault = true;
         outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_V_FEEDFORWARD;
         state->x_held = inputs->x_command;
+        state->x_held_copy = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else if (!(axis_x_position_control_magnitude(inputs->v_add) <= sample_limit)) {
         outputs->additive_velocity = 0;
@@ -128,6 +150,7 @@ void axis_x_position_control_step(
         outputs->fault = true;
         outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_V_ADD;
         state->x_held = inputs->x_command;
+        state->x_held_copy = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else if (!inputs->position_controlled || inputs->reset) {
         outputs->additive_velocity = 0;
@@ -136,6 +159,7 @@ void axis_x_position_control_step(
         outputs->fault = false;
         outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_NONE;
         state->x_held = inputs->x_command;
+        state->x_held_copy = inputs->x_command;
         outputs->x_drive = inputs->x_command;
     } else {
         outputs->additive_torque = inputs->torque_feedforward;
@@ -144,6 +168,7 @@ void axis_x_position_control_step(
         const double x = inputs->x_command + lag * inputs->v_feedforward;
         outputs->x_drive = x;
         state->x_held = x;
+        state->x_held_copy = x;
         const double increments = velocity_scale * inputs->v_add;
         if (axis_x_position_control_magnitude(increments) <= velocity_range_upper_limit) {
             outputs->limited = false;

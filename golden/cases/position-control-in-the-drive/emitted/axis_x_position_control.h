@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6579a5fd4ee7e91a79841af8c74adc1
- * structure   3a964945cc9ea74fe2d0e71636161764
- * checksum    70b3e3c5917b7acec1afa72a1a5e1fc6
+ * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
+ * checksum    196fb4a92d12033c91ee3bae941536c7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
@@ -30,14 +30,14 @@ extern "C" {
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_2 0xa79841afu
 #define AXIS_X_POSITION_CONTROL_PARAMETERS_3 0x8c74adc1u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0x3a964945u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0xcc9ea74fu
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0xe2d0e716u
-#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0x36161764u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0xf98b5ab3u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0xc8b5c3b7u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_2 0x552202d1u
+#define AXIS_X_POSITION_CONTROL_STRUCTURE_3 0x5c4a6b10u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_POSITION_CONTROL_INPUTS_SIZE 40u
 #define AXIS_X_POSITION_CONTROL_OUTPUTS_SIZE 24u
-#define AXIS_X_POSITION_CONTROL_STATE_SIZE 8u
+#define AXIS_X_POSITION_CONTROL_STATE_SIZE 16u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -54,6 +54,8 @@ enum {
     AXIS_X_POSITION_CONTROL_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_POSITION_CONTROL_ERROR_CYCLE_TIME = 1,
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_X_POSITION_CONTROL_ERROR_STATE = 3,
     AXIS_X_POSITION_CONTROL_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
     AXIS_X_POSITION_CONTROL_ERROR_V_FEEDFORWARD = 19, /* v_feedforward is not within the sample limit */
     AXIS_X_POSITION_CONTROL_ERROR_V_ADD = 21 /* v_add is not within the sample limit */
@@ -79,12 +81,14 @@ typedef struct {
     int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
     bool limited; /* a process-data type cuts an output off in this cycle */
     bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* each stops the block: 0 none, 1 cycle_time, 17 x_command, 19 v_feedforward, 21 v_add */
+    /* each stops the block: 0 none, 1 cycle_time, 3 state, 17 x_command, 19 v_feedforward, 21 v_add */
+    uint32_t error_id;
 } axis_x_position_control_outputs;
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     double x_held; /* the last position command of the drive */
+    double x_held_copy; /* the same again: what has been overwritten differs */
 } axis_x_position_control_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  097a836f6fa98f8ecb4119133f3f1eb0
- * structure   0910220460bd05e1cc4c527f5d1cd8a4
- * checksum    244f0f2cd26abb58b8c5f1f06ea084e6
+ * structure   ab1fc7d6ae031da803a122fb0c80af1b
+ * checksum    39ebd0804f23a4e1f957a0d72f4e74c6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

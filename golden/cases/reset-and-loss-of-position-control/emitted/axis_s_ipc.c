@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  01e6eb02896c59c399f72dbc0e232957
- * structure   235b0e16788182722bf01d17725272a8
- * checksum    b49074ec2c803e1dbe56f48a4978d4d0
+ * structure   2a1839e9341b50aebffc0590da6f84e2
+ * checksum    6f54dd809bf25b2773089b858dd2afc1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * structure   24817f06e7f2c05d27d8adc54efe201d
- * checksum    9a782d3a7b946aa4205fb5881f8371ef
+ * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
+ * checksum    9f60cf77446e720976ccc8226605841c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  91c6f1b05179a6542c9db8978950cedf
- * structure   819ae2b8f64c4fa4865ad5eaab89eb2e
- * checksum    f62f2f76e9eaf593920f530da4b13397
+ * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
+ * checksum    b6034e801b352563e9f66a80479a69aa
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_2 0x2c9db897u
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_3 0x8950cedfu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x819ae2b8u
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0xf64c4fa4u
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_2 0x865ad5eau
-#define AXIS_F_POSITION_CONTROL_STRUCTURE_3 0xab89eb2eu
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x7a6d81ecu
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0x8a8cbd34u
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_2 0x2dd255d0u
+#define AXIS_F_POSITION_CONTROL_STRUCTURE_3 0x33e5eeb5u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_F_POSITION_CONTROL_INPUTS_SIZE 16u
 #define AXIS_F_POSITION_CONTROL_OUTPUTS_SIZE 16u

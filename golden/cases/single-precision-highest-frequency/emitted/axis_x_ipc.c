@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  2000000 ns
  * parameters  e1f780f3962f4d82bdd4f2c5209ad1a5
- * structure   90a0b5b6adf6294b975afb1b5dbd9449
- * checksum    8487b7748508d24fb09487632696a8d4
+ * structure   dea047c578fd65c9f99c3f8b81bd4a7e
+ * checksum    0396badae777be9fdc1d0b86e462efa8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  62500 ns
  * parameters  3ded08af76ecf576262a5ba0ab2f33f9
- * structure   4dfa7285440f0aad0f42d8ad47bcb196
- * checksum    df129f7050dae3701614417686e9605c
+ * structure   ab44a3a894b363a8caf29bb3b01c978a
+ * checksum    09f3687578ec9e32941f5d2b9cffe8b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

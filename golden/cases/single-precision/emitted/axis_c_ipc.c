@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  e2453a0975306551d54cce9dca887813
- * structure   c7cf5ff442ebadf602227a9e3020cec9
- * checksum    eef65360ffb1c08a5f64003c33a0b681
+ * structure   3e99e516dbb85b625e4116a6e39a1e8e
+ * checksum    c1a215925886dc5a5ebe5d92ee6d29d8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

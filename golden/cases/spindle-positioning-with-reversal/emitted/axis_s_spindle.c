@@ -4,9 +4,9 @@
  * block       spindle
  * real type   double
  * cycle time  2000000 ns
- * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * structure   d8e1a53f37cece291154447b66106781
- * checksum    f500efc2ac6b7d2b50254927a6000b28
+ * parameters  0063bb6aa53fa542dcc19d3da5fde611
+ * structure   0a1d93c7c2e29c783f9d755a3153885c
+ * checksum    bd3e2e235ed495920d0fed8ce6f3efd8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -45,6 +45,19 @@ static double axis_s_spindle_magnitude(double value)
 #endif
 }
 
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_s_spindle_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
+
 /* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
  * rightly; without a library */
 static int32_t axis_s_spindle_nearest(double value)
@@ -76,9 +89,13 @@ static const double axis_s_spindle_velocity_range_lower_limit = -2147483648.4999
 static const double axis_s_spindle_velocity_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
+/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+static const double axis_s_spindle_sample_limit = 1000000000000000.0;
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
 static const double axis_s_spindle_position_limit = 700000000000000.0;
 static const double axis_s_spindle_full_turn = 360000.0; /* a full turn [0.001 deg] */
+/* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
+static const double axis_s_spindle_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
 void axis_s_spindle_init(axis_s_spindle_state *fresh)
@@ -90,6 +107,12 @@ void axis_s_spindle_init(axis_s_spindle_state *fresh)
     state->settled = 0u;
     state->missing = 0u;
     state->lasting_error = AXIS_S_SPINDLE_ERROR_NONE;
+    state->seen_samples = 0u;
+    state->seen_slow = 0u;
+    state->seen_v_last = 0.0;
+    state->seen_v_before = 0.0;
+    state->seen_v = 0.0;
+    state->catches = false;
     state->asks_velocity = false;
     state->returns = false;
     state->is_moving = false;
@@ -122,7 +145,7 @@ void axis_s_spindle_init(axis_s_spindle_state *fresh)
     state->before_putax = true;
     state->before_g74 = true;
     state->before_any = true;
-    state->usual = false;
+    state->usual = AXIS_S_SPINDLE_USUAL_NONE;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -168,6 +191,8 @@ static void axis_s_spindle_any_cycle(
     /* 1 rpm (key spindle.window) */
     /* by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s] */
     static const double window = 6000.0;
+    /* Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s] */
+    static const double v_taken_up = 306000.0;
 
     /* deceleration 2000 rpm/s (key spindle.deceleration) */
     static const double v_step = 24000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
@@ -181,20 +206,25 @@ static void axis_s_spindle_any_cycle(
 
     /* 100ms (key spindle.mode_timeout) */
     static const uint32_t mode_cycles = 50u; /* cycles within which the drive displays a new mode */
+    static const uint32_t start_cycles = 52u; /* cycles within which it does so when it has come on: two more */
 
     /* 1.95s; from the largest velocity (P-AXIS-00212) the ramp takes 725ms */
     static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 
     /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
-    static const double sample_limit = 1000000000000000.0;
+    /* error_id: spindle: the position lag is near half a turn, beyond which the loop would turn the other way; stays
+     * until reset */
+    static const uint32_t error_lag = 48u;
+    static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
 
     const bool in_velocity =
-        state->usual && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY
+        state->usual == AXIS_S_SPINDLE_USUAL_VELOCITY
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
-            && axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit
+            && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
+            && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
+            && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit
             && axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit
             && inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE;
     if (in_velocity) {
@@ -208,7 +238,9 @@ static void axis_s_spindle_any_cycle(
         /* a usual cycle in VELOCITY */
         state->missing = 0u;
         double within_turn_next;
-        if (inputs->x_actual < 0.0 || inputs->x_actual >= axis_s_spindle_full_turn) {
+        if (inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_full_turn) {
+            within_turn_next = inputs->x_actual;
+        } else if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_counted_limit) {
             const int32_t turns_next = (int32_t)(inputs->x_actual * axis_s_spindle_per_turn);
             const double rest_next = inputs->x_actual - (double)turns_next * axis_s_spindle_full_turn;
             double above_next;
@@ -223,7 +255,7 @@ static void axis_s_spindle_any_cycle(
                 within_turn_next = above_next;
             }
         } else {
-            within_turn_next = inputs->x_actual;
+            within_turn_next = 0.0;
         }
         state->x = within_turn_next;
         outputs->x_spindle = state->x;
@@ -248,6 +280,51 @@ static void axis_s_spindle_any_cycle(
         outputs->job_position = state->present_position;
         outputs->job_number = state->jobs;
     } else {
+        const uint32_t id = state->lasting_error;
+        const bool is_wrong =
+            !(id == AXIS_S_SPINDLE_ERROR_NONE || id == AXIS_S_SPINDLE_ERROR_CYCLE_TIME
+                || id == AXIS_S_SPINDLE_ERROR_STATE || id == AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR
+                || id == AXIS_S_SPINDLE_ERROR_X_COMMAND || id == AXIS_S_SPINDLE_ERROR_X_ACTUAL
+                || (id >= AXIS_S_SPINDLE_ERROR_TO_VELOCITY && id <= AXIS_S_SPINDLE_ERROR_TAKEOVER) || id == error_lag)
+                || state->queued > 4u;
+        if (state->queued > 4u) {
+            state->queued = 0u;
+        }
+        const bool is_sound =
+            state->x >= 0.0 && state->x < axis_s_spindle_full_turn && state->x_start >= 0.0
+                && state->x_start < axis_s_spindle_full_turn
+                && axis_s_spindle_magnitude(state->v) <= axis_s_spindle_sample_limit
+                && axis_s_spindle_magnitude(state->seen_v) <= axis_s_spindle_sample_limit
+                && axis_s_spindle_magnitude(state->seen_v_last) <= axis_s_spindle_sample_limit
+                && axis_s_spindle_magnitude(state->seen_v_before) <= axis_s_spindle_sample_limit;
+        bool is_wrong_next;
+        if (is_sound) {
+            is_wrong_next = is_wrong;
+        } else {
+            state->x = 0.0;
+            state->x_start = 0.0;
+            state->v = 0.0;
+            state->seen_v = 0.0;
+            state->seen_v_last = 0.0;
+            state->seen_v_before = 0.0;
+            state->seen_samples = 0u;
+            state->seen_slow = 0u;
+            is_wrong_next = true;
+        }
+        bool is_wrong_last;
+        if (axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
+                && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit) {
+            is_wrong_last = is_wrong_next;
+        } else {
+            state->turns_fast = false;
+            state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
+            state->present_speed = 0.0;
+            state->present_position = 0.0;
+            is_wrong_last = true;
+        }
+        if (is_wrong_last) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
+        }
         const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
         uint32_t request_error;
         if (is_any || state->before_any) {
@@ -287,7 +364,7 @@ static void axis_s_spindle_any_cycle(
                 uint32_t why;
                 if (has_speed && inputs->m3 && inputs->m4) {
                     why = AXIS_S_SPINDLE_ERROR_DIRECTION;
-                } else if (has_speed && !(axis_s_spindle_magnitude(inputs->s_word) <= sample_limit)) {
+                } else if (has_speed && !(axis_s_spindle_magnitude(inputs->s_word) <= axis_s_spindle_sample_limit)) {
                     why = AXIS_S_SPINDLE_ERROR_S_WORD;
                 } else if (wanted == AXIS_S_SPINDLE_JOB_ORIENT
                         && !(axis_s_spindle_magnitude(inputs->s_position) <= axis_s_spindle_position_limit)) {
@@ -354,11 +431,21 @@ static void axis_s_spindle_any_cycle(
             if (state->lasting_error != AXIS_S_SPINDLE_ERROR_NONE) {
                 state->lasting_error = AXIS_S_SPINDLE_ERROR_NONE;
                 state->returns = false;
-                if (inputs->drive_on) {
+                const bool begins = state->control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION && !state->is_moving;
+                if (inputs->drive_on && begins) {
+                    state->seen_samples = 0u;
+                    state->seen_slow = 0u;
+                    state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+                    state->cycles = 0u;
+                    state->settled = 0u;
+                    state->missing = 0u;
+                } else if (inputs->drive_on) {
                     state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                     state->cycles = 0u;
                     state->settled = 0u;
                     state->missing = 0u;
+                } else {
+                    /* nothing else is to be done */
                 }
             } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
                     || state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY) {
@@ -367,36 +454,268 @@ static void axis_s_spindle_any_cycle(
                 /* nothing else is to be done */
             }
         }
-        const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
-        if (is_wrong && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
+        const bool is_wrong_2 = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
+        if (is_wrong_2 && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_CYCLE_TIME;
         }
-        if (!inputs->drive_on) {
-            state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
-            state->cycles = 0u;
-            state->settled = 0u;
-            state->missing = 0u;
-        }
-        outputs->spindle_state = state->control;
         uint32_t sample_error;
-        if (!inputs->drive_on) {
-            state->v = 0.0;
-            state->asks_velocity = false;
-            state->returns = false;
-            state->is_moving = false;
-            state->queued = 0u;
+        if (inputs->drive_on) {
+            sample_error = 0u;
+        } else {
             state->takes_over = false;
+            state->queued = 0u;
+            state->catches = false;
+            state->returns = false;
+            state->missing = 0u;
+            state->settled = 0u;
+            state->cycles = 0u;
+            if (state->control != AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION || state->is_moving) {
+                state->seen_samples = 0u;
+                state->seen_slow = 0u;
+            }
+            state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+            state->is_moving = false;
+            if (state->v > 0.0) {
+                state->v = state->v - v_step;
+                if (state->v < 0.0) {
+                    state->v = 0.0;
+                }
+            } else if (state->v < 0.0) {
+                state->v = state->v + v_step;
+                if (state->v > 0.0) {
+                    state->v = 0.0;
+                }
+            } else {
+                /* nothing else is to be done */
+            }
+            const bool seen_is_known = axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit;
+            if (seen_is_known) {
+                if (state->seen_samples == 0u) {
+                    state->seen_v_last = inputs->v_actual;
+                    state->seen_v_before = inputs->v_actual;
+                }
+                const double seen_a = state->seen_v_before;
+                const double seen_b = state->seen_v_last;
+                double seen_low;
+                if (seen_a < seen_b) {
+                    seen_low = seen_a;
+                } else {
+                    seen_low = seen_b;
+                }
+                double seen_high;
+                if (seen_a < seen_b) {
+                    seen_high = seen_b;
+                } else {
+                    seen_high = seen_a;
+                }
+                double seen_below_high;
+                if (inputs->v_actual < seen_high) {
+                    seen_below_high = inputs->v_actual;
+                } else {
+                    seen_below_high = seen_high;
+                }
+                double seen_v_middle;
+                if (seen_below_high < seen_low) {
+                    seen_v_middle = seen_low;
+                } else {
+                    seen_v_middle = seen_below_high;
+                }
+                state->seen_v = seen_v_middle;
+                state->seen_v_before = state->seen_v_last;
+                state->seen_v_last = inputs->v_actual;
+                if (state->seen_samples < 3u) {
+                    state->seen_samples = state->seen_samples + 1u;
+                }
+                if (!(axis_s_spindle_magnitude(inputs->v_actual) <= v_taken_up)) {
+                    state->seen_slow = 0u;
+                } else if (state->seen_slow < 3u) {
+                    state->seen_slow = state->seen_slow + 1u;
+                } else {
+                    /* nothing else is to be done */
+                }
+            } else {
+                state->seen_samples = 0u;
+                state->seen_slow = 0u;
+            }
+            double v_turning;
+            if (seen_is_known) {
+                if (axis_s_spindle_magnitude(state->seen_v) <= window) {
+                    v_turning = 0.0;
+                } else {
+                    v_turning = state->seen_v;
+                }
+                state->asks_velocity = !axis_s_spindle_is_zero(v_turning);
+                double v_low;
+                if (v_turning < 0.0) {
+                    v_low = v_turning;
+                } else {
+                    v_low = 0.0;
+                }
+                double v_high;
+                if (v_turning < 0.0) {
+                    v_high = 0.0;
+                } else {
+                    v_high = v_turning;
+                }
+                if (state->v > v_high) {
+                    state->v = v_high;
+                } else if (state->v < v_low) {
+                    state->v = v_low;
+                } else {
+                    /* nothing else is to be done */
+                }
+            } else {
+                v_turning = 0.0;
+            }
             if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
-                state->x = inputs->x_actual;
+                const double lead = lead_time - cycle_time;
+                const double way = v_turning * lead;
+                double value;
+                if (axis_s_spindle_magnitude(way) <= lead_limit) {
+                    value = inputs->x_actual + way;
+                } else {
+                    value = inputs->x_actual;
+                }
+                double within_turn_last;
+                if (value >= 0.0 && value < axis_s_spindle_full_turn) {
+                    within_turn_last = value;
+                } else if (axis_s_spindle_magnitude(value) <= axis_s_spindle_counted_limit) {
+                    const int32_t turns_last = (int32_t)(value * axis_s_spindle_per_turn);
+                    const double rest_last = value - (double)turns_last * axis_s_spindle_full_turn;
+                    double above_last;
+                    if (rest_last < 0.0) {
+                        above_last = rest_last + axis_s_spindle_full_turn;
+                    } else {
+                        above_last = rest_last;
+                    }
+                    if (above_last >= axis_s_spindle_full_turn) {
+                        within_turn_last = above_last - axis_s_spindle_full_turn;
+                    } else {
+                        within_turn_last = above_last;
+                    }
+                } else {
+                    within_turn_last = 0.0;
+                }
+                state->x = within_turn_last;
                 sample_error = 0u;
             } else {
                 sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
             }
-        } else if (state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
+        }
+        outputs->spindle_state = state->control;
+        const bool begins_next = state->control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION && !state->is_moving;
+        const bool is_seized =
+            inputs->drive_on && state->lasting_error != AXIS_S_SPINDLE_ERROR_NONE && begins_next && state->cycles == 0u;
+        uint32_t sample_error_next;
+        if (is_seized) {
+            state->is_moving = true;
+            const bool seen_is_known_next = axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit;
+            if (seen_is_known_next) {
+                if (state->seen_samples == 0u) {
+                    state->seen_v_last = inputs->v_actual;
+                    state->seen_v_before = inputs->v_actual;
+                }
+                const double seen_a_next = state->seen_v_before;
+                const double seen_b_next = state->seen_v_last;
+                double seen_low_next;
+                if (seen_a_next < seen_b_next) {
+                    seen_low_next = seen_a_next;
+                } else {
+                    seen_low_next = seen_b_next;
+                }
+                double seen_high_next;
+                if (seen_a_next < seen_b_next) {
+                    seen_high_next = seen_b_next;
+                } else {
+                    seen_high_next = seen_a_next;
+                }
+                double seen_below_high_next;
+                if (inputs->v_actual < seen_high_next) {
+                    seen_below_high_next = inputs->v_actual;
+                } else {
+                    seen_below_high_next = seen_high_next;
+                }
+                double seen_v_middle_next;
+                if (seen_below_high_next < seen_low_next) {
+                    seen_v_middle_next = seen_low_next;
+                } else {
+                    seen_v_middle_next = seen_below_high_next;
+                }
+                state->seen_v = seen_v_middle_next;
+                state->seen_v_before = state->seen_v_last;
+                state->seen_v_last = inputs->v_actual;
+                if (state->seen_samples < 3u) {
+                    state->seen_samples = state->seen_samples + 1u;
+                }
+                if (!(axis_s_spindle_magnitude(inputs->v_actual) <= v_taken_up)) {
+                    state->seen_slow = 0u;
+                } else if (state->seen_slow < 3u) {
+                    state->seen_slow = state->seen_slow + 1u;
+                } else {
+                    /* nothing else is to be done */
+                }
+            } else {
+                state->seen_samples = 0u;
+                state->seen_slow = 0u;
+            }
+            if (axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit) {
+                double v_turning_next;
+                if (axis_s_spindle_magnitude(state->seen_v) <= window) {
+                    v_turning_next = 0.0;
+                } else {
+                    v_turning_next = state->seen_v;
+                }
+                state->v = v_turning_next;
+                state->asks_velocity = !(axis_s_spindle_magnitude(v_turning_next) <= v_taken_up);
+            }
+            const bool is_found = axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
+            if (seen_is_known_next && is_found) {
+                const double v = state->v;
+                const double lead_next = lead_time - cycle_time;
+                const double way_next = v * lead_next;
+                double value_next;
+                if (axis_s_spindle_magnitude(way_next) <= lead_limit) {
+                    value_next = inputs->x_actual + way_next;
+                } else {
+                    value_next = inputs->x_actual;
+                }
+                double within_turn_2;
+                if (value_next >= 0.0 && value_next < axis_s_spindle_full_turn) {
+                    within_turn_2 = value_next;
+                } else if (axis_s_spindle_magnitude(value_next) <= axis_s_spindle_counted_limit) {
+                    const int32_t turns_2 = (int32_t)(value_next * axis_s_spindle_per_turn);
+                    const double rest_2 = value_next - (double)turns_2 * axis_s_spindle_full_turn;
+                    double above_2;
+                    if (rest_2 < 0.0) {
+                        above_2 = rest_2 + axis_s_spindle_full_turn;
+                    } else {
+                        above_2 = rest_2;
+                    }
+                    if (above_2 >= axis_s_spindle_full_turn) {
+                        within_turn_2 = above_2 - axis_s_spindle_full_turn;
+                    } else {
+                        within_turn_2 = above_2;
+                    }
+                } else {
+                    within_turn_2 = 0.0;
+                }
+                state->x = within_turn_2;
+            } else {
+                state->x = state->x + state->v * cycle_time;
+            }
+            if (!seen_is_known_next) {
+                sample_error_next = AXIS_S_SPINDLE_ERROR_V_ACTUAL;
+            } else if (is_found) {
+                sample_error_next = sample_error;
+            } else {
+                sample_error_next = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
+            }
+            state->catches = state->asks_velocity;
+        } else if (inputs->drive_on && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
             switch (state->control) {
             case AXIS_S_SPINDLE_SPINDLE_STATE_POSITION: {
                 const bool is_position_displayed = inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
-                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit) {
+                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit) {
                     bool leads;
                     if (!(axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit)) {
                         state->missing = state->missing + 1u;
@@ -406,16 +725,22 @@ static void axis_s_spindle_any_cycle(
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
+                        sample_error_next = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         leads = false;
                     } else if (is_position_displayed) {
                         if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest) {
                             bool is_too_far;
                             if (state->takes_over) {
                                 const double distance = inputs->x_command - (state->x + state->v * cycle_time);
-                                const int32_t whole_turns = axis_s_spindle_nearest(distance * axis_s_spindle_per_turn);
-                                const double x_step = distance - (double)whole_turns * axis_s_spindle_full_turn;
-                                is_too_far = !(axis_s_spindle_magnitude(x_step) <= takeover_window);
+                                double shorter;
+                                if (axis_s_spindle_magnitude(distance) <= axis_s_spindle_counted_limit) {
+                                    const int32_t whole_turns =
+                                        axis_s_spindle_nearest(distance * axis_s_spindle_per_turn);
+                                    shorter = distance - (double)whole_turns * axis_s_spindle_full_turn;
+                                } else {
+                                    shorter = distance;
+                                }
+                                is_too_far = !(axis_s_spindle_magnitude(shorter) <= takeover_window);
                                 if (is_too_far) {
                                     state->lasting_error = AXIS_S_SPINDLE_ERROR_TAKEOVER;
                                 }
@@ -427,7 +752,7 @@ static void axis_s_spindle_any_cycle(
                             state->lasting_error = AXIS_S_SPINDLE_ERROR_HALF_TURN;
                             leads = false;
                         }
-                        sample_error = 0u;
+                        sample_error_next = sample_error;
                     } else {
                         state->missing = state->missing + 1u;
                         state->takes_over = true;
@@ -436,7 +761,7 @@ static void axis_s_spindle_any_cycle(
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
+                        sample_error_next = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                         leads = false;
                     }
                     if (leads) {
@@ -463,25 +788,29 @@ static void axis_s_spindle_any_cycle(
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                 }
                 break;
             }
             case AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY: {
                 state->cycles = state->cycles + 1u;
                 state->asks_velocity = true;
-                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit) {
+                if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit) {
                     bool leads_next;
                     if (axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit) {
                         if (axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest) {
                             bool is_too_far_next;
                             if (state->takes_over) {
                                 const double distance_next = inputs->x_command - (state->x + state->v * cycle_time);
-                                const int32_t whole_turns_next =
-                                    axis_s_spindle_nearest(distance_next * axis_s_spindle_per_turn);
-                                const double x_step_next =
-                                    distance_next - (double)whole_turns_next * axis_s_spindle_full_turn;
-                                is_too_far_next = !(axis_s_spindle_magnitude(x_step_next) <= takeover_window);
+                                double shorter_next;
+                                if (axis_s_spindle_magnitude(distance_next) <= axis_s_spindle_counted_limit) {
+                                    const int32_t whole_turns_next =
+                                        axis_s_spindle_nearest(distance_next * axis_s_spindle_per_turn);
+                                    shorter_next = distance_next - (double)whole_turns_next * axis_s_spindle_full_turn;
+                                } else {
+                                    shorter_next = distance_next;
+                                }
+                                is_too_far_next = !(axis_s_spindle_magnitude(shorter_next) <= takeover_window);
                                 if (is_too_far_next) {
                                     state->lasting_error = AXIS_S_SPINDLE_ERROR_TAKEOVER;
                                 }
@@ -493,7 +822,7 @@ static void axis_s_spindle_any_cycle(
                             state->lasting_error = AXIS_S_SPINDLE_ERROR_HALF_TURN;
                             leads_next = false;
                         }
-                        sample_error = 0u;
+                        sample_error_next = sample_error;
                     } else {
                         state->missing = state->missing + 1u;
                         state->takes_over = true;
@@ -502,7 +831,7 @@ static void axis_s_spindle_any_cycle(
                         } else {
                             state->x = state->x + state->v * cycle_time;
                         }
-                        sample_error = AXIS_S_SPINDLE_ERROR_X_COMMAND;
+                        sample_error_next = AXIS_S_SPINDLE_ERROR_X_COMMAND;
                         leads_next = false;
                     }
                     if (leads_next) {
@@ -532,12 +861,12 @@ static void axis_s_spindle_any_cycle(
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                 }
                 break;
             }
             case AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY: {
-                if (!(axis_s_spindle_magnitude(inputs->v_interpolator) <= sample_limit)) {
+                if (!(axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit)) {
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
                     if (state->missing > 3u) {
@@ -545,7 +874,7 @@ static void axis_s_spindle_any_cycle(
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR;
                 } else if (inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE) {
                     state->missing = 0u;
                     state->v = inputs->v_interpolator;
@@ -565,7 +894,7 @@ static void axis_s_spindle_any_cycle(
                         state->settled = 0u;
                         state->missing = 0u;
                     }
-                    sample_error = 0u;
+                    sample_error_next = sample_error;
                 } else {
                     state->missing = state->missing + 1u;
                     state->takes_over = true;
@@ -574,13 +903,16 @@ static void axis_s_spindle_any_cycle(
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
-                    sample_error = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_MODE_DISPLAY;
                 }
                 break;
             }
             case AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE: {
                 state->cycles = state->cycles + 1u;
-                const bool is_known = axis_s_spindle_magnitude(inputs->v_actual) <= sample_limit;
+                if (inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE) {
+                    state->catches = false;
+                }
+                const bool is_known = axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit;
                 bool is_slow;
                 if (is_known) {
                     const double v_before = state->v;
@@ -605,13 +937,15 @@ static void axis_s_spindle_any_cycle(
                 const bool can_leave =
                     is_settled && axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
                 if (!is_known) {
-                    sample_error = AXIS_S_SPINDLE_ERROR_V_ACTUAL;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_V_ACTUAL;
                 } else if (is_settled && !can_leave) {
-                    sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
+                    sample_error_next = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
                 } else {
-                    sample_error = 0u;
+                    sample_error_next = sample_error;
                 }
-                if (!can_leave && state->cycles > brake_cycles) {
+                if (!can_leave && state->catches && state->cycles > mode_cycles) {
+                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_VELOCITY;
+                } else if (!can_leave && state->cycles > brake_cycles) {
                     state->lasting_error = AXIS_S_SPINDLE_ERROR_BRAKE;
                 } else {
                     if (state->v > v_position_control_on) {
@@ -629,57 +963,260 @@ static void axis_s_spindle_any_cycle(
                     }
                     state->x = state->x + state->v * cycle_time;
                     if (can_leave) {
-                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                        state->x_start = inputs->x_actual + state->v * lead_time;
-                        state->is_moving = true;
-                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
-                        state->cycles = 0u;
-                        state->settled = 0u;
                         state->missing = 0u;
+                        state->settled = 0u;
+                        state->cycles = 0u;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+                        state->catches = false;
+                        state->is_moving = true;
+                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                        double x_from;
+                        if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
+                            x_from = inputs->x_actual;
+                        } else {
+                            x_from = state->x;
+                        }
+                        const double way_last = state->v * lead_time;
+                        double value_last;
+                        if (axis_s_spindle_magnitude(way_last) <= lead_limit) {
+                            value_last = x_from + way_last;
+                        } else {
+                            value_last = x_from;
+                        }
+                        double within_turn_3;
+                        if (value_last >= 0.0 && value_last < axis_s_spindle_full_turn) {
+                            within_turn_3 = value_last;
+                        } else if (axis_s_spindle_magnitude(value_last) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_3 = (int32_t)(value_last * axis_s_spindle_per_turn);
+                            const double rest_3 = value_last - (double)turns_3 * axis_s_spindle_full_turn;
+                            double above_3;
+                            if (rest_3 < 0.0) {
+                                above_3 = rest_3 + axis_s_spindle_full_turn;
+                            } else {
+                                above_3 = rest_3;
+                            }
+                            if (above_3 >= axis_s_spindle_full_turn) {
+                                within_turn_3 = above_3 - axis_s_spindle_full_turn;
+                            } else {
+                                within_turn_3 = above_3;
+                            }
+                        } else {
+                            within_turn_3 = 0.0;
+                        }
+                        state->x_start = within_turn_3;
                     }
                 }
                 break;
             }
             default: { /* AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION */
                 state->cycles = state->cycles + 1u;
-                state->asks_velocity = false;
-                const bool can_start =
-                    state->is_moving || axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
-                const bool is_position_displayed_next =
-                    can_start && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
-                if (!is_position_displayed_next && state->cycles > mode_cycles) {
-                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_POSITION;
-                    sample_error = 0u;
+                bool is_late;
+                if (state->is_moving) {
+                    is_late =
+                        state->cycles > mode_cycles
+                            && !(inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE);
                 } else {
-                    if (can_start) {
-                        if (!state->is_moving) {
-                            state->x = inputs->x_actual;
-                        } else if (state->cycles == 1u) {
-                            state->x = state->x_start;
-                        } else {
-                            state->x = state->x + state->v * cycle_time;
-                        }
-                        sample_error = 0u;
+                    is_late = false;
+                }
+                if (is_late) {
+                    state->asks_velocity = false;
+                    state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_POSITION;
+                    sample_error_next = sample_error;
+                } else if (state->is_moving) {
+                    state->asks_velocity = false;
+                    if (state->cycles == 1u) {
+                        state->x = state->x_start;
                     } else {
-                        sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
+                        state->x = state->x + state->v * cycle_time;
                     }
-                    if (is_position_displayed_next) {
-                        /* TO_POSITION -> POSITION: the drive displays position control */
+                    if (inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE) {
                         state->takes_over = true;
+                        /* TO_POSITION -> POSITION: the drive displays position control */
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
+                    }
+                    sample_error_next = sample_error;
+                } else {
+                    const bool seen_is_known_last =
+                        axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit;
+                    if (seen_is_known_last) {
+                        if (state->seen_samples == 0u) {
+                            state->seen_v_last = inputs->v_actual;
+                            state->seen_v_before = inputs->v_actual;
+                        }
+                        const double seen_a_last = state->seen_v_before;
+                        const double seen_b_last = state->seen_v_last;
+                        double seen_low_last;
+                        if (seen_a_last < seen_b_last) {
+                            seen_low_last = seen_a_last;
+                        } else {
+                            seen_low_last = seen_b_last;
+                        }
+                        double seen_high_last;
+                        if (seen_a_last < seen_b_last) {
+                            seen_high_last = seen_b_last;
+                        } else {
+                            seen_high_last = seen_a_last;
+                        }
+                        double seen_below_high_last;
+                        if (inputs->v_actual < seen_high_last) {
+                            seen_below_high_last = inputs->v_actual;
+                        } else {
+                            seen_below_high_last = seen_high_last;
+                        }
+                        double seen_v_middle_last;
+                        if (seen_below_high_last < seen_low_last) {
+                            seen_v_middle_last = seen_low_last;
+                        } else {
+                            seen_v_middle_last = seen_below_high_last;
+                        }
+                        state->seen_v = seen_v_middle_last;
+                        state->seen_v_before = state->seen_v_last;
+                        state->seen_v_last = inputs->v_actual;
+                        if (state->seen_samples < 3u) {
+                            state->seen_samples = state->seen_samples + 1u;
+                        }
+                        if (!(axis_s_spindle_magnitude(inputs->v_actual) <= v_taken_up)) {
+                            state->seen_slow = 0u;
+                        } else if (state->seen_slow < 3u) {
+                            state->seen_slow = state->seen_slow + 1u;
+                        } else {
+                            /* nothing else is to be done */
+                        }
+                    } else {
+                        state->seen_samples = 0u;
+                        state->seen_slow = 0u;
+                    }
+                    if (axis_s_spindle_magnitude(inputs->v_actual) <= axis_s_spindle_sample_limit) {
+                        double v_turning_last;
+                        if (axis_s_spindle_magnitude(state->seen_v) <= window) {
+                            v_turning_last = 0.0;
+                        } else {
+                            v_turning_last = state->seen_v;
+                        }
+                        state->v = v_turning_last;
+                        state->asks_velocity = !(axis_s_spindle_magnitude(v_turning_last) <= v_taken_up);
+                    }
+                    const bool is_found_next =
+                        axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit;
+                    if (seen_is_known_last && is_found_next) {
+                        const double v_next = state->v;
+                        const double lead_last = lead_time - cycle_time;
+                        const double way_2 = v_next * lead_last;
+                        double value_2;
+                        if (axis_s_spindle_magnitude(way_2) <= lead_limit) {
+                            value_2 = inputs->x_actual + way_2;
+                        } else {
+                            value_2 = inputs->x_actual;
+                        }
+                        double within_turn_4;
+                        if (value_2 >= 0.0 && value_2 < axis_s_spindle_full_turn) {
+                            within_turn_4 = value_2;
+                        } else if (axis_s_spindle_magnitude(value_2) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_4 = (int32_t)(value_2 * axis_s_spindle_per_turn);
+                            const double rest_4 = value_2 - (double)turns_4 * axis_s_spindle_full_turn;
+                            double above_4;
+                            if (rest_4 < 0.0) {
+                                above_4 = rest_4 + axis_s_spindle_full_turn;
+                            } else {
+                                above_4 = rest_4;
+                            }
+                            if (above_4 >= axis_s_spindle_full_turn) {
+                                within_turn_4 = above_4 - axis_s_spindle_full_turn;
+                            } else {
+                                within_turn_4 = above_4;
+                            }
+                        } else {
+                            within_turn_4 = 0.0;
+                        }
+                        state->x = within_turn_4;
+                    } else {
+                        state->x = state->x + state->v * cycle_time;
+                    }
+                    if (!seen_is_known_last) {
+                        sample_error_next = AXIS_S_SPINDLE_ERROR_V_ACTUAL;
+                    } else if (is_found_next) {
+                        sample_error_next = sample_error;
+                    } else {
+                        sample_error_next = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
+                    }
+                    const bool is_known_next =
+                        state->seen_samples >= 3u && sample_error_next == AXIS_S_SPINDLE_ERROR_NONE;
+                    const bool is_slow_next = is_known_next && state->seen_slow >= 3u;
+                    if (is_known_next && !(axis_s_spindle_magnitude(state->v) <= v_taken_up)) {
+                        /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
+                        state->catches = true;
+                        state->is_moving = true;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
+                        state->cycles = 0u;
+                        state->settled = 0u;
+                        state->missing = 0u;
+                    } else if (is_slow_next && !axis_s_spindle_is_zero(state->v)) {
+                        state->missing = 0u;
+                        state->settled = 0u;
+                        state->cycles = 0u;
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+                        state->catches = false;
+                        state->is_moving = true;
+                        /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                        double x_from_next;
+                        if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
+                            x_from_next = inputs->x_actual;
+                        } else {
+                            x_from_next = state->x;
+                        }
+                        const double way_3 = state->v * lead_time;
+                        double value_3;
+                        if (axis_s_spindle_magnitude(way_3) <= lead_limit) {
+                            value_3 = x_from_next + way_3;
+                        } else {
+                            value_3 = x_from_next;
+                        }
+                        double within_turn_5;
+                        if (value_3 >= 0.0 && value_3 < axis_s_spindle_full_turn) {
+                            within_turn_5 = value_3;
+                        } else if (axis_s_spindle_magnitude(value_3) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_5 = (int32_t)(value_3 * axis_s_spindle_per_turn);
+                            const double rest_5 = value_3 - (double)turns_5 * axis_s_spindle_full_turn;
+                            double above_5;
+                            if (rest_5 < 0.0) {
+                                above_5 = rest_5 + axis_s_spindle_full_turn;
+                            } else {
+                                above_5 = rest_5;
+                            }
+                            if (above_5 >= axis_s_spindle_full_turn) {
+                                within_turn_5 = above_5 - axis_s_spindle_full_turn;
+                            } else {
+                                within_turn_5 = above_5;
+                            }
+                        } else {
+                            within_turn_5 = 0.0;
+                        }
+                        state->x_start = within_turn_5;
+                    } else if (is_slow_next && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE) {
+                        state->takes_over = true;
+                        /* TO_POSITION -> POSITION: the drive displays position control */
+                        state->control = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
+                        state->cycles = 0u;
+                        state->settled = 0u;
+                        state->missing = 0u;
+                    } else {
+                        /* nothing else is to be done */
+                    }
+                    if (state->cycles > start_cycles) {
+                        state->lasting_error = AXIS_S_SPINDLE_ERROR_TO_POSITION;
                     }
                 }
                 break;
             }
             }
         } else {
-            sample_error = 0u;
+            sample_error_next = sample_error;
         }
         const bool has_failed = state->lasting_error != AXIS_S_SPINDLE_ERROR_NONE;
-        if (has_failed && inputs->drive_on) {
+        if (has_failed && inputs->drive_on && !is_seized) {
             if (state->v > 0.0) {
                 state->v = state->v - v_step;
                 if (state->v < 0.0) {
@@ -696,25 +1233,27 @@ static void axis_s_spindle_any_cycle(
             state->x = state->x + state->v * cycle_time;
         }
         const double angle = state->x;
-        double within_turn_last;
-        if (angle < 0.0 || angle >= axis_s_spindle_full_turn) {
-            const int32_t turns_last = (int32_t)(angle * axis_s_spindle_per_turn);
-            const double rest_last = angle - (double)turns_last * axis_s_spindle_full_turn;
-            double above_last;
-            if (rest_last < 0.0) {
-                above_last = rest_last + axis_s_spindle_full_turn;
+        double within_turn_6;
+        if (angle >= 0.0 && angle < axis_s_spindle_full_turn) {
+            within_turn_6 = angle;
+        } else if (axis_s_spindle_magnitude(angle) <= axis_s_spindle_counted_limit) {
+            const int32_t turns_6 = (int32_t)(angle * axis_s_spindle_per_turn);
+            const double rest_6 = angle - (double)turns_6 * axis_s_spindle_full_turn;
+            double above_6;
+            if (rest_6 < 0.0) {
+                above_6 = rest_6 + axis_s_spindle_full_turn;
             } else {
-                above_last = rest_last;
+                above_6 = rest_6;
             }
-            if (above_last >= axis_s_spindle_full_turn) {
-                within_turn_last = above_last - axis_s_spindle_full_turn;
+            if (above_6 >= axis_s_spindle_full_turn) {
+                within_turn_6 = above_6 - axis_s_spindle_full_turn;
             } else {
-                within_turn_last = above_last;
+                within_turn_6 = above_6;
             }
         } else {
-            within_turn_last = angle;
+            within_turn_6 = 0.0;
         }
-        state->x = within_turn_last;
+        state->x = within_turn_6;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
         const double velocity_increments_last = axis_s_spindle_velocity_scale * state->v;
@@ -742,8 +1281,8 @@ static void axis_s_spindle_any_cycle(
         uint32_t error_now;
         if (lasting != AXIS_S_SPINDLE_ERROR_NONE) {
             error_now = lasting;
-        } else if (sample_error != AXIS_S_SPINDLE_ERROR_NONE) {
-            error_now = sample_error;
+        } else if (sample_error_next != AXIS_S_SPINDLE_ERROR_NONE) {
+            error_now = sample_error_next;
         } else {
             error_now = request_error;
         }
@@ -751,7 +1290,7 @@ static void axis_s_spindle_any_cycle(
         outputs->fault = error_now != AXIS_S_SPINDLE_ERROR_NONE;
         outputs->loop_closed =
             outputs->spindle_state == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !has_failed
-                && sample_error == AXIS_S_SPINDLE_ERROR_NONE;
+                && sample_error_next == AXIS_S_SPINDLE_ERROR_NONE;
         if (!inputs->drive_on || inputs->reset || has_failed || state->control == AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE) {
             if (state->present_kind != AXIS_S_SPINDLE_JOB_STOP) {
                 state->turns_fast = false;
@@ -770,6 +1309,13 @@ static void axis_s_spindle_any_cycle(
                         && (state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
                             || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN));
             if (is_over && can_serve) {
+                if (!(axis_s_spindle_magnitude(state->request0_speed) <= axis_s_spindle_sample_limit
+                        && axis_s_spindle_magnitude(state->request0_position) <= axis_s_spindle_position_limit)) {
+                    /* something has overwritten it */
+                    state->request0_kind = AXIS_S_SPINDLE_JOB_STOP;
+                    state->request0_speed = 0.0;
+                    state->request0_position = 0.0;
+                }
                 const bool is_fast =
                     state->request0_speed > v_velocity_control_on || -state->request0_speed > v_velocity_control_on;
                 state->turns_fast = state->request0_kind == AXIS_S_SPINDLE_JOB_TURN && is_fast;
@@ -796,12 +1342,20 @@ static void axis_s_spindle_any_cycle(
         outputs->job_position = state->present_position;
         outputs->job_number = state->jobs;
         outputs->waiting = state->queued;
-        const bool stays_closed =
-            state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over && !state->turns_fast;
-        const bool stays_open = state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns;
-        state->usual =
-            (stays_closed || stays_open) && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE && state->queued == 0u
-                && !state->before_any;
+        const bool is_quiet =
+            state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE && state->queued == 0u && !state->before_any;
+        int32_t usual;
+        if (!is_quiet) {
+            usual = AXIS_S_SPINDLE_USUAL_NONE;
+        } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over
+                && !state->turns_fast) {
+            usual = AXIS_S_SPINDLE_USUAL_POSITION;
+        } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns) {
+            usual = AXIS_S_SPINDLE_USUAL_VELOCITY;
+        } else {
+            usual = AXIS_S_SPINDLE_USUAL_NONE;
+        }
+        state->usual = usual;
     }
 }
 
@@ -811,10 +1365,12 @@ void axis_s_spindle_step(
     axis_s_spindle_outputs *restrict outputs)
 {
     const bool in_position =
-        state->usual && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION
+        state->usual == AXIS_S_SPINDLE_USUAL_POSITION
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
+            && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
+            && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
             && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest
             && axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit
             && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
@@ -828,7 +1384,9 @@ void axis_s_spindle_step(
         state->v = inputs->v_interpolator;
         /* a usual cycle in POSITION */
         double within_turn;
-        if (inputs->x_command < 0.0 || inputs->x_command >= axis_s_spindle_full_turn) {
+        if (inputs->x_command >= 0.0 && inputs->x_command < axis_s_spindle_full_turn) {
+            within_turn = inputs->x_command;
+        } else if (axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_counted_limit) {
             const int32_t turns = (int32_t)(inputs->x_command * axis_s_spindle_per_turn);
             const double rest = inputs->x_command - (double)turns * axis_s_spindle_full_turn;
             double above;
@@ -843,7 +1401,7 @@ void axis_s_spindle_step(
                 within_turn = above;
             }
         } else {
-            within_turn = inputs->x_command;
+            within_turn = 0.0;
         }
         state->x = within_turn;
         outputs->x_spindle = state->x;

@@ -4,9 +4,9 @@
  * block       spindle
  * real type   double
  * cycle time  2000000 ns
- * parameters  b92e28125bf8b73ebb5b80376f6f2970
- * structure   81a3e4721e1ccb9cb568bdc95294fe8c
- * checksum    30a4d978eb826a2813f5c6ee2e3c99e1
+ * parameters  0063bb6aa53fa542dcc19d3da5fde611
+ * structure   0a1d93c7c2e29c783f9d755a3153885c
+ * checksum    f58a60d0bce9fbd8bd005b83989a2cd9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -25,19 +25,19 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_S_SPINDLE_REAL_BITS 64
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_S_SPINDLE_PARAMETERS_0 0xb92e2812u
-#define AXIS_S_SPINDLE_PARAMETERS_1 0x5bf8b73eu
-#define AXIS_S_SPINDLE_PARAMETERS_2 0xbb5b8037u
-#define AXIS_S_SPINDLE_PARAMETERS_3 0x6f6f2970u
+#define AXIS_S_SPINDLE_PARAMETERS_0 0x0063bb6au
+#define AXIS_S_SPINDLE_PARAMETERS_1 0xa53fa542u
+#define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
+#define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0x81a3e472u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0x1e1ccb9cu
-#define AXIS_S_SPINDLE_STRUCTURE_2 0xb568bdc9u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x5294fe8cu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x0a1d93c7u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0xc2e29c78u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x3f9d755au
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x3153885cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u
-#define AXIS_S_SPINDLE_STATE_SIZE 184u
+#define AXIS_S_SPINDLE_STATE_SIZE 232u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -79,6 +79,8 @@ enum {
     AXIS_S_SPINDLE_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_S_SPINDLE_ERROR_CYCLE_TIME = 1,
+    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    AXIS_S_SPINDLE_ERROR_STATE = 3,
     AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
     AXIS_S_SPINDLE_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
     AXIS_S_SPINDLE_ERROR_X_ACTUAL = 18, /* x_actual is not within the sample limit */
@@ -99,6 +101,13 @@ enum {
     /* spindle: the drive displays another operation mode; stays from the fourth cycle on */
     AXIS_S_SPINDLE_ERROR_MODE_DISPLAY = 45,
     AXIS_S_SPINDLE_ERROR_TAKEOVER = 46 /* spindle: x_command does not go on from x_spindle; stays until reset */
+};
+
+/* Which usual cycle may be next. */
+enum {
+    AXIS_S_SPINDLE_USUAL_NONE = 0, /* none */
+    AXIS_S_SPINDLE_USUAL_POSITION = 1, /* of POSITION */
+    AXIS_S_SPINDLE_USUAL_VELOCITY = 2 /* of VELOCITY */
 };
 
 /* Written by the caller. axis_s_spindle_inputs_init fills in what is said to be the start. */
@@ -138,9 +147,9 @@ typedef struct {
     int32_t operation_mode; /* the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h */
     /* v_spindle as process data of the drive: SERCOS S-0-0036, CANopen 60FFh [increments] */
     int32_t velocity_command;
-    /* an error of this cycle, or one that stays until reset: 0 none, 1 cycle_time, 14 v_interpolator, 17 x_command,
-     * 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41
-     * to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
+    /* an error of this cycle, or one that stays until reset: 0 none, 1 cycle_time, 3 state, 14 v_interpolator, 17
+     * x_command, 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36
+     * drive_off, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover, 48 lag */
     uint32_t error_id;
     /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
      * position may be monitored */
@@ -156,9 +165,17 @@ typedef struct {
     uint32_t settled; /* cycles in which v_actual has been settled */
     uint32_t missing; /* cycles in which a sample has been missing */
     uint32_t lasting_error; /* an error that stays until reset */
+    uint32_t seen_samples; /* cycles in a row with a sample, up to 3 */
+    uint32_t seen_slow; /* cycles in a row in which it was slow enough for position control, up to 3 */
+    double seen_v_last; /* the last sample [0.001 deg/s] */
+    double seen_v_before; /* the one before [0.001 deg/s] */
+    double seen_v; /* the median of the last three [0.001 deg/s] */
+    bool catches; /* whether a spindle that was caught waits for the drive to display velocity control */
     bool asks_velocity; /* whether velocity control is asked for */
     bool returns; /* whether a reset leads back to position control */
-    bool is_moving; /* whether position control is taken up at x_start; else x follows the actual position */
+    /* whether the block moves the spindle: position control is taken up at x_start; else the commands follow the
+     * spindle */
+    bool is_moving;
     bool takes_over; /* whether the interpolator has to go on from x */
     double x; /* the position command [0.001 deg] */
     double x_start; /* where position control is taken up [0.001 deg] */
@@ -190,7 +207,7 @@ typedef struct {
     bool before_any; /* whether one of them was */
     /* whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be
      * a usual one */
-    bool usual;
+    int32_t usual;
 } axis_s_spindle_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  c8c2089743691a12a670aea6eebc23b5
- * structure   447aa80e7cb92f2f711d6bf89f992ff2
- * checksum    89a68779f01891b684f680680e231370
+ * structure   675429b91c74ef92dcc5c00b796a7fb8
+ * checksum    02fbdfb3b1da7f840d046dba1016514d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   801a97830de297efcaf4fa5134ff9f33
- * checksum    88a74bc1b0293c744d9f6e9d14023c9f
+ * structure   076969ef1866f92552350f281c4218d5
+ * checksum    a6b6d41376b3992ea91b6aab15c7f038
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -28,6 +28,12 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
+/* Functions call no library: without this clang stores several zeros by a call of memset. */
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
+#endif
+#endif
 
 /* |value|, without a library */
 static double axis_x_ipc_magnitude(double value)
@@ -38,6 +44,19 @@ static double axis_x_ipc_magnitude(double value)
     return value < 0.0 ? -value : value;
 #endif
 }
+
+/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+#if defined(__GNUC__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wfloat-equal"
+#endif
+static bool axis_x_ipc_is_zero(double value)
+{
+    return value == 0.0;
+}
+#if defined(__GNUC__)
+#pragma GCC diagnostic pop
+#endif
 
 /* cycle time 1000 us, the coefficients hold for no other */
 static const uint32_t axis_x_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
@@ -161,9 +180,9 @@ static void axis_x_ipc_any_cycle(
     static const double least_factor = 1.0e-6; /* a factor below it is 0: no product with it is subnormal */
 
     bool is_tuning_held;
-    if (inputs->tuning_limit - state->tuning_limit_now == 0.0
-            && inputs->tuning_weight0 - state->tuning_weight0_now == 0.0
-            && inputs->tuning_weight1 - state->tuning_weight1_now == 0.0) {
+    if (axis_x_ipc_is_zero(inputs->tuning_limit - state->tuning_limit_now)
+            && axis_x_ipc_is_zero(inputs->tuning_weight0 - state->tuning_weight0_now)
+            && axis_x_ipc_is_zero(inputs->tuning_weight1 - state->tuning_weight1_now)) {
         is_tuning_held = false;
     } else {
         const bool jumps = state->fade == 0u || state->fade > axis_x_ipc_fade_cycles;
@@ -465,9 +484,9 @@ void axis_x_ipc_step(
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_cycle_time_ns)
             && inputs->position_controlled && !inputs->reset && inputs->mode == AXIS_X_IPC_MODE_ON
             && state->fade == axis_x_ipc_fade_cycles
-            && inputs->tuning_limit - state->tuning_limit_now == 0.0
-            && inputs->tuning_weight0 - state->tuning_weight0_now == 0.0
-            && inputs->tuning_weight1 - state->tuning_weight1_now == 0.0) {
+            && axis_x_ipc_is_zero(inputs->tuning_limit - state->tuning_limit_now)
+            && axis_x_ipc_is_zero(inputs->tuning_weight0 - state->tuning_weight0_now)
+            && axis_x_ipc_is_zero(inputs->tuning_weight1 - state->tuning_weight1_now)) {
         outputs->fault = false;
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 200/100 = 2 (P-AXIS-00754/00755) */
@@ -552,3 +571,9 @@ void axis_x_ipc_step(
         axis_x_ipc_any_cycle(state, inputs, outputs);
     }
 }
+
+#if defined(__clang__)
+#if __has_attribute(no_builtin)
+#pragma clang attribute pop
+#endif
+#endif

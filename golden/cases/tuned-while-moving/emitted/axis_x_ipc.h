@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  8a7064fb968187846a28b8bae1b95ecb
- * structure   801a97830de297efcaf4fa5134ff9f33
- * checksum    0f1adda920d003467f67522b37a4fe9e
+ * structure   076969ef1866f92552350f281c4218d5
+ * checksum    1c71653b69e15598d3ec95f7cc2c6e55
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -43,10 +43,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x6a28b8bau
 #define AXIS_X_IPC_PARAMETERS_3 0xe1b95ecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x801a9783u
-#define AXIS_X_IPC_STRUCTURE_1 0x0de297efu
-#define AXIS_X_IPC_STRUCTURE_2 0xcaf4fa51u
-#define AXIS_X_IPC_STRUCTURE_3 0x34ff9f33u
+#define AXIS_X_IPC_STRUCTURE_0 0x076969efu
+#define AXIS_X_IPC_STRUCTURE_1 0x1866f925u
+#define AXIS_X_IPC_STRUCTURE_2 0x52350f28u
+#define AXIS_X_IPC_STRUCTURE_3 0x1c4218d5u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 48u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  125000 ns
  * parameters  8768c4a3e69a4771ad043b3e1f6ff3a7
- * structure   37f4af145778dfe9418025eb81f799e9
- * checksum    f27a794a83c2909dc7145505c6db7639
+ * structure   4888616b257c1708c89125ce5f866ea7
+ * checksum    20414f6cd2e71e91c9f478d8d746c706
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_z_ipc.h"

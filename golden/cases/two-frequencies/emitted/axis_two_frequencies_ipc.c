@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  98ef165b1429998f7030c7689ebe1984
- * structure   9f98141b6b84fd349387898cbc83f526
- * checksum    58daa32579ba3f318417534390e6fec0
+ * structure   b09a5e97ffe4585540f0e7220d909600
+ * checksum    bd975105bb8a1e5248aff78e3b53f4df
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_two_frequencies_ipc.h"

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   b9480be95ee515027ed22cd0fcb13d47
- * checksum    f7a4d0bed939b13d8786213b258d3914
+ * structure   cc805e5b62cde874709f13fdf57d40cb
+ * checksum    0ae3fb385f125606cf73a49a071e8ee0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -118,6 +118,7 @@ void axis_x_ipc_step(
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
+    static const uint32_t largest_score = 1000000u; /* no loop grows for so many blocks */
     static const double decay = 0.9; /* a block dies away up to this part of the block before */
     static const double growth = 1.1; /* a block grows from this part of the block before on */
 
@@ -266,11 +267,17 @@ void axis_x_ipc_step(
             } else {
                 /* nothing else is to be done */
             }
-            state->watch_cycles = state->watch_cycles + 1u;
+            if (state->watch_cycles < watch_block_cycles) {
+                state->watch_cycles = state->watch_cycles + 1u;
+            }
             if (state->watch_cycles >= watch_block_cycles) {
                 state->watch_cycles = 0u;
                 const double watch_span = state->watch_high - state->watch_low;
                 const bool watch_fills = state->watch_high > limit && state->watch_low < lower_limit;
+                if (state->watch_score > largest_score) {
+                    /* the score has been overwritten: blocks are counted anew */
+                    state->watch_score = 0u;
+                }
                 if (watch_fills && watch_span > decay * state->watch_before) {
                     state->watch_score = state->watch_score + 2u;
                 } else if (state->watch_before > watch_quiet && watch_span > growth * state->watch_before) {

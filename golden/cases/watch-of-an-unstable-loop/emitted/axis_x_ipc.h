@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  f263fa87836b2d39df1dbe42692c0b05
- * structure   3dae12913fcce583b01901f395833de5
- * checksum    2ef3785bcfcefb7314268ad97cce529f
+ * structure   cc805e5b62cde874709f13fdf57d40cb
+ * checksum    abfbede8af52d8e5635dac3c9cb9391e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -40,10 +40,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xdf1dbe42u
 #define AXIS_X_IPC_PARAMETERS_3 0x692c0b05u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x3dae1291u
-#define AXIS_X_IPC_STRUCTURE_1 0x3fcce583u
-#define AXIS_X_IPC_STRUCTURE_2 0xb01901f3u
-#define AXIS_X_IPC_STRUCTURE_3 0x95833de5u
+#define AXIS_X_IPC_STRUCTURE_0 0xcc805e5bu
+#define AXIS_X_IPC_STRUCTURE_1 0x62cde874u
+#define AXIS_X_IPC_STRUCTURE_2 0x709f13fdu
+#define AXIS_X_IPC_STRUCTURE_3 0xf57d40cbu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_INPUTS_SIZE 24u
 #define AXIS_X_IPC_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6f99155791694d13dee5cb5c76fe9e0a
- * structure   e33c542d3dffaa7804fd9f2c69f29c7f
- * checksum    c66cdf61df3961ba846a6bddf3201a56
+ * structure   db41c092288e0d487f4869e814860a20
+ * checksum    d294d56d635df28ea9a7fc81c294eec0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
