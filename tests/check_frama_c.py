@@ -4,8 +4,8 @@
 Assumed: a bool is 0 or 1 (C makes it so of any value that is assigned); the three structs and the set do not overlap; any real, NaN and
 the infinities among them, is allowed everywhere but as the operand of a conversion.
 
-Eva does not conclude from a comparison that a number is none. So |value| is written for it in a way that says the same: what is no
-number has an infinite magnitude, and is within no limit.
+Eva does not conclude from a comparison that a value is a number, nor from |x| <= limit what x is. So that question is written for it in
+a way that says the same: x == x and -limit <= x and x <= limit.
 """
 
 import re
@@ -15,8 +15,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 OPTIONS = ("-c11 -machdep x86_64 -cpp-extra-args=-U__GNUC__ -warn-special-float none -no-warn-invalid-bool "
-           "-eva -eva-precision 2 -eva-slevel 60 -eva-msg-key=-final-states,-initial-state").split()
-MAGNITUDE = re.compile(r"return value < 0\.0(f?) \? -value : value;")
+           "-eva -eva-precision 1 -eva-slevel 8 -eva-msg-key=-final-states,-initial-state").split()
+LIMIT = re.compile(r"\s*<= (-?[\w.]+(?:->[\w.]+)?(?:e-?\d+f?)?)")
 DRIVER = """#include "{file}"
 volatile {name}_state any_state;
 volatile {name}_inputs any_inputs;
@@ -34,6 +34,23 @@ int main(void)
 """
 
 
+def asked_apart(text: str, call: str) -> str:
+    """The text with `magnitude(x) <= limit` asked in three questions."""
+    start = 0
+    while (start := text.find(call, start)) >= 0:
+        end, depth = start + len(call), 1
+        while depth:
+            depth += {"(": 1, ")": -1}.get(text[end], 0)
+            end += 1
+        x, limit = text[start + len(call):end - 1], LIMIT.match(text, end)
+        if limit is None:
+            start = end  # its definition
+            continue
+        asked = f"(({x}) == ({x}) && -({limit[1]}) <= ({x}) && ({x}) <= {limit[1]})"
+        text = text[:start] + asked + text[limit.end():]
+    return text
+
+
 def driver(source: Path) -> Path:
     """A program that calls the block once, from anything."""
     name, text = source.stem, source.read_text()
@@ -42,8 +59,7 @@ def driver(source: Path) -> Path:
     params = f"volatile {name}_params any_params;" if has_set else ""
     offer = f"inputs.params = (void *)&any_params;" if has_set else ""
     model = source.with_name(name + "_model.c")
-    found = r"return value == value ? (value < 0.0\1 ? -value : value) : 1.0e308\1 * 1.0e308\1;"
-    model.write_text(MAGNITUDE.sub(lambda m: found.replace(r"\1", m[1]).replace("1.0e308f", "1.0e38f"), text))
+    model.write_text(asked_apart(text, name + "_magnitude("))
     program = source.with_name(name + "_eva.c")
     program.write_text(DRIVER.format(file=model.name, name=name, params=params, offer=offer))
     return program
@@ -52,8 +68,7 @@ def driver(source: Path) -> Path:
 def alarms(program: Path) -> tuple[str, list[str]]:
     """The alarms of a program; the first is what Frama-C itself refuses."""
     name = program.name.removesuffix("_eva.c")
-    inline = ",".join(f"{name}_{part}" for part in ("magnitude", "is_zero", "nearest") if f" {name}_{part}(" in program.with_name(name + "_model.c").read_text())
-    call = ["frama-c", *(["-inline-calls", inline] if inline else []), *OPTIONS, str(program)]
+    call = ["frama-c", *OPTIONS, str(program)]
     run = subprocess.run(call, cwd=program.parent, capture_output=True, text=True, check=False)
     output = run.stdout + run.stderr
     found = re.findall(r"\[eva:alarm\].*(?:\n  .*)*", output)
