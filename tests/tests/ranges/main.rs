@@ -1,6 +1,8 @@
 //! What the range analysis shows: of every golden case all that it should, of ten planted defects none; and what runs from any state
 //! stays within what was shown.
 
+#![expect(clippy::cast_possible_truncation, clippy::cast_lossless, reason = "random bits")]
+
 mod planted;
 mod sound;
 

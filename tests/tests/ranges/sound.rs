@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 /// A value of a type: now and then any bits, now and then one at an edge.
 fn any(ty: Type, real: RealKind, rng: &mut Rng) -> Literal {
-    let bits = rng.next();
+    let bits = rng.word();
     let low = (bits >> 32) as u32;
     let edges = [0, 1, 2, 3, 50, 1000, u32::MAX, 0x7fff_ffff, 0x8000_0000];
     let whole = if bits % 2 == 0 { edges[low as usize % edges.len()] } else { low };
@@ -20,7 +20,7 @@ fn any(ty: Type, real: RealKind, rng: &mut Rng) -> Literal {
         Type::U32 => Literal::U32(whole),
         Type::Real => {
             let value = match bits % 5 {
-                0 => f64::from_bits(rng.next()),
+                0 => f64::from_bits(rng.word()),
                 1 => [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e15, -1e15, f64::MAX][low as usize % 8],
                 _ => (f64::from(low) / f64::from(u32::MAX) - 0.5) * 10_f64.powi(i32::try_from(bits % 12).unwrap_or(0)),
             };
@@ -51,7 +51,7 @@ fn what_runs_from_any_state_stays_within_what_was_shown() {
             for _ in 0..3 {
                 // Usable samples mostly, so that what lies behind the tests is reached too.
                 for (value, input) in inputs.iter_mut().zip(&program.inputs) {
-                    if rng.next() % 4 != 0 {
+                    if rng.word() % 4 != 0 {
                         *value = input.start;
                     }
                 }
