@@ -6,9 +6,15 @@
 mod planted;
 mod sound;
 
+use axgen_tests::environment::is_exhaustive;
+use axgen_tests::model::{random, subject};
+use axgen_tests::random::rng::Rng;
 use generator::blocks::{Designed, Kind, of_axis};
 use golden::case;
+use rayon::prelude::*;
 use std::path::Path;
+
+const SEED: u64 = 20_261_124;
 
 /// Of every golden case its axis, with its blocks; without those of spindles, whose state is not yet shown.
 fn subjects() -> Vec<(String, Designed, &'static dyn Kind)> {
@@ -32,4 +38,22 @@ fn every_golden_case_is_shown() {
         let shown = kind.shown(&designed).expect("a program");
         assert!(shown.findings.is_empty(), "{name}: {:#?}", shown.findings);
     }
+}
+
+/// Of the independent model's axes: without spindles.
+#[test]
+#[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
+fn random_axes_are_shown() {
+    let axes = if is_exhaustive() { 10_000 } else { 300 };
+    let blocks_of = |index: usize| {
+        let designed = subject::read(&random::parameters(&mut Rng::numbered(SEED, index)).set());
+        let shown = of_axis(&designed.axis).filter(|kind| !kind.name().starts_with("spindle")).map(|kind| {
+            let shown = kind.shown(&designed).expect("a program");
+            assert!(shown.findings.is_empty(), "axis {index}, {}: {:#?}", kind.name(), shown.findings);
+        });
+        shown.count()
+    };
+    let blocks: usize = (0..axes).into_par_iter().map(blocks_of).sum();
+    assert!(blocks > axes, "few blocks: {blocks}");
+    println!("{blocks} blocks of {axes} random axes are shown");
 }
