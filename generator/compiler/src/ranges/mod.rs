@@ -27,6 +27,7 @@ pub use real::Interval;
 pub use value::Value;
 pub use whole::Whole;
 
+use crate::pass::Defect;
 use crate::program::{Expr, Origin, Program, Var, Variable, values};
 use std::collections::BTreeSet;
 use walk::Walk;
@@ -47,6 +48,18 @@ pub struct Shown {
 }
 
 impl Shown {
+    /// Refuses a block of which something cannot be shown.
+    ///
+    /// # Errors
+    /// All that cannot be shown.
+    pub fn refuse(&self, block: &str) -> Result<(), Defect> {
+        if self.findings.is_empty() {
+            return Ok(());
+        }
+        let findings: Vec<String> = self.findings.iter().map(Finding::to_string).collect();
+        Err(Defect { pass: "ranges", message: format!("block {block}: {}", findings.join("; ")) })
+    }
+
     /// The values of each output, in words.
     pub fn lines(&self, program: &Program) -> Vec<String> {
         let outputs = program.outputs.iter().zip(&self.outputs).zip(&self.numbers);

@@ -82,8 +82,9 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
+    /// Its own, on a gantry slave too.
     fn limit(&self, designed: &Designed) -> Option<Figure> {
-        limit(designed)
+        Some(figure(designed, designed.axis.ipc.limit()))
     }
 
     fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
@@ -101,9 +102,13 @@ impl Part for Ipc {
 pub(super) fn limit(designed: &Designed) -> Option<Figure> {
     let axis = &designed.axis;
     let own = axis.ipc.is_active().then(|| axis.ipc.limit());
+    let limit = if axis.control.master.is_some() { axis.control.master_limit } else { own };
+    limit.map(|limit| figure(designed, limit))
+}
+
+fn figure(designed: &Designed, limit: f64) -> Figure {
     let doc = "the largest |v_add| [um/s or 0.001 deg/s]".to_owned();
-    let figure = |limit| Figure { name: "LIMIT", doc, value: literal(limit, axis.real) };
-    if axis.control.master.is_some() { axis.control.master_limit.map(figure) } else { own.map(figure) }
+    Figure { name: "LIMIT", doc, value: literal(limit, designed.axis.real) }
 }
 
 fn in_short(stage: &Stage) -> String {
