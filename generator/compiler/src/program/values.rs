@@ -15,9 +15,17 @@ pub struct Signal {
 
 /// The signals for which that is so: outputs that nothing but named numbers reach, and inputs that are only compared with such.
 pub fn of_signals(program: &Program) -> Vec<Signal> {
-    let reaching = reaching(program);
     let inputs = (0..program.inputs.len()).map(Var::Input);
-    let signals = inputs.chain((0..program.outputs.len()).map(Var::Output));
+    of_those(program, inputs.chain((0..program.outputs.len()).map(Var::Output)))
+}
+
+/// The same of the outputs alone, which costs less.
+pub fn of_outputs(program: &Program) -> Vec<Signal> {
+    of_those(program, (0..program.outputs.len()).map(Var::Output))
+}
+
+fn of_those(program: &Program, signals: impl Iterator<Item = Var>) -> Vec<Signal> {
+    let reaching = reaching(program);
     let integers = signals.filter(|var| matches!(program.ty(*var), Some(Type::I32 | Type::U32)));
     let values = |var| match var {
         Var::Input(index) => compared(program, index, &reaching),

@@ -148,7 +148,7 @@ fn names(program: &Program) -> Names {
 
 /// Of each output that is an id or a word: the numbers that it may be.
 fn lists(program: &Program) -> Vec<Option<BTreeSet<i64>>> {
-    let signals = values::of_signals(program);
+    let signals = values::of_outputs(program);
     let of = |constants: &mut dyn Iterator<Item = usize>| -> BTreeSet<i64> {
         constants.filter_map(|index| number(program.constants[index].value)).collect()
     };

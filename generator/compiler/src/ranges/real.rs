@@ -1,6 +1,8 @@
 //! Intervals of reals, with infinities and what is no number. Rounding to nearest keeps the order of numbers: the bounds of a result are
 //! the results of bounds, computed in the block's own real type.
 
+#![expect(clippy::float_cmp, reason = "bounds are exact, and infinities are asked for")]
+
 use portable::{Binary, RealKind};
 
 /// The reals from `low` to `high`, in the block's own type; `low > high`: no number. An infinity stands where a bound is one.
