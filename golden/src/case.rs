@@ -154,7 +154,7 @@ fn offered(block: &Block, window: Window) -> Vec<Event> {
     let parts = block.program.inputs.iter().filter(|input| block.program.in_set(input).is_some());
     let event = |input: &Variable| {
         let mut value = String::new();
-        cell(input.start, Reals::Hexadecimal, &mut value);
+        cell(input.start, Reals::Decimal, &mut value);
         Event { signal: input.path.clone(), value, window }
     };
     parts.map(event).collect()

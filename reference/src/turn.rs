@@ -1,7 +1,7 @@
 //! Numbers in use, each compared with its copy when its turn comes, so that a number that something else has overwritten is found. One number
 //! a cycle; then nothing is compared for three times as many cycles, so that the mean cost of a cycle is small.
 
-use portable::{Real, in_range, portable};
+use portable::portable;
 
 /// A round takes as many times the cycles that all comparisons take.
 pub const ROUND: i32 = 4;
@@ -24,10 +24,4 @@ pub fn differed() -> i32 {
 #[portable]
 pub fn init(state: &mut State) {
     state.next = 0i32;
-}
-
-/// Whether a number is its copy, from which it differs by this. A difference that is no number is one.
-#[portable]
-pub fn is_kept<R: Real>(difference: R) -> bool {
-    in_range(difference, R::ZERO)
 }

@@ -155,6 +155,9 @@ const ALL_SHOWN: [&str; 139] = [
     "state VELOCITY",
     "stays in POSITION",
     "turns round in POSITION",
+    "a first set is taken over",
+    "another set is taken over",
+    "fault 6",
 ];
 
 #[test]

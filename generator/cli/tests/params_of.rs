@@ -50,7 +50,7 @@ static BLOCK_state state;
 static BLOCK_inputs inputs;
 static BLOCK_outputs outputs;
 
-static int runs(const BLOCK_params *params, uint32_t active, uint32_t error_id)
+static int runs(const volatile BLOCK_params *params, uint32_t active, uint32_t error_id)
 {
     int cycle;
     inputs.params = params;

@@ -93,7 +93,7 @@ pub fn compare<R: Real>(
                 let limits =
                     [stored(now.limit), stored(now.lower_limit), stored(now.sum_limit), stored(now.watch.quiet)];
                 let copies = [copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet];
-                state.next = if turn::is_kept(limits[i] - copies[i]) { at + 1i32 } else { turn::differed() };
+                state.next = if in_range(limits[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
             }
             at += 1i32;
         }

@@ -127,7 +127,7 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
 /// Any cycle. Only the samples that the state uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    repair::repair(state);
+    repair::repair(state, coeffs);
     let request_error = jobs::look(state, coeffs, inputs);
     if inputs.reset {
         reset(state, inputs.drive_on);

@@ -2,25 +2,26 @@
 
 use super::request::{Job, Request};
 use super::seen::forget;
-use super::state::State;
+use super::state::{Coeffs, State};
 use crate::angle::{full_turn, position_limit};
 use crate::signal::{
-    error_cycle_time, error_lag, error_none, error_state, error_takeover, error_to_velocity, error_v_interpolator,
-    error_x_actual, error_x_command, sample_limit,
+    error_call_rate, error_cycle_time, error_lag, error_none, error_state, error_takeover, error_to_velocity,
+    error_v_interpolator, error_x_actual, error_x_command, sample_limit,
 };
 use portable::{Real, in_range, portable};
 
-/// Whether an error is one that may stay.
+/// Whether an error is one that may stay in this block.
 #[portable]
-pub fn may_stay(id: u32) -> bool {
+pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
     id == error_none()
+        || coeffs.call_rate.active && id == error_call_rate()
         || id == error_cycle_time()
         || id == error_state()
         || id == error_v_interpolator()
         || id == error_x_command()
         || id == error_x_actual()
         || id >= error_to_velocity() && id <= error_takeover()
-        || id == error_lag()
+        || coeffs.closes_loop && id == error_lag()
 }
 
 /// Whether the numbers of a request are such that can be asked for.
@@ -44,8 +45,8 @@ pub fn is_motion<R: Real>(state: &State<R>) -> bool {
 
 /// Puts what is impossible in order: the spindle stops.
 #[portable]
-pub fn repair<R: Real>(state: &mut State<R>) {
-    let mut is_wrong = !may_stay(state.lasting_error) || state.queued > 4u32;
+pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let mut is_wrong = !may_stay(coeffs, state.lasting_error) || state.queued > 4u32;
     if state.queued > 4u32 {
         state.queued = 0u32;
     }

@@ -13,9 +13,9 @@ fn any(ty: Type, real: RealKind, rng: &mut Rng) -> Literal {
     let bits = rng.word();
     let low = (bits >> 32) as u32;
     let edges = [0, 1, 2, 3, 50, 1000, u32::MAX, 0x7fff_ffff, 0x8000_0000];
-    let whole = if bits % 2 == 0 { edges[low as usize % edges.len()] } else { low };
+    let whole = if bits.is_multiple_of(2) { edges[low as usize % edges.len()] } else { low };
     match ty {
-        Type::Bool => Literal::Bool(bits % 2 == 0),
+        Type::Bool => Literal::Bool(bits.is_multiple_of(2)),
         Type::I32 => Literal::I32(whole.cast_signed()),
         Type::U32 => Literal::U32(whole),
         Type::Real => {
@@ -51,7 +51,7 @@ fn what_runs_from_any_state_stays_within_what_was_shown() {
             for _ in 0..3 {
                 // Usable samples mostly, so that what lies behind the tests is reached too.
                 for (value, input) in inputs.iter_mut().zip(&program.inputs) {
-                    if rng.word() % 4 != 0 {
+                    if !rng.word().is_multiple_of(4) {
                         *value = input.start;
                     }
                 }

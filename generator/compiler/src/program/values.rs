@@ -15,7 +15,9 @@ pub struct Signal {
 
 /// The signals for which that is so: outputs that nothing but named numbers reach, and inputs that are only compared with such.
 pub fn of_signals(program: &Program) -> Vec<Signal> {
-    let inputs = (0..program.inputs.len()).map(Var::Input);
+    // Nobody writes the numbers of a parameter set one by one.
+    let is_set = |index: &usize| program.in_set(&program.inputs[*index]).is_some();
+    let inputs = (0..program.inputs.len()).filter(|index| !is_set(index)).map(Var::Input);
     of_those(program, inputs.chain((0..program.outputs.len()).map(Var::Output)))
 }
 

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   ee0683c3e0a736895811384b44f912b5
- * checksum    e94912f41b19c72aa602d9053b1a4ed9
+ * structure   59eaa1dd50579cf61a1a7aabe36063da
+ * checksum    f7bebe0d2de02c4efb3a5b7cac656624
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -143,6 +143,9 @@ static void axis_x_ipc_any_cycle(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* parameter sets for the set structure ccd71317 = 3436647191 are taken over */
+    static const uint32_t structure = 3436647191u; /* the structure: a parameter set for another one is refused */
+
     /* OFF to ON takes 0.05 s (key fade), in cycles */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
@@ -198,7 +201,7 @@ static void axis_x_ipc_any_cycle(
                 state->copy_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
                 state->copy_stage0_gain = inputs->params->stage0_gain;
                 const uint32_t set_id = state->offered_set;
-                if (inputs->params->structure == AXIS_X_IPC_STRUCTURE && set_id != 0u) {
+                if (inputs->params->structure == structure && set_id != 0u) {
                     bool are_sound_so_far;
                     if (axis_x_ipc_magnitude(state->copy_limit) <= axis_x_ipc_ipc_limit
                             && axis_x_ipc_magnitude(state->copy_lower_limit) <= axis_x_ipc_ipc_limit
@@ -498,8 +501,8 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
                         const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
                         const float left_over0_next = left_over0002 + rest02_next;
-                        const uint32_t low_half0 = AXIS_X_IPC_STRUCTURE % 65536u;
-                        const uint32_t high_half0 = AXIS_X_IPC_STRUCTURE / 65536u;
+                        const uint32_t low_half0 = structure % 65536u;
+                        const uint32_t high_half0 = structure / 65536u;
                         const float low0 = (float)low_half0;
                         const float high0 = (float)high_half0;
                         const float number00 = low0 * half;
@@ -882,9 +885,8 @@ static void axis_x_ipc_any_cycle(
         case 0: {
             const float turn_limits0_next = *(const volatile float *)&state->now_limit;
             const float turn_copies0_next = state->copy_limit;
-            const float turn_difference0_last = turn_limits0_next - turn_copies0_next;
             int32_t turn_next0_last;
-            if (axis_x_ipc_is_zero(turn_difference0_last)) {
+            if (axis_x_ipc_is_zero(turn_limits0_next - turn_copies0_next)) {
                 turn_next0_last = 1;
             } else {
                 turn_next0_last = axis_x_ipc_differed;
@@ -895,9 +897,8 @@ static void axis_x_ipc_any_cycle(
         case 1: {
             const float turn_limits1_next = *(const volatile float *)&state->now_lower_limit;
             const float turn_copies1_next = state->copy_lower_limit;
-            const float turn_difference1_next = turn_limits1_next - turn_copies1_next;
             int32_t turn_next1_next;
-            if (axis_x_ipc_is_zero(turn_difference1_next)) {
+            if (axis_x_ipc_is_zero(turn_limits1_next - turn_copies1_next)) {
                 turn_next1_next = 2;
             } else {
                 turn_next1_next = axis_x_ipc_differed;
@@ -908,9 +909,8 @@ static void axis_x_ipc_any_cycle(
         case 2: {
             const float turn_limits2_next = *(const volatile float *)&state->now_sum_limit;
             const float turn_copies2_next = state->copy_sum_limit;
-            const float turn_difference2_next = turn_limits2_next - turn_copies2_next;
             int32_t turn_next2_next;
-            if (axis_x_ipc_is_zero(turn_difference2_next)) {
+            if (axis_x_ipc_is_zero(turn_limits2_next - turn_copies2_next)) {
                 turn_next2_next = 3;
             } else {
                 turn_next2_next = axis_x_ipc_differed;
@@ -921,9 +921,8 @@ static void axis_x_ipc_any_cycle(
         case 3: {
             const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
             const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
-            const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
             int32_t turn_next0000_next;
-            if (axis_x_ipc_is_zero(turn_difference0000_next)) {
+            if (axis_x_ipc_is_zero(turn_numbers0000_next - turn_copies0000_next)) {
                 turn_next0000_next = 4;
             } else {
                 turn_next0000_next = axis_x_ipc_differed;
@@ -934,9 +933,8 @@ static void axis_x_ipc_any_cycle(
         case 4: {
             const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
             const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
-            const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
             int32_t turn_next0001_next;
-            if (axis_x_ipc_is_zero(turn_difference0001_next)) {
+            if (axis_x_ipc_is_zero(turn_numbers0001_next - turn_copies0001_next)) {
                 turn_next0001_next = 5;
             } else {
                 turn_next0001_next = axis_x_ipc_differed;
@@ -947,9 +945,8 @@ static void axis_x_ipc_any_cycle(
         case 5: {
             const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
             const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
-            const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
             int32_t turn_next0002_next;
-            if (axis_x_ipc_is_zero(turn_difference0002_next)) {
+            if (axis_x_ipc_is_zero(turn_numbers0002_next - turn_copies0002_next)) {
                 turn_next0002_next = 6;
             } else {
                 turn_next0002_next = axis_x_ipc_differed;
@@ -958,9 +955,8 @@ static void axis_x_ipc_any_cycle(
             break;
         }
         case 6: {
-            const float turn_difference0_2 = *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
             int32_t turn_next0_2;
-            if (axis_x_ipc_is_zero(turn_difference0_2)) {
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
                 turn_next0_2 = 7;
             } else {
                 turn_next0_2 = axis_x_ipc_differed;
@@ -1075,9 +1071,8 @@ void axis_x_ipc_step(
         case 0: {
             const float turn_limits0 = *(const volatile float *)&state->now_limit;
             const float turn_copies0 = state->copy_limit;
-            const float turn_difference0 = turn_limits0 - turn_copies0;
             int32_t turn_next0;
-            if (axis_x_ipc_is_zero(turn_difference0)) {
+            if (axis_x_ipc_is_zero(turn_limits0 - turn_copies0)) {
                 turn_next0 = 1;
             } else {
                 turn_next0 = axis_x_ipc_differed;
@@ -1088,9 +1083,8 @@ void axis_x_ipc_step(
         case 1: {
             const float turn_limits1 = *(const volatile float *)&state->now_lower_limit;
             const float turn_copies1 = state->copy_lower_limit;
-            const float turn_difference1 = turn_limits1 - turn_copies1;
             int32_t turn_next1;
-            if (axis_x_ipc_is_zero(turn_difference1)) {
+            if (axis_x_ipc_is_zero(turn_limits1 - turn_copies1)) {
                 turn_next1 = 2;
             } else {
                 turn_next1 = axis_x_ipc_differed;
@@ -1101,9 +1095,8 @@ void axis_x_ipc_step(
         case 2: {
             const float turn_limits2 = *(const volatile float *)&state->now_sum_limit;
             const float turn_copies2 = state->copy_sum_limit;
-            const float turn_difference2 = turn_limits2 - turn_copies2;
             int32_t turn_next2;
-            if (axis_x_ipc_is_zero(turn_difference2)) {
+            if (axis_x_ipc_is_zero(turn_limits2 - turn_copies2)) {
                 turn_next2 = 3;
             } else {
                 turn_next2 = axis_x_ipc_differed;
@@ -1114,9 +1107,8 @@ void axis_x_ipc_step(
         case 3: {
             const float turn_numbers0000 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
             const float turn_copies0000 = state->copy_stage0_filter0_bandpass0_a;
-            const float turn_difference0000 = turn_numbers0000 - turn_copies0000;
             int32_t turn_next0000;
-            if (axis_x_ipc_is_zero(turn_difference0000)) {
+            if (axis_x_ipc_is_zero(turn_numbers0000 - turn_copies0000)) {
                 turn_next0000 = 4;
             } else {
                 turn_next0000 = axis_x_ipc_differed;
@@ -1127,9 +1119,8 @@ void axis_x_ipc_step(
         case 4: {
             const float turn_numbers0001 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
             const float turn_copies0001 = state->copy_stage0_filter0_bandpass0_b;
-            const float turn_difference0001 = turn_numbers0001 - turn_copies0001;
             int32_t turn_next0001;
-            if (axis_x_ipc_is_zero(turn_difference0001)) {
+            if (axis_x_ipc_is_zero(turn_numbers0001 - turn_copies0001)) {
                 turn_next0001 = 5;
             } else {
                 turn_next0001 = axis_x_ipc_differed;
@@ -1140,9 +1131,8 @@ void axis_x_ipc_step(
         case 5: {
             const float turn_numbers0002 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
             const float turn_copies0002 = state->copy_stage0_filter0_bandpass0_c;
-            const float turn_difference0002 = turn_numbers0002 - turn_copies0002;
             int32_t turn_next0002;
-            if (axis_x_ipc_is_zero(turn_difference0002)) {
+            if (axis_x_ipc_is_zero(turn_numbers0002 - turn_copies0002)) {
                 turn_next0002 = 6;
             } else {
                 turn_next0002 = axis_x_ipc_differed;
@@ -1151,10 +1141,8 @@ void axis_x_ipc_step(
             break;
         }
         case 6: {
-            const float turn_difference0_next =
-                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
             int32_t turn_next0_next;
-            if (axis_x_ipc_is_zero(turn_difference0_next)) {
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
                 turn_next0_next = 7;
             } else {
                 turn_next0_next = axis_x_ipc_differed;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   ee0683c3e0a736895811384b44f912b5
- * checksum    a6314cffddab3e5324dbc71a8b18c01a
+ * structure   59eaa1dd50579cf61a1a7aabe36063da
+ * checksum    f0d43f73280cf9ac6afcd98b4631f333
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xee0683c3u
-#define AXIS_X_IPC_STRUCTURE_1 0xe0a73689u
-#define AXIS_X_IPC_STRUCTURE_2 0x5811384bu
-#define AXIS_X_IPC_STRUCTURE_3 0x44f912b5u
+#define AXIS_X_IPC_STRUCTURE_0 0x59eaa1ddu
+#define AXIS_X_IPC_STRUCTURE_1 0x50579cf6u
+#define AXIS_X_IPC_STRUCTURE_2 0x1a1a7aabu
+#define AXIS_X_IPC_STRUCTURE_3 0xe36063dau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -68,11 +68,6 @@ enum {
     AXIS_X_IPC_MODE_OFF = 0, /* the block is off */
     AXIS_X_IPC_MODE_ON = 1, /* the block acts */
     AXIS_X_IPC_MODE_DRYRUN = 2 /* the block calculates and does not act */
-};
-
-/* values of the input structure */
-enum {
-    AXIS_X_IPC_STRUCTURE = 3436647191 /* the structure: a parameter set for another one is refused */
 };
 
 /* values of the output error_id */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   0a1d93c7c2e29c783f9d755a3153885c
- * checksum    bd3e2e235ed495920d0fed8ce6f3efd8
+ * structure   1efc4fe6ad691d70cb35fdad811bd180
+ * checksum    876469127697b0697ed07ef63060861a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -212,9 +212,6 @@ static void axis_s_spindle_any_cycle(
     static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 
     /* the same for every axis */
-    /* error_id: spindle: the position lag is near half a turn, beyond which the loop would turn the other way; stays
-     * until reset */
-    static const uint32_t error_lag = 48u;
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
 
     const bool in_velocity =
@@ -285,7 +282,7 @@ static void axis_s_spindle_any_cycle(
             !(id == AXIS_S_SPINDLE_ERROR_NONE || id == AXIS_S_SPINDLE_ERROR_CYCLE_TIME
                 || id == AXIS_S_SPINDLE_ERROR_STATE || id == AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR
                 || id == AXIS_S_SPINDLE_ERROR_X_COMMAND || id == AXIS_S_SPINDLE_ERROR_X_ACTUAL
-                || (id >= AXIS_S_SPINDLE_ERROR_TO_VELOCITY && id <= AXIS_S_SPINDLE_ERROR_TAKEOVER) || id == error_lag)
+                || (id >= AXIS_S_SPINDLE_ERROR_TO_VELOCITY && id <= AXIS_S_SPINDLE_ERROR_TAKEOVER))
                 || state->queued > 4u;
         if (state->queued > 4u) {
             state->queued = 0u;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   0a1d93c7c2e29c783f9d755a3153885c
- * checksum    f58a60d0bce9fbd8bd005b83989a2cd9
+ * structure   1efc4fe6ad691d70cb35fdad811bd180
+ * checksum    c97f47d3ce186ee8dea926df81c5c2e2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0x0a1d93c7u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0xc2e29c78u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x3f9d755au
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x3153885cu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x1efc4fe6u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0xad691d70u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0xcb35fdadu
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x811bd180u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u
@@ -149,7 +149,7 @@ typedef struct {
     int32_t velocity_command;
     /* an error of this cycle, or one that stays until reset: 0 none, 1 cycle_time, 3 state, 14 v_interpolator, 17
      * x_command, 18 x_actual, 23 v_actual, 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36
-     * drive_off, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover, 48 lag */
+     * drive_off, 41 to_velocity, 42 brake, 43 to_position, 44 half_turn, 45 mode_display, 46 takeover */
     uint32_t error_id;
     /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
      * position may be monitored */
