@@ -1,6 +1,6 @@
 //! Angles of a modulo axis, in 0.001 deg. No state.
 
-use portable::{Real, from_i32, in_range, nearest, portable, truncate};
+use portable::{Real, from_i32, in_range, nearest, note, portable, truncate};
 
 const TURNS: f64 = 1.0 / 360_000.0;
 
@@ -40,17 +40,21 @@ pub fn wrapped<R: Real>(angle: R) -> R {
         // The number of turns is towards 0, and one beside it where the angle is near a full turn.
         let above = if rest < R::ZERO { rest + full_turn() } else { rest };
         within_turn = if above >= full_turn() { above - full_turn() } else { above };
+    } else {
+        note("only what something else has overwritten comes here");
     }
     within_turn
 }
 
-/// The same distance by the shortest way: -half a turn <= distance <= half a turn. What is no distance of two positions is left as it is.
+/// The same distance by the shortest way: -half a turn <= distance <= half a turn. Anything but a distance of two positions gives 0.
 #[portable]
 pub fn shortest<R: Real>(distance: R) -> R {
-    let mut shorter = distance;
+    let mut shorter = R::ZERO;
     if in_range(distance, counted_limit()) {
         let whole_turns = nearest(distance * per_turn());
         shorter = distance - from_i32::<R>(whole_turns) * full_turn();
+    } else {
+        note("only what something else has overwritten comes here");
     }
     shorter
 }

@@ -16,7 +16,7 @@
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, in_range, portable, truncate};
+use portable::{Real, from_i32, in_range, note, portable, truncate};
 
 /// The check word.
 #[portable]
@@ -88,6 +88,8 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
             let mut piece = 0i32;
             if in_range(rest, largest_piece()) {
                 piece = truncate(rest);
+            } else {
+                note("only what something else has overwritten comes here");
             }
             add_piece(&mut forming.word, piece);
             rest = (rest - from_i32::<R>(piece)) * next_cut();

@@ -29,7 +29,9 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// needs for this velocity.
 #[portable]
 pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    let x_from = if in_range(inputs.x_actual, position_limit()) { inputs.x_actual } else { state.x };
+    // Only a spindle without position control goes on without its position.
+    let is_unknown = coeffs.only_velocity && !in_range(inputs.x_actual, position_limit());
+    let x_from = if is_unknown { state.x } else { inputs.x_actual };
     let lead = lead_time(coeffs, inputs);
     let x_first = wrapped(ahead(x_from, state.v * lead));
     state.x_start = x_first;

@@ -152,7 +152,7 @@ pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         state.request[place - 1].position = state.request[place].position;
     }
     state.queued -= 1u32;
-    state.jobs += 1u32;
+    state.jobs = if state.jobs < u32::MAX { state.jobs + 1u32 } else { 0u32 };
 }
 
 /// The job ends: STOP begins, unless it is the job already.
@@ -163,6 +163,6 @@ pub fn stop<R: Real>(state: &mut State<R>) {
         state.present.kind = Job::Stop;
         state.present.speed = R::ZERO;
         state.present.position = R::ZERO;
-        state.jobs += 1u32;
+        state.jobs = if state.jobs < u32::MAX { state.jobs + 1u32 } else { 0u32 };
     }
 }

@@ -2,7 +2,7 @@
 
 use super::state::{Coeffs, State};
 use crate::angle::wrapped;
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, note, portable};
 
 /// The position command goes on with the velocity command.
 #[portable]
@@ -43,5 +43,11 @@ pub fn lead_limit<R: Real>() -> R {
 /// A position that leads another one. A velocity that no spindle has leads nowhere.
 #[portable]
 pub fn ahead<R: Real>(x: R, way: R) -> R {
-    if in_range(way, lead_limit()) { x + way } else { x }
+    let mut ahead = x;
+    if in_range(way, lead_limit()) {
+        ahead = x + way;
+    } else {
+        note("only what something else has overwritten comes here");
+    }
+    ahead
 }

@@ -2,11 +2,12 @@
 
 use super::request::{Job, Request};
 use super::seen::forget;
-use super::state::{Coeffs, State};
+use super::state::{Coeffs, SpindleState, State, enter};
 use crate::angle::{full_turn, position_limit};
 use crate::signal::{
-    error_call_rate, error_cycle_time, error_lag, error_none, error_state, error_takeover, error_to_velocity,
-    error_v_interpolator, error_x_actual, error_x_command, sample_limit,
+    error_brake, error_call_rate, error_cycle_time, error_half_turn, error_lag, error_mode_display, error_none,
+    error_state, error_takeover, error_to_position, error_to_velocity, error_v_interpolator, error_x_actual,
+    error_x_command, sample_limit,
 };
 use portable::{Real, in_range, portable};
 
@@ -20,14 +21,53 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
         || id == error_v_interpolator()
         || id == error_x_command()
         || id == error_x_actual()
-        || id >= error_to_velocity() && id <= error_takeover()
+        || id == error_brake()
+        || id == error_to_position()
+        || id == error_takeover()
+        || coeffs.in_drive && (id == error_to_velocity() || id == error_half_turn() || id == error_mode_display())
         || coeffs.closes_loop && id == error_lag()
 }
 
-/// Whether the numbers of a request are such that can be asked for.
+/// Whether there is such a job.
+#[portable]
+pub fn is_job(kind: Job) -> bool {
+    kind == Job::Stop || kind == Job::Turn || kind == Job::Orient || kind == Job::Release || kind == Job::Home
+}
+
+/// Whether a request is one that can be asked for.
 #[portable]
 pub fn is_request<R: Real>(request: &Request<R>) -> bool {
-    in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
+    is_job(request.kind) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
+}
+
+/// Whether there is such a state.
+#[portable]
+pub fn is_state(control: SpindleState) -> bool {
+    control == SpindleState::Position
+        || control == SpindleState::ToVelocity
+        || control == SpindleState::Velocity
+        || control == SpindleState::Brake
+        || control == SpindleState::ToPosition
+}
+
+/// Counts are within their range: none of them has to go on for ever.
+#[portable]
+pub fn hold_counts<R: Real>(state: &mut State<R>) {
+    if state.missing > 4u32 {
+        state.missing = 4u32;
+    }
+    if state.settled > 3u32 {
+        state.settled = 3u32;
+    }
+    if state.cycles > largest_count() {
+        state.cycles = largest_count();
+    }
+}
+
+/// cycles that a state is counted for: more than any time that it may take
+#[portable]
+pub fn largest_count() -> u32 {
+    4_000_000_000u32
 }
 
 /// Whether the motion is one that a cycle can have left.
@@ -46,9 +86,18 @@ pub fn is_motion<R: Real>(state: &State<R>) -> bool {
 /// Puts what is impossible in order: the spindle stops.
 #[portable]
 pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    let mut is_wrong = !may_stay(coeffs, state.lasting_error) || state.queued > 4u32;
+    hold_counts(state);
+    if !may_stay(coeffs, state.lasting_error) {
+        state.lasting_error = error_state();
+    }
+    let mut is_wrong = false;
     if state.queued > 4u32 {
+        is_wrong = true;
         state.queued = 0u32;
+    }
+    if !is_state(state.control) {
+        is_wrong = true;
+        enter(state, SpindleState::ToPosition);
     }
     let is_sound = is_motion(state);
     if !is_sound {

@@ -181,6 +181,7 @@ pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         state.turn.next = turn::differed();
     }
     if turn >= numbers {
+        note("every number has had its turn");
         let end = numbers * turn::ROUND;
         if turn < end {
             state.turn.next = turn + 1i32;

@@ -16,14 +16,14 @@ use std::path::Path;
 
 const SEED: u64 = 20_261_124;
 
-/// Of every golden case its axis, with its blocks; without those of spindles, whose state is not yet shown.
+/// Of every golden case its axis, with its blocks.
 fn subjects() -> Vec<(String, Designed, &'static dyn Kind)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/cases");
     let mut subjects = Vec::new();
     for folder in case::folders(&root).expect("the cases") {
         let designed = case::axis(&folder).expect("the axis of a case");
         let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        for kind in of_axis(&designed.axis).filter(|kind| !kind.name().starts_with("spindle")) {
+        for kind in of_axis(&designed.axis) {
             subjects.push((format!("{name}, {}", kind.name()), designed.clone(), kind));
         }
     }
@@ -40,14 +40,14 @@ fn every_golden_case_is_shown() {
     }
 }
 
-/// Of the independent model's axes: without spindles.
+/// Of the independent model's axes.
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_axes_are_shown() {
     let axes = if is_exhaustive() { 10_000 } else { 300 };
     let blocks_of = |index: usize| {
         let designed = subject::read(&random::parameters(&mut Rng::numbered(SEED, index)).set());
-        let shown = of_axis(&designed.axis).filter(|kind| !kind.name().starts_with("spindle")).map(|kind| {
+        let shown = of_axis(&designed.axis).map(|kind| {
             let shown = kind.shown(&designed).expect("a program");
             assert!(shown.findings.is_empty(), "axis {index}, {}: {:#?}", kind.name(), shown.findings);
         });

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
  * structure   59eaa1dd50579cf61a1a7aabe36063da
- * checksum    f7bebe0d2de02c4efb3a5b7cac656624
+ * checksum    802d7ce4d7042babad6ac51e59010c08
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -236,6 +236,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0) <= largest_piece) {
                             piece00 = (int32_t)rest0;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00 = 0;
                         }
                         const int32_t part00 = piece00 % 46337;
@@ -246,6 +247,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00) <= largest_piece) {
                             piece01 = (int32_t)rest00;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece01 = 0;
                         }
                         const int32_t part01 = piece01 % 46337;
@@ -258,6 +260,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01) <= largest_piece) {
                             piece02 = (int32_t)rest01;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece02 = 0;
                         }
                         const int32_t part02 = piece02 % 46337;
@@ -273,6 +276,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest1) <= largest_piece) {
                             piece10 = (int32_t)rest1;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece10 = 0;
                         }
                         const int32_t part10 = piece10 % 46337;
@@ -285,6 +289,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest10) <= largest_piece) {
                             piece11 = (int32_t)rest10;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece11 = 0;
                         }
                         const int32_t part11 = piece11 % 46337;
@@ -297,6 +302,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest11) <= largest_piece) {
                             piece12 = (int32_t)rest11;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece12 = 0;
                         }
                         const int32_t part12 = piece12 % 46337;
@@ -312,6 +318,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest2) <= largest_piece) {
                             piece20 = (int32_t)rest2;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece20 = 0;
                         }
                         const int32_t part20 = piece20 % 46337;
@@ -324,6 +331,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest20) <= largest_piece) {
                             piece21 = (int32_t)rest20;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece21 = 0;
                         }
                         const int32_t part21 = piece21 % 46337;
@@ -336,6 +344,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest21) <= largest_piece) {
                             piece22 = (int32_t)rest21;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece22 = 0;
                         }
                         const int32_t part22 = piece22 % 46337;
@@ -353,6 +362,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0000) <= largest_piece) {
                             piece00000 = (int32_t)rest0000;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00000 = 0;
                         }
                         const int32_t part00000 = piece00000 % 46337;
@@ -365,6 +375,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00000) <= largest_piece) {
                             piece00001 = (int32_t)rest00000;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00001 = 0;
                         }
                         const int32_t part00001 = piece00001 % 46337;
@@ -377,6 +388,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00001) <= largest_piece) {
                             piece00002 = (int32_t)rest00001;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00002 = 0;
                         }
                         const int32_t part00002 = piece00002 % 46337;
@@ -391,6 +403,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0001) <= largest_piece) {
                             piece00010 = (int32_t)rest0001;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00010 = 0;
                         }
                         const int32_t part00010 = piece00010 % 46337;
@@ -403,6 +416,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00010) <= largest_piece) {
                             piece00011 = (int32_t)rest00010;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00011 = 0;
                         }
                         const int32_t part00011 = piece00011 % 46337;
@@ -415,6 +429,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00011) <= largest_piece) {
                             piece00012 = (int32_t)rest00011;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00012 = 0;
                         }
                         const int32_t part00012 = piece00012 % 46337;
@@ -429,6 +444,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0002) <= largest_piece) {
                             piece00020 = (int32_t)rest0002;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00020 = 0;
                         }
                         const int32_t part00020 = piece00020 % 46337;
@@ -441,6 +457,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00020) <= largest_piece) {
                             piece00021 = (int32_t)rest00020;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00021 = 0;
                         }
                         const int32_t part00021 = piece00021 % 46337;
@@ -453,6 +470,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00021) <= largest_piece) {
                             piece00022 = (int32_t)rest00021;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00022 = 0;
                         }
                         const int32_t part00022 = piece00022 % 46337;
@@ -468,6 +486,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0_next) <= largest_piece) {
                             piece00_next = (int32_t)rest0_next;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece00_next = 0;
                         }
                         const int32_t part00_next = piece00_next % 46337;
@@ -480,6 +499,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00_next) <= largest_piece) {
                             piece01_next = (int32_t)rest00_next;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece01_next = 0;
                         }
                         const int32_t part01_next = piece01_next % 46337;
@@ -492,6 +512,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01_next) <= largest_piece) {
                             piece02_next = (int32_t)rest01_next;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece02_next = 0;
                         }
                         const int32_t part02_next = piece02_next % 46337;
@@ -511,6 +532,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00_last) <= largest_piece) {
                             piece000 = (int32_t)rest00_last;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece000 = 0;
                         }
                         const int32_t part000 = piece000 % 46337;
@@ -523,6 +545,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest000) <= largest_piece) {
                             piece001 = (int32_t)rest000;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece001 = 0;
                         }
                         const int32_t part001 = piece001 % 46337;
@@ -535,6 +558,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest001) <= largest_piece) {
                             piece002 = (int32_t)rest001;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece002 = 0;
                         }
                         const int32_t part002 = piece002 % 46337;
@@ -550,6 +574,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01_last) <= largest_piece) {
                             piece010 = (int32_t)rest01_last;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece010 = 0;
                         }
                         const int32_t part010 = piece010 % 46337;
@@ -562,6 +587,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest010) <= largest_piece) {
                             piece011 = (int32_t)rest010;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece011 = 0;
                         }
                         const int32_t part011 = piece011 % 46337;
@@ -574,6 +600,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest011) <= largest_piece) {
                             piece012 = (int32_t)rest011;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece012 = 0;
                         }
                         const int32_t part012 = piece012 % 46337;
@@ -593,6 +620,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest10_next) <= largest_piece) {
                             piece100 = (int32_t)rest10_next;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece100 = 0;
                         }
                         const int32_t part100 = piece100 % 46337;
@@ -605,6 +633,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest100) <= largest_piece) {
                             piece101 = (int32_t)rest100;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece101 = 0;
                         }
                         const int32_t part101 = piece101 % 46337;
@@ -617,6 +646,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest101) <= largest_piece) {
                             piece102 = (int32_t)rest101;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece102 = 0;
                         }
                         const int32_t part102 = piece102 % 46337;
@@ -632,6 +662,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest11_next) <= largest_piece) {
                             piece110 = (int32_t)rest11_next;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece110 = 0;
                         }
                         const int32_t part110 = piece110 % 46337;
@@ -644,6 +675,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest110) <= largest_piece) {
                             piece111 = (int32_t)rest110;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece111 = 0;
                         }
                         const int32_t part111 = piece111 % 46337;
@@ -656,6 +688,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest111) <= largest_piece) {
                             piece112 = (int32_t)rest111;
                         } else {
+                            /* only what something else has overwritten comes here */
                             piece112 = 0;
                         }
                         const int32_t part112 = piece112 % 46337;
@@ -968,6 +1001,7 @@ static void axis_x_ipc_any_cycle(
             if (turn_next < 0) {
                 state->turn_next = axis_x_ipc_differed;
             } else if (turn_next >= 7) {
+                /* every number has had its turn */
                 if (turn_next < 28) {
                     state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
                 } else {
@@ -1154,6 +1188,7 @@ void axis_x_ipc_step(
             if (turn < 0) {
                 state->turn_next = axis_x_ipc_differed;
             } else if (turn >= 7) {
+                /* every number has had its turn */
                 if (turn < 28) {
                     state->turn_next = (int32_t)((uint32_t)turn + (uint32_t)1);
                 } else {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   1efc4fe6ad691d70cb35fdad811bd180
- * checksum    876469127697b0697ed07ef63060861a
+ * structure   c8f7a368f2db35b49ca9a213dc3c00bd
+ * checksum    785d18f6cdf7090ea911633c3771b6dd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -212,13 +212,18 @@ static void axis_s_spindle_any_cycle(
     static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 
     /* the same for every axis */
+    static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
 
+    const int32_t kind_next = state->present_kind;
     const bool in_velocity =
         state->usual == AXIS_S_SPINDLE_USUAL_VELOCITY
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
+            && (kind_next == AXIS_S_SPINDLE_JOB_STOP || kind_next == AXIS_S_SPINDLE_JOB_TURN
+                || kind_next == AXIS_S_SPINDLE_JOB_ORIENT || kind_next == AXIS_S_SPINDLE_JOB_RELEASE
+                || kind_next == AXIS_S_SPINDLE_JOB_HOME)
             && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
             && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
             && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit
@@ -252,6 +257,7 @@ static void axis_s_spindle_any_cycle(
                 within_turn_next = above_next;
             }
         } else {
+            /* only what something else has overwritten comes here */
             within_turn_next = 0.0;
         }
         state->x = within_turn_next;
@@ -277,15 +283,44 @@ static void axis_s_spindle_any_cycle(
         outputs->job_position = state->present_position;
         outputs->job_number = state->jobs;
     } else {
+        if (state->missing > 4u) {
+            state->missing = 4u;
+        }
+        if (state->settled > 3u) {
+            state->settled = 3u;
+        }
+        if (state->cycles > largest_count) {
+            state->cycles = largest_count;
+        }
         const uint32_t id = state->lasting_error;
-        const bool is_wrong =
-            !(id == AXIS_S_SPINDLE_ERROR_NONE || id == AXIS_S_SPINDLE_ERROR_CYCLE_TIME
+        if (!(id == AXIS_S_SPINDLE_ERROR_NONE || id == AXIS_S_SPINDLE_ERROR_CYCLE_TIME
                 || id == AXIS_S_SPINDLE_ERROR_STATE || id == AXIS_S_SPINDLE_ERROR_V_INTERPOLATOR
                 || id == AXIS_S_SPINDLE_ERROR_X_COMMAND || id == AXIS_S_SPINDLE_ERROR_X_ACTUAL
-                || (id >= AXIS_S_SPINDLE_ERROR_TO_VELOCITY && id <= AXIS_S_SPINDLE_ERROR_TAKEOVER))
-                || state->queued > 4u;
+                || id == AXIS_S_SPINDLE_ERROR_BRAKE || id == AXIS_S_SPINDLE_ERROR_TO_POSITION
+                || id == AXIS_S_SPINDLE_ERROR_TAKEOVER
+                || (id == AXIS_S_SPINDLE_ERROR_TO_VELOCITY || id == AXIS_S_SPINDLE_ERROR_HALF_TURN
+                    || id == AXIS_S_SPINDLE_ERROR_MODE_DISPLAY))) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
+        }
+        bool is_wrong;
         if (state->queued > 4u) {
             state->queued = 0u;
+            is_wrong = true;
+        } else {
+            is_wrong = false;
+        }
+        const int32_t control = state->control;
+        bool is_wrong_next;
+        if (control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
+                || control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY || control == AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE
+                || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION) {
+            is_wrong_next = is_wrong;
+        } else {
+            state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+            state->cycles = 0u;
+            state->settled = 0u;
+            state->missing = 0u;
+            is_wrong_next = true;
         }
         const bool is_sound =
             state->x >= 0.0 && state->x < axis_s_spindle_full_turn && state->x_start >= 0.0
@@ -294,9 +329,9 @@ static void axis_s_spindle_any_cycle(
                 && axis_s_spindle_magnitude(state->seen_v) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->seen_v_last) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->seen_v_before) <= axis_s_spindle_sample_limit;
-        bool is_wrong_next;
+        bool is_wrong_last;
         if (is_sound) {
-            is_wrong_next = is_wrong;
+            is_wrong_last = is_wrong_next;
         } else {
             state->x = 0.0;
             state->x_start = 0.0;
@@ -306,20 +341,24 @@ static void axis_s_spindle_any_cycle(
             state->seen_v_before = 0.0;
             state->seen_samples = 0u;
             state->seen_slow = 0u;
-            is_wrong_next = true;
+            is_wrong_last = true;
         }
-        bool is_wrong_last;
-        if (axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
+        const int32_t kind_last = state->present_kind;
+        bool is_wrong_2;
+        if ((kind_last == AXIS_S_SPINDLE_JOB_STOP || kind_last == AXIS_S_SPINDLE_JOB_TURN
+                    || kind_last == AXIS_S_SPINDLE_JOB_ORIENT || kind_last == AXIS_S_SPINDLE_JOB_RELEASE
+                    || kind_last == AXIS_S_SPINDLE_JOB_HOME)
+                && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit) {
-            is_wrong_last = is_wrong_next;
+            is_wrong_2 = is_wrong_last;
         } else {
             state->turns_fast = false;
             state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
             state->present_speed = 0.0;
             state->present_position = 0.0;
-            is_wrong_last = true;
+            is_wrong_2 = true;
         }
-        if (is_wrong_last) {
+        if (is_wrong_2) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
         }
         const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
@@ -451,8 +490,8 @@ static void axis_s_spindle_any_cycle(
                 /* nothing else is to be done */
             }
         }
-        const bool is_wrong_2 = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
-        if (is_wrong_2 && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
+        const bool is_wrong_3 = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
+        if (is_wrong_3 && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_CYCLE_TIME;
         }
         uint32_t sample_error;
@@ -567,18 +606,19 @@ static void axis_s_spindle_any_cycle(
             if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
                 const double lead = lead_time - cycle_time;
                 const double way = v_turning * lead;
-                double value;
+                double ahead;
                 if (axis_s_spindle_magnitude(way) <= lead_limit) {
-                    value = inputs->x_actual + way;
+                    ahead = inputs->x_actual + way;
                 } else {
-                    value = inputs->x_actual;
+                    /* only what something else has overwritten comes here */
+                    ahead = inputs->x_actual;
                 }
                 double within_turn_last;
-                if (value >= 0.0 && value < axis_s_spindle_full_turn) {
-                    within_turn_last = value;
-                } else if (axis_s_spindle_magnitude(value) <= axis_s_spindle_counted_limit) {
-                    const int32_t turns_last = (int32_t)(value * axis_s_spindle_per_turn);
-                    const double rest_last = value - (double)turns_last * axis_s_spindle_full_turn;
+                if (ahead >= 0.0 && ahead < axis_s_spindle_full_turn) {
+                    within_turn_last = ahead;
+                } else if (axis_s_spindle_magnitude(ahead) <= axis_s_spindle_counted_limit) {
+                    const int32_t turns_last = (int32_t)(ahead * axis_s_spindle_per_turn);
+                    const double rest_last = ahead - (double)turns_last * axis_s_spindle_full_turn;
                     double above_last;
                     if (rest_last < 0.0) {
                         above_last = rest_last + axis_s_spindle_full_turn;
@@ -591,6 +631,7 @@ static void axis_s_spindle_any_cycle(
                         within_turn_last = above_last;
                     }
                 } else {
+                    /* only what something else has overwritten comes here */
                     within_turn_last = 0.0;
                 }
                 state->x = within_turn_last;
@@ -670,18 +711,19 @@ static void axis_s_spindle_any_cycle(
                 const double v = state->v;
                 const double lead_next = lead_time - cycle_time;
                 const double way_next = v * lead_next;
-                double value_next;
+                double ahead_next;
                 if (axis_s_spindle_magnitude(way_next) <= lead_limit) {
-                    value_next = inputs->x_actual + way_next;
+                    ahead_next = inputs->x_actual + way_next;
                 } else {
-                    value_next = inputs->x_actual;
+                    /* only what something else has overwritten comes here */
+                    ahead_next = inputs->x_actual;
                 }
                 double within_turn_2;
-                if (value_next >= 0.0 && value_next < axis_s_spindle_full_turn) {
-                    within_turn_2 = value_next;
-                } else if (axis_s_spindle_magnitude(value_next) <= axis_s_spindle_counted_limit) {
-                    const int32_t turns_2 = (int32_t)(value_next * axis_s_spindle_per_turn);
-                    const double rest_2 = value_next - (double)turns_2 * axis_s_spindle_full_turn;
+                if (ahead_next >= 0.0 && ahead_next < axis_s_spindle_full_turn) {
+                    within_turn_2 = ahead_next;
+                } else if (axis_s_spindle_magnitude(ahead_next) <= axis_s_spindle_counted_limit) {
+                    const int32_t turns_2 = (int32_t)(ahead_next * axis_s_spindle_per_turn);
+                    const double rest_2 = ahead_next - (double)turns_2 * axis_s_spindle_full_turn;
                     double above_2;
                     if (rest_2 < 0.0) {
                         above_2 = rest_2 + axis_s_spindle_full_turn;
@@ -694,6 +736,7 @@ static void axis_s_spindle_any_cycle(
                         within_turn_2 = above_2;
                     }
                 } else {
+                    /* only what something else has overwritten comes here */
                     within_turn_2 = 0.0;
                 }
                 state->x = within_turn_2;
@@ -735,7 +778,8 @@ static void axis_s_spindle_any_cycle(
                                         axis_s_spindle_nearest(distance * axis_s_spindle_per_turn);
                                     shorter = distance - (double)whole_turns * axis_s_spindle_full_turn;
                                 } else {
-                                    shorter = distance;
+                                    /* only what something else has overwritten comes here */
+                                    shorter = 0.0;
                                 }
                                 is_too_far = !(axis_s_spindle_magnitude(shorter) <= takeover_window);
                                 if (is_too_far) {
@@ -805,7 +849,8 @@ static void axis_s_spindle_any_cycle(
                                         axis_s_spindle_nearest(distance_next * axis_s_spindle_per_turn);
                                     shorter_next = distance_next - (double)whole_turns_next * axis_s_spindle_full_turn;
                                 } else {
-                                    shorter_next = distance_next;
+                                    /* only what something else has overwritten comes here */
+                                    shorter_next = 0.0;
                                 }
                                 is_too_far_next = !(axis_s_spindle_magnitude(shorter_next) <= takeover_window);
                                 if (is_too_far_next) {
@@ -967,25 +1012,20 @@ static void axis_s_spindle_any_cycle(
                         state->catches = false;
                         state->is_moving = true;
                         /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                        double x_from;
-                        if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
-                            x_from = inputs->x_actual;
-                        } else {
-                            x_from = state->x;
-                        }
                         const double way_last = state->v * lead_time;
-                        double value_last;
+                        double ahead_last;
                         if (axis_s_spindle_magnitude(way_last) <= lead_limit) {
-                            value_last = x_from + way_last;
+                            ahead_last = inputs->x_actual + way_last;
                         } else {
-                            value_last = x_from;
+                            /* only what something else has overwritten comes here */
+                            ahead_last = inputs->x_actual;
                         }
                         double within_turn_3;
-                        if (value_last >= 0.0 && value_last < axis_s_spindle_full_turn) {
-                            within_turn_3 = value_last;
-                        } else if (axis_s_spindle_magnitude(value_last) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_3 = (int32_t)(value_last * axis_s_spindle_per_turn);
-                            const double rest_3 = value_last - (double)turns_3 * axis_s_spindle_full_turn;
+                        if (ahead_last >= 0.0 && ahead_last < axis_s_spindle_full_turn) {
+                            within_turn_3 = ahead_last;
+                        } else if (axis_s_spindle_magnitude(ahead_last) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_3 = (int32_t)(ahead_last * axis_s_spindle_per_turn);
+                            const double rest_3 = ahead_last - (double)turns_3 * axis_s_spindle_full_turn;
                             double above_3;
                             if (rest_3 < 0.0) {
                                 above_3 = rest_3 + axis_s_spindle_full_turn;
@@ -998,6 +1038,7 @@ static void axis_s_spindle_any_cycle(
                                 within_turn_3 = above_3;
                             }
                         } else {
+                            /* only what something else has overwritten comes here */
                             within_turn_3 = 0.0;
                         }
                         state->x_start = within_turn_3;
@@ -1102,18 +1143,19 @@ static void axis_s_spindle_any_cycle(
                         const double v_next = state->v;
                         const double lead_last = lead_time - cycle_time;
                         const double way_2 = v_next * lead_last;
-                        double value_2;
+                        double ahead_2;
                         if (axis_s_spindle_magnitude(way_2) <= lead_limit) {
-                            value_2 = inputs->x_actual + way_2;
+                            ahead_2 = inputs->x_actual + way_2;
                         } else {
-                            value_2 = inputs->x_actual;
+                            /* only what something else has overwritten comes here */
+                            ahead_2 = inputs->x_actual;
                         }
                         double within_turn_4;
-                        if (value_2 >= 0.0 && value_2 < axis_s_spindle_full_turn) {
-                            within_turn_4 = value_2;
-                        } else if (axis_s_spindle_magnitude(value_2) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_4 = (int32_t)(value_2 * axis_s_spindle_per_turn);
-                            const double rest_4 = value_2 - (double)turns_4 * axis_s_spindle_full_turn;
+                        if (ahead_2 >= 0.0 && ahead_2 < axis_s_spindle_full_turn) {
+                            within_turn_4 = ahead_2;
+                        } else if (axis_s_spindle_magnitude(ahead_2) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_4 = (int32_t)(ahead_2 * axis_s_spindle_per_turn);
+                            const double rest_4 = ahead_2 - (double)turns_4 * axis_s_spindle_full_turn;
                             double above_4;
                             if (rest_4 < 0.0) {
                                 above_4 = rest_4 + axis_s_spindle_full_turn;
@@ -1126,6 +1168,7 @@ static void axis_s_spindle_any_cycle(
                                 within_turn_4 = above_4;
                             }
                         } else {
+                            /* only what something else has overwritten comes here */
                             within_turn_4 = 0.0;
                         }
                         state->x = within_turn_4;
@@ -1158,25 +1201,20 @@ static void axis_s_spindle_any_cycle(
                         state->catches = false;
                         state->is_moving = true;
                         /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                        double x_from_next;
-                        if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit) {
-                            x_from_next = inputs->x_actual;
-                        } else {
-                            x_from_next = state->x;
-                        }
                         const double way_3 = state->v * lead_time;
-                        double value_3;
+                        double ahead_3;
                         if (axis_s_spindle_magnitude(way_3) <= lead_limit) {
-                            value_3 = x_from_next + way_3;
+                            ahead_3 = inputs->x_actual + way_3;
                         } else {
-                            value_3 = x_from_next;
+                            /* only what something else has overwritten comes here */
+                            ahead_3 = inputs->x_actual;
                         }
                         double within_turn_5;
-                        if (value_3 >= 0.0 && value_3 < axis_s_spindle_full_turn) {
-                            within_turn_5 = value_3;
-                        } else if (axis_s_spindle_magnitude(value_3) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_5 = (int32_t)(value_3 * axis_s_spindle_per_turn);
-                            const double rest_5 = value_3 - (double)turns_5 * axis_s_spindle_full_turn;
+                        if (ahead_3 >= 0.0 && ahead_3 < axis_s_spindle_full_turn) {
+                            within_turn_5 = ahead_3;
+                        } else if (axis_s_spindle_magnitude(ahead_3) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_5 = (int32_t)(ahead_3 * axis_s_spindle_per_turn);
+                            const double rest_5 = ahead_3 - (double)turns_5 * axis_s_spindle_full_turn;
                             double above_5;
                             if (rest_5 < 0.0) {
                                 above_5 = rest_5 + axis_s_spindle_full_turn;
@@ -1189,6 +1227,7 @@ static void axis_s_spindle_any_cycle(
                                 within_turn_5 = above_5;
                             }
                         } else {
+                            /* only what something else has overwritten comes here */
                             within_turn_5 = 0.0;
                         }
                         state->x_start = within_turn_5;
@@ -1248,6 +1287,7 @@ static void axis_s_spindle_any_cycle(
                 within_turn_6 = above_6;
             }
         } else {
+            /* only what something else has overwritten comes here */
             within_turn_6 = 0.0;
         }
         state->x = within_turn_6;
@@ -1294,7 +1334,13 @@ static void axis_s_spindle_any_cycle(
                 state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
                 state->present_speed = 0.0;
                 state->present_position = 0.0;
-                state->jobs = state->jobs + 1u;
+                uint32_t jobs;
+                if (state->jobs < 4294967295u) {
+                    jobs = state->jobs + 1u;
+                } else {
+                    jobs = 0u;
+                }
+                state->jobs = jobs;
             }
         } else if (state->queued > 0u) {
             const bool is_over =
@@ -1306,7 +1352,11 @@ static void axis_s_spindle_any_cycle(
                         && (state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
                             || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN));
             if (is_over && can_serve) {
-                if (!(axis_s_spindle_magnitude(state->request0_speed) <= axis_s_spindle_sample_limit
+                const int32_t kind_2 = state->request0_kind;
+                if (!((kind_2 == AXIS_S_SPINDLE_JOB_STOP || kind_2 == AXIS_S_SPINDLE_JOB_TURN
+                            || kind_2 == AXIS_S_SPINDLE_JOB_ORIENT || kind_2 == AXIS_S_SPINDLE_JOB_RELEASE
+                            || kind_2 == AXIS_S_SPINDLE_JOB_HOME)
+                        && axis_s_spindle_magnitude(state->request0_speed) <= axis_s_spindle_sample_limit
                         && axis_s_spindle_magnitude(state->request0_position) <= axis_s_spindle_position_limit)) {
                     /* something has overwritten it */
                     state->request0_kind = AXIS_S_SPINDLE_JOB_STOP;
@@ -1329,7 +1379,13 @@ static void axis_s_spindle_any_cycle(
                 state->request2_speed = state->request3_speed;
                 state->request2_position = state->request3_position;
                 state->queued = state->queued - 1u;
-                state->jobs = state->jobs + 1u;
+                uint32_t jobs_next;
+                if (state->jobs < 4294967295u) {
+                    jobs_next = state->jobs + 1u;
+                } else {
+                    jobs_next = 0u;
+                }
+                state->jobs = jobs_next;
             }
         } else {
             /* nothing else is to be done */
@@ -1361,11 +1417,14 @@ void axis_s_spindle_step(
     const axis_s_spindle_inputs *restrict inputs,
     axis_s_spindle_outputs *restrict outputs)
 {
+    const int32_t kind = state->present_kind;
     const bool in_position =
         state->usual == AXIS_S_SPINDLE_USUAL_POSITION
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
+            && (kind == AXIS_S_SPINDLE_JOB_STOP || kind == AXIS_S_SPINDLE_JOB_TURN || kind == AXIS_S_SPINDLE_JOB_ORIENT
+                || kind == AXIS_S_SPINDLE_JOB_RELEASE || kind == AXIS_S_SPINDLE_JOB_HOME)
             && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
             && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
             && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest
@@ -1398,6 +1457,7 @@ void axis_s_spindle_step(
                 within_turn = above;
             }
         } else {
+            /* only what something else has overwritten comes here */
             within_turn = 0.0;
         }
         state->x = within_turn;

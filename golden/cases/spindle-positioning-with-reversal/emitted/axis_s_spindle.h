@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   1efc4fe6ad691d70cb35fdad811bd180
- * checksum    c97f47d3ce186ee8dea926df81c5c2e2
+ * structure   c8f7a368f2db35b49ca9a213dc3c00bd
+ * checksum    62ae3b953ed293ea6d120fbb9bc72adb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0x1efc4fe6u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0xad691d70u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0xcb35fdadu
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x811bd180u
+#define AXIS_S_SPINDLE_STRUCTURE_0 0xc8f7a368u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0xf2db35b4u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x9ca9a213u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0xdc3c00bdu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

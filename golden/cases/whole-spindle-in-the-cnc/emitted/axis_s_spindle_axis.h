@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   95dd36651ea3899619b889e86423563b
- * checksum    ee201ac333491466a3fce70eb6b97b43
+ * structure   5f65d9491611dd278b2675b1838b1d0d
+ * checksum    f3d1a87b323220e15e5e9dc99da487dc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x95dd3665u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x1ea38996u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x19b889e8u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x6423563bu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x5f65d949u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x1611dd27u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x8b2675b1u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x838b1d0du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -160,8 +160,7 @@ typedef struct {
     int32_t manipulated_variable;
     /* of several parts the last one's, or one of the changeover, which may stay until reset: 0 none, 1 cycle_time, 2
      * mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31 requests, 32
-     * direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 41 to_velocity, 42 brake, 43 to_position, 46
-     * takeover, 48 lag */
+     * direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46 takeover, 48 lag */
     uint32_t error_id;
     /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
      * position may be monitored */
