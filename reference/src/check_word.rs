@@ -62,7 +62,7 @@ pub fn next_cut<R: Real>() -> R {
 /// the largest number below 2^31: what is left of a number is below it after each cut
 #[portable]
 pub fn largest_piece<R: Real>() -> R {
-    R::per_kind(2_147_483_647.0, 2_147_483_520.0)
+    R::per_kind(2_147_483_647.999_999_8, 2_147_483_520.0)
 }
 
 /// 2^-20: factor of a limit before it is cut

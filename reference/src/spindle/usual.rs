@@ -16,11 +16,9 @@ use portable::{Real, in_range, note, portable};
 #[portable]
 pub fn next_usual<R: Real>(state: &State<R>) -> Usual {
     let is_quiet = state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any;
-    if !is_quiet {
-        Usual::None
-    } else if state.control == SpindleState::Position && !state.takes_over && !state.turns_fast {
+    if is_quiet && state.control == SpindleState::Position && !state.takes_over && !state.turns_fast {
         Usual::Position
-    } else if state.control == SpindleState::Velocity && !state.returns {
+    } else if is_quiet && state.control == SpindleState::Velocity && !state.returns {
         Usual::Velocity
     } else {
         Usual::None

@@ -4,7 +4,7 @@
 use crate::bare::is_arithmetic;
 use crate::boards::{BOARDS, Emitted, finished, said, written};
 use axgen_tests::cases::{all, in_both_real_types, title};
-use axgen_tests::environment::{has, is_exhaustive};
+use axgen_tests::environment::{has, is_every_level, is_exhaustive};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -38,8 +38,8 @@ fn what_clang_makes_for_arm_calls_no_library() {
     if !is_there() {
         return;
     }
-    // In a plain run one level, one of two processors each, and of three cases their self-tests and runners.
-    let levels = if is_exhaustive() { &LEVELS[..] } else { &LEVELS[..1] };
+    // In a plain run one level, one of two processors each, and of three cases their self-tests and runners. In an exhaustive run each
+    // case has one level in turn with all processors; all of them with AXGEN_EVERY_LEVEL.
     let mut seen = BTreeSet::new();
     let emitted: Vec<_> = in_both_real_types()
         .iter()
@@ -50,7 +50,12 @@ fn what_clang_makes_for_arm_calls_no_library() {
         .par_iter()
         .enumerate()
         .map(|(number, (title, emitted))| {
-            let is_whole = is_exhaustive() || number < 3;
+            let is_whole = is_every_level() || number < 3;
+            let levels = match (is_every_level(), is_exhaustive()) {
+                (true, _) => &LEVELS[..],
+                (_, true) => &LEVELS[number % LEVELS.len()..][..1],
+                _ => &LEVELS[..1],
+            };
             let processors = if is_exhaustive() { &PROCESSORS[..] } else { &PROCESSORS[number % 2..][..1] };
             let folder = written(&[emitted]);
             let sources: Vec<&str> = emitted
