@@ -24,22 +24,6 @@ const SUBJECTS: [(&str, &str, &[&str]); 5] = [
     ("tests/coverage.toml", "P", &["ipc"]),
 ];
 
-/// A file without the choice of the number that is compared with its copy: cppcheck 2.10 does not come to an end with it (`docs/misra.md`).
-fn without_comparisons(text: &str) -> String {
-    let mut kept = String::new();
-    let mut open = 0;
-    for line in text.lines() {
-        let statement = line.trim_start();
-        if open > 0 || statement.starts_with("switch (turn") {
-            open += line.matches('{').count();
-            open -= line.matches('}').count();
-        } else if !statement.starts_with("const int32_t turn") {
-            kept.extend([line, "\n"]);
-        }
-    }
-    kept
-}
-
 /// The files in a folder, and the names of the sources.
 fn written() -> (TempDir, Vec<String>) {
     let (folder, mut sources) = (tempfile::tempdir().unwrap(), Vec::new());
@@ -52,7 +36,7 @@ fn written() -> (TempDir, Vec<String>) {
         for File { name, text } in axis_files(axis, &TARGETS[..1]).unwrap() {
             let (stem, extension) = name.rsplit_once('.').unwrap();
             if wanted.iter().any(|wanted| stem == wanted || stem == format!("{wanted}_self_test")) {
-                std::fs::write(folder.path().join(&name), without_comparisons(&text)).unwrap();
+                std::fs::write(folder.path().join(&name), text).unwrap();
                 sources.extend((extension == "c").then(|| name.clone()));
             }
         }
@@ -85,7 +69,8 @@ fn cppcheck_finds_what_is_recorded() {
     let output = Command::new(&command[0])
         .args(&command[1..])
         .args(["-j2", "--template=FOUND {id} in {file}:{line}: {message}"])
-        .args(&sources)
+        // cppcheck 2.10 does not come to an end with a block that takes parameter sets: `docs/misra.md`.
+        .args(sources.iter().filter(|source| !source.starts_with("axis_p_ipc")))
         .current_dir(folder.path())
         .output()
         .unwrap();

@@ -37,6 +37,26 @@ pub struct Found {
     pub is_tripped: bool,
 }
 
+/// A spindle whose drive controls the position turns by less than half a turn in a cycle: 44, or 14 where the velocity is no sample.
+fn half_turn(p: &Parameters, c: &Coefficients, inputs: &Inputs) -> u32 {
+    let v = inputs.v_interpolator;
+    let degrees = v.abs() * f64::from(p.cycle_ns) * 1e-9 / 1000.0;
+    match () {
+        () if p.kind != SPINDLE || c.location == Location::Cnc => 0,
+        () if !is_in_range(c, v) => 14,
+        () => {
+            if degrees >= 180.0 {
+                44
+            } else {
+                0
+            }
+        }
+    }
+}
+
+/// P-AXIS-00018.
+const SPINDLE: u32 = 4;
+
 impl Axis {
     /// Before the first cycle.
     #[must_use]
@@ -57,10 +77,15 @@ impl Axis {
             self.ipc.stop();
         }
         let fault = PositionControl::fault(c, inputs, calls);
-        let acts = fault == 0 && inputs.position_controlled && !inputs.reset;
+        let is_asked = fault == 0 && inputs.position_controlled && !inputs.reset;
+        let turned = if is_asked { half_turn(p, c, inputs) } else { 0 };
+        let acts = is_asked && turned == 0;
         let planned = self.feedforward.cycle(c, inputs, !acts);
-        let controlled =
-            if acts { self.control.act(c, inputs, &planned.v_feedforward) } else { self.control.stop(c, inputs) };
+        let controlled = match turned {
+            _ if acts => self.control.act(c, inputs, &planned.v_feedforward),
+            0 => self.control.stop(c, inputs),
+            _ => self.control.hold(),
+        };
         let command = ipc::command(c, inputs, found.v_command);
         if acts {
             self.ipc.decide(found.is_disturbed);
@@ -92,7 +117,7 @@ impl Axis {
         let data_limited = [sent.manipulated, sent.xerr, sent.velocity, torque].map(|data| data.limited);
         // Of a part that is stopped nothing is told.
         let error_id = match (fault, planned.bad, ipc_fault) {
-            (0, ..) if !acts => 0,
+            (0, ..) if !acts => turned,
             (0, bad, 0) => bad,
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,

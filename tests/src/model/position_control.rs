@@ -68,6 +68,12 @@ impl PositionControl {
         Controlled { v_command: Exact::zero(), x_drive: follows, xerr: Exact::zero() }
     }
 
+    /// A cycle in which `x_drive` holds.
+    pub fn hold(&mut self) -> Controlled {
+        self.commands.clear();
+        Controlled { v_command: Exact::zero(), x_drive: None, xerr: Exact::zero() }
+    }
+
     /// A cycle in which it acts.
     pub fn act(&mut self, c: &Coefficients, inputs: &Inputs, v_feedforward: &Exact) -> Controlled {
         if self.commands.is_empty() {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   59eaa1dd50579cf61a1a7aabe36063da
- * checksum    802d7ce4d7042babad6ac51e59010c08
+ * structure   c4e13a1c62dc5ed4f54bed1d5eaad050
+ * checksum    35f6ee91d547d60b75cac7f0b9a1ebba
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -918,13 +918,13 @@ static void axis_x_ipc_any_cycle(
         case 0: {
             const float turn_limits0_next = *(const volatile float *)&state->now_limit;
             const float turn_copies0_next = state->copy_limit;
-            int32_t turn_next0_last;
+            int32_t turn_next0_next;
             if (axis_x_ipc_is_zero(turn_limits0_next - turn_copies0_next)) {
-                turn_next0_last = 1;
+                turn_next0_next = 1;
             } else {
-                turn_next0_last = axis_x_ipc_differed;
+                turn_next0_next = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0_last;
+            state->turn_next = turn_next0_next;
             break;
         }
         case 1: {
@@ -988,13 +988,13 @@ static void axis_x_ipc_any_cycle(
             break;
         }
         case 6: {
-            int32_t turn_next0_2;
+            int32_t turn_after_gain0_next;
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
-                turn_next0_2 = 7;
+                turn_after_gain0_next = 7;
             } else {
-                turn_next0_2 = axis_x_ipc_differed;
+                turn_after_gain0_next = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0_2;
+            state->turn_next = turn_after_gain0_next;
             break;
         }
         default: {
@@ -1175,13 +1175,13 @@ void axis_x_ipc_step(
             break;
         }
         case 6: {
-            int32_t turn_next0_next;
+            int32_t turn_after_gain0;
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
-                turn_next0_next = 7;
+                turn_after_gain0 = 7;
             } else {
-                turn_next0_next = axis_x_ipc_differed;
+                turn_after_gain0 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0_next;
+            state->turn_next = turn_after_gain0;
             break;
         }
         default: {

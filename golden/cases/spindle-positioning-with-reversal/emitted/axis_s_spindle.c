@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   c8f7a368f2db35b49ca9a213dc3c00bd
- * checksum    785d18f6cdf7090ea911633c3771b6dd
+ * structure   f46eb988c3412715717737f18a27858f
+ * checksum    71d17bc2261020fe3ca05ebba892679f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -1398,12 +1398,10 @@ static void axis_s_spindle_any_cycle(
         const bool is_quiet =
             state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE && state->queued == 0u && !state->before_any;
         int32_t usual;
-        if (!is_quiet) {
-            usual = AXIS_S_SPINDLE_USUAL_NONE;
-        } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over
+        if (is_quiet && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over
                 && !state->turns_fast) {
             usual = AXIS_S_SPINDLE_USUAL_POSITION;
-        } else if (state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns) {
+        } else if (is_quiet && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns) {
             usual = AXIS_S_SPINDLE_USUAL_VELOCITY;
         } else {
             usual = AXIS_S_SPINDLE_USUAL_NONE;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   c8f7a368f2db35b49ca9a213dc3c00bd
- * checksum    62ae3b953ed293ea6d120fbb9bc72adb
+ * structure   f46eb988c3412715717737f18a27858f
+ * checksum    05e238c83af1b62fb8835508026c2851
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0xc8f7a368u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0xf2db35b4u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x9ca9a213u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0xdc3c00bdu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0xf46eb988u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0xc3412715u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x717737f1u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x8a27858fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   5f65d9491611dd278b2675b1838b1d0d
- * checksum    6d1cc757416c18ec6e61ec26a9828e73
+ * structure   bbb1dc29774b466e8d4cd70884e8d5aa
+ * checksum    7a541f02460e7e523b3e6c57c6bbd62a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -1493,12 +1493,11 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
                 && !state->spindle_before_any;
         int32_t spindle_usual;
-        if (!spindle_is_quiet) {
-            spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
-        } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !state->spindle_takes_over
-                && !state->spindle_turns_fast) {
+        if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                && !state->spindle_takes_over && !state->spindle_turns_fast) {
             spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_POSITION;
-        } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY && !state->spindle_returns) {
+        } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+                && !state->spindle_returns) {
             spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY;
         } else {
             spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
