@@ -85,7 +85,8 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
             if turn == at {
                 let numbers = [stored(now.a), stored(now.b), stored(now.c)];
                 let copies = [copy.a, copy.b, copy.c];
-                state.next = if in_range(numbers[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
+                let difference = numbers[i] - copies[i];
+                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
             }
             at += 1i32;
         }
@@ -94,7 +95,8 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
             if turn == at {
                 let numbers = [stored(now.a1), stored(now.a2), stored(now.preset)];
                 let copies = [copy.a1, copy.a2, copy.preset];
-                state.next = if in_range(numbers[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
+                let difference = numbers[i] - copies[i];
+                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
             }
             at += 1i32;
         }

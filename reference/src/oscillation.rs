@@ -124,7 +124,8 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
             if turn == at {
                 let numbers = [stored(now.h), stored(now.r), stored(now.g), stored(now.g2)];
                 let copies = [copy.h, copy.r, copy.g, copy.g2];
-                state.next = if in_range(numbers[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
+                let difference = numbers[i] - copies[i];
+                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
             }
             at += 1i32;
         }
@@ -141,7 +142,8 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
                     stored(now.preset_s2),
                 ];
                 let copies = [copy.b0, copy.b1, copy.b2, copy.a1, copy.a2, copy.preset_s1, copy.preset_s2];
-                state.next = if in_range(numbers[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
+                let difference = numbers[i] - copies[i];
+                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
             }
             at += 1i32;
         }

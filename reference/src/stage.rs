@@ -196,7 +196,8 @@ pub fn compare<R: Real>(
         at = filter::compare(state, turn, at, &structure.filter[k], &now.filter[k], &copy.filter[k]);
     }
     if turn == at {
-        let after_gain = if in_range(stored(now.gain) - copy.gain, R::ZERO) { at + 1i32 } else { turn::differed() };
+        let gain_difference = stored(now.gain) - copy.gain;
+        let after_gain = if in_range(gain_difference, R::ZERO) { at + 1i32 } else { turn::differed() };
         state.next = after_gain;
     }
     at + 1i32

@@ -87,16 +87,31 @@ pub fn compare<R: Real>(
     copy: &Numbers<R>,
 ) -> i32 {
     let mut at = 0i32;
-    for i in 0..4 {
-        if i < 3usize || structure.watch.active {
-            if turn == at {
-                let limits =
-                    [stored(now.limit), stored(now.lower_limit), stored(now.sum_limit), stored(now.watch.quiet)];
-                let copies = [copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet];
-                state.next = if in_range(limits[i] - copies[i], R::ZERO) { at + 1i32 } else { turn::differed() };
-            }
-            at += 1i32;
+    if turn == at {
+        let limit_difference = stored(now.limit) - copy.limit;
+        let after_limit = if in_range(limit_difference, R::ZERO) { at + 1i32 } else { turn::differed() };
+        state.next = after_limit;
+    }
+    at += 1i32;
+    if turn == at {
+        let after_lower_limit =
+            if in_range(stored(now.lower_limit) - copy.lower_limit, R::ZERO) { at + 1i32 } else { turn::differed() };
+        state.next = after_lower_limit;
+    }
+    at += 1i32;
+    if turn == at {
+        let after_sum_limit =
+            if in_range(stored(now.sum_limit) - copy.sum_limit, R::ZERO) { at + 1i32 } else { turn::differed() };
+        state.next = after_sum_limit;
+    }
+    at += 1i32;
+    if structure.watch.active {
+        if turn == at {
+            let quiet_difference = stored(now.watch.quiet) - copy.watch.quiet;
+            let after_quiet = if in_range(quiet_difference, R::ZERO) { at + 1i32 } else { turn::differed() };
+            state.next = after_quiet;
         }
+        at += 1i32;
     }
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {

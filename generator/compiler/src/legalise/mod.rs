@@ -14,6 +14,7 @@ mod own;
 mod settle;
 mod single;
 mod start;
+mod stored;
 mod task;
 mod whole;
 
@@ -37,6 +38,7 @@ pub const WITH_OUTPUTS: &[Stage] = &[
 pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
     ("started", start::run),
+    ("read", stored::run),
     ("rounded", nearest::run),
     ("bounded", bound::run_digits),
     ("negated", negation::run),
@@ -50,6 +52,7 @@ pub const WITH_ENABLE: &[Stage] = &[
     ("enabled", enable::run),
     ("settled", settle::run),
     ("started", start::run),
+    ("read", stored::run),
     ("rounded", nearest::run),
     ("bounded", bound::run),
     ("negated", negation::run),

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   c4e13a1c62dc5ed4f54bed1d5eaad050
- * checksum    35f6ee91d547d60b75cac7f0b9a1ebba
+ * structure   3ce19a27a6b5fc4191ff7de814c1168c
+ * checksum    8be358a2f09cc81e8ea831c6b84c91cb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -76,7 +76,6 @@ static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade 
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
-static const int32_t axis_x_ipc_differed = 2147483647; /* a number differed from its copy */
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     3436647191u, /* structure */
@@ -912,113 +911,6 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
-    if (state->acting_set != 0u) {
-        const int32_t turn_next = state->turn_next;
-        switch (turn_next) {
-        case 0: {
-            const float turn_limits0_next = *(const volatile float *)&state->now_limit;
-            const float turn_copies0_next = state->copy_limit;
-            int32_t turn_next0_next;
-            if (axis_x_ipc_is_zero(turn_limits0_next - turn_copies0_next)) {
-                turn_next0_next = 1;
-            } else {
-                turn_next0_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0_next;
-            break;
-        }
-        case 1: {
-            const float turn_limits1_next = *(const volatile float *)&state->now_lower_limit;
-            const float turn_copies1_next = state->copy_lower_limit;
-            int32_t turn_next1_next;
-            if (axis_x_ipc_is_zero(turn_limits1_next - turn_copies1_next)) {
-                turn_next1_next = 2;
-            } else {
-                turn_next1_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next1_next;
-            break;
-        }
-        case 2: {
-            const float turn_limits2_next = *(const volatile float *)&state->now_sum_limit;
-            const float turn_copies2_next = state->copy_sum_limit;
-            int32_t turn_next2_next;
-            if (axis_x_ipc_is_zero(turn_limits2_next - turn_copies2_next)) {
-                turn_next2_next = 3;
-            } else {
-                turn_next2_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next2_next;
-            break;
-        }
-        case 3: {
-            const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
-            const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
-            int32_t turn_next0000_next;
-            if (axis_x_ipc_is_zero(turn_numbers0000_next - turn_copies0000_next)) {
-                turn_next0000_next = 4;
-            } else {
-                turn_next0000_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0000_next;
-            break;
-        }
-        case 4: {
-            const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
-            const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
-            int32_t turn_next0001_next;
-            if (axis_x_ipc_is_zero(turn_numbers0001_next - turn_copies0001_next)) {
-                turn_next0001_next = 5;
-            } else {
-                turn_next0001_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0001_next;
-            break;
-        }
-        case 5: {
-            const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
-            const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
-            int32_t turn_next0002_next;
-            if (axis_x_ipc_is_zero(turn_numbers0002_next - turn_copies0002_next)) {
-                turn_next0002_next = 6;
-            } else {
-                turn_next0002_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0002_next;
-            break;
-        }
-        case 6: {
-            int32_t turn_after_gain0_next;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
-                turn_after_gain0_next = 7;
-            } else {
-                turn_after_gain0_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_gain0_next;
-            break;
-        }
-        default: {
-            if (turn_next < 0) {
-                state->turn_next = axis_x_ipc_differed;
-            } else if (turn_next >= 7) {
-                /* every number has had its turn */
-                if (turn_next < 28) {
-                    state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
-                } else {
-                    state->turn_next = 0;
-                }
-                if (turn_next > 28) {
-                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-                     * anew */
-                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
-                }
-            } else {
-                /* nothing else is to be done */
-            }
-            break;
-        }
-        }
-    }
     const uint32_t set_id_next = state->set_id;
     outputs->active_set = set_id_next;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
@@ -1035,6 +927,9 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    /* the same for every axis */
+    static const int32_t differed = 2147483647; /* a number differed from its copy */
+
     if (inputs->params->set_id == state->acting_set
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
@@ -1103,49 +998,45 @@ void axis_x_ipc_step(
         const int32_t turn = state->turn_next;
         switch (turn) {
         case 0: {
-            const float turn_limits0 = *(const volatile float *)&state->now_limit;
-            const float turn_copies0 = state->copy_limit;
-            int32_t turn_next0;
-            if (axis_x_ipc_is_zero(turn_limits0 - turn_copies0)) {
-                turn_next0 = 1;
+            const float turn_limit_difference = *(const volatile float *)&state->now_limit - state->copy_limit;
+            int32_t turn_after_limit;
+            if (axis_x_ipc_is_zero(turn_limit_difference)) {
+                turn_after_limit = 1;
             } else {
-                turn_next0 = axis_x_ipc_differed;
+                turn_after_limit = differed;
             }
-            state->turn_next = turn_next0;
+            state->turn_next = turn_after_limit;
             break;
         }
         case 1: {
-            const float turn_limits1 = *(const volatile float *)&state->now_lower_limit;
-            const float turn_copies1 = state->copy_lower_limit;
-            int32_t turn_next1;
-            if (axis_x_ipc_is_zero(turn_limits1 - turn_copies1)) {
-                turn_next1 = 2;
+            int32_t turn_after_lower_limit;
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
+                turn_after_lower_limit = 2;
             } else {
-                turn_next1 = axis_x_ipc_differed;
+                turn_after_lower_limit = differed;
             }
-            state->turn_next = turn_next1;
+            state->turn_next = turn_after_lower_limit;
             break;
         }
         case 2: {
-            const float turn_limits2 = *(const volatile float *)&state->now_sum_limit;
-            const float turn_copies2 = state->copy_sum_limit;
-            int32_t turn_next2;
-            if (axis_x_ipc_is_zero(turn_limits2 - turn_copies2)) {
-                turn_next2 = 3;
+            int32_t turn_after_sum_limit;
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
+                turn_after_sum_limit = 3;
             } else {
-                turn_next2 = axis_x_ipc_differed;
+                turn_after_sum_limit = differed;
             }
-            state->turn_next = turn_next2;
+            state->turn_next = turn_after_sum_limit;
             break;
         }
         case 3: {
             const float turn_numbers0000 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
             const float turn_copies0000 = state->copy_stage0_filter0_bandpass0_a;
+            const float turn_difference0000 = turn_numbers0000 - turn_copies0000;
             int32_t turn_next0000;
-            if (axis_x_ipc_is_zero(turn_numbers0000 - turn_copies0000)) {
+            if (axis_x_ipc_is_zero(turn_difference0000)) {
                 turn_next0000 = 4;
             } else {
-                turn_next0000 = axis_x_ipc_differed;
+                turn_next0000 = differed;
             }
             state->turn_next = turn_next0000;
             break;
@@ -1153,11 +1044,12 @@ void axis_x_ipc_step(
         case 4: {
             const float turn_numbers0001 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
             const float turn_copies0001 = state->copy_stage0_filter0_bandpass0_b;
+            const float turn_difference0001 = turn_numbers0001 - turn_copies0001;
             int32_t turn_next0001;
-            if (axis_x_ipc_is_zero(turn_numbers0001 - turn_copies0001)) {
+            if (axis_x_ipc_is_zero(turn_difference0001)) {
                 turn_next0001 = 5;
             } else {
-                turn_next0001 = axis_x_ipc_differed;
+                turn_next0001 = differed;
             }
             state->turn_next = turn_next0001;
             break;
@@ -1165,28 +1057,31 @@ void axis_x_ipc_step(
         case 5: {
             const float turn_numbers0002 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
             const float turn_copies0002 = state->copy_stage0_filter0_bandpass0_c;
+            const float turn_difference0002 = turn_numbers0002 - turn_copies0002;
             int32_t turn_next0002;
-            if (axis_x_ipc_is_zero(turn_numbers0002 - turn_copies0002)) {
+            if (axis_x_ipc_is_zero(turn_difference0002)) {
                 turn_next0002 = 6;
             } else {
-                turn_next0002 = axis_x_ipc_differed;
+                turn_next0002 = differed;
             }
             state->turn_next = turn_next0002;
             break;
         }
         case 6: {
+            const float turn_gain_difference0 =
+                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
             int32_t turn_after_gain0;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain)) {
+            if (axis_x_ipc_is_zero(turn_gain_difference0)) {
                 turn_after_gain0 = 7;
             } else {
-                turn_after_gain0 = axis_x_ipc_differed;
+                turn_after_gain0 = differed;
             }
             state->turn_next = turn_after_gain0;
             break;
         }
         default: {
             if (turn < 0) {
-                state->turn_next = axis_x_ipc_differed;
+                state->turn_next = differed;
             } else if (turn >= 7) {
                 /* every number has had its turn */
                 if (turn < 28) {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   c4e13a1c62dc5ed4f54bed1d5eaad050
- * checksum    198d9669787e17533d63578f6ca97421
+ * structure   3ce19a27a6b5fc4191ff7de814c1168c
+ * checksum    94a548bdc0bb8c7b9329261f4fb883a0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0xc4e13a1cu
-#define AXIS_X_IPC_STRUCTURE_1 0x62dc5ed4u
-#define AXIS_X_IPC_STRUCTURE_2 0xf54bed1du
-#define AXIS_X_IPC_STRUCTURE_3 0x5eaad050u
+#define AXIS_X_IPC_STRUCTURE_0 0x3ce19a27u
+#define AXIS_X_IPC_STRUCTURE_1 0xa6b5fc41u
+#define AXIS_X_IPC_STRUCTURE_2 0x91ff7de8u
+#define AXIS_X_IPC_STRUCTURE_3 0x14c1168cu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
