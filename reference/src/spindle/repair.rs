@@ -90,18 +90,17 @@ pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if !may_stay(coeffs, state.lasting_error) {
         state.lasting_error = error_state();
     }
-    let mut is_wrong = false;
     if state.queued > 4u32 {
-        is_wrong = true;
+        state.lasting_error = error_state();
         state.queued = 0u32;
     }
     if !is_state(state.control) {
-        is_wrong = true;
+        state.lasting_error = error_state();
         enter(state, SpindleState::ToPosition);
     }
     let is_sound = is_motion(state);
     if !is_sound {
-        is_wrong = true;
+        state.lasting_error = error_state();
         state.x = R::ZERO;
         state.x_start = R::ZERO;
         state.v = R::ZERO;
@@ -111,13 +110,10 @@ pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         forget(&mut state.seen);
     }
     if !is_request(&state.present) {
-        is_wrong = true;
+        state.lasting_error = error_state();
         state.turns_fast = false;
         state.present.kind = Job::Stop;
         state.present.speed = R::ZERO;
         state.present.position = R::ZERO;
-    }
-    if is_wrong {
-        state.lasting_error = error_state();
     }
 }

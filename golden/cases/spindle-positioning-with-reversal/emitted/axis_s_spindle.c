@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   f46eb988c3412715717737f18a27858f
- * checksum    71d17bc2261020fe3ca05ebba892679f
+ * structure   398eb03f6efff7e3658a22f3750cd60f
+ * checksum    984e8453ce756147f9aed1251ecccacb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -302,25 +302,19 @@ static void axis_s_spindle_any_cycle(
                     || id == AXIS_S_SPINDLE_ERROR_MODE_DISPLAY))) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
         }
-        bool is_wrong;
         if (state->queued > 4u) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
             state->queued = 0u;
-            is_wrong = true;
-        } else {
-            is_wrong = false;
         }
         const int32_t control = state->control;
-        bool is_wrong_next;
-        if (control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
+        if (!(control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
                 || control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY || control == AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE
-                || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION) {
-            is_wrong_next = is_wrong;
-        } else {
+                || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION)) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
             state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
             state->cycles = 0u;
             state->settled = 0u;
             state->missing = 0u;
-            is_wrong_next = true;
         }
         const bool is_sound =
             state->x >= 0.0 && state->x < axis_s_spindle_full_turn && state->x_start >= 0.0
@@ -329,10 +323,8 @@ static void axis_s_spindle_any_cycle(
                 && axis_s_spindle_magnitude(state->seen_v) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->seen_v_last) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->seen_v_before) <= axis_s_spindle_sample_limit;
-        bool is_wrong_last;
-        if (is_sound) {
-            is_wrong_last = is_wrong_next;
-        } else {
+        if (!is_sound) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
             state->x = 0.0;
             state->x_start = 0.0;
             state->v = 0.0;
@@ -341,25 +333,18 @@ static void axis_s_spindle_any_cycle(
             state->seen_v_before = 0.0;
             state->seen_samples = 0u;
             state->seen_slow = 0u;
-            is_wrong_last = true;
         }
         const int32_t kind_last = state->present_kind;
-        bool is_wrong_2;
-        if ((kind_last == AXIS_S_SPINDLE_JOB_STOP || kind_last == AXIS_S_SPINDLE_JOB_TURN
+        if (!((kind_last == AXIS_S_SPINDLE_JOB_STOP || kind_last == AXIS_S_SPINDLE_JOB_TURN
                     || kind_last == AXIS_S_SPINDLE_JOB_ORIENT || kind_last == AXIS_S_SPINDLE_JOB_RELEASE
                     || kind_last == AXIS_S_SPINDLE_JOB_HOME)
                 && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
-                && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit) {
-            is_wrong_2 = is_wrong_last;
-        } else {
+                && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit)) {
+            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
             state->turns_fast = false;
             state->present_kind = AXIS_S_SPINDLE_JOB_STOP;
             state->present_speed = 0.0;
             state->present_position = 0.0;
-            is_wrong_2 = true;
-        }
-        if (is_wrong_2) {
-            state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
         }
         const bool is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
         uint32_t request_error;
@@ -490,8 +475,8 @@ static void axis_s_spindle_any_cycle(
                 /* nothing else is to be done */
             }
         }
-        const bool is_wrong_3 = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
-        if (is_wrong_3 && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
+        const bool is_wrong = inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_cycle_time_ns;
+        if (is_wrong && state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_CYCLE_TIME;
         }
         uint32_t sample_error;
@@ -718,28 +703,28 @@ static void axis_s_spindle_any_cycle(
                     /* only what something else has overwritten comes here */
                     ahead_next = inputs->x_actual;
                 }
-                double within_turn_2;
+                double within_turn_then;
                 if (ahead_next >= 0.0 && ahead_next < axis_s_spindle_full_turn) {
-                    within_turn_2 = ahead_next;
+                    within_turn_then = ahead_next;
                 } else if (axis_s_spindle_magnitude(ahead_next) <= axis_s_spindle_counted_limit) {
-                    const int32_t turns_2 = (int32_t)(ahead_next * axis_s_spindle_per_turn);
-                    const double rest_2 = ahead_next - (double)turns_2 * axis_s_spindle_full_turn;
-                    double above_2;
-                    if (rest_2 < 0.0) {
-                        above_2 = rest_2 + axis_s_spindle_full_turn;
+                    const int32_t turns_then = (int32_t)(ahead_next * axis_s_spindle_per_turn);
+                    const double rest_then = ahead_next - (double)turns_then * axis_s_spindle_full_turn;
+                    double above_then;
+                    if (rest_then < 0.0) {
+                        above_then = rest_then + axis_s_spindle_full_turn;
                     } else {
-                        above_2 = rest_2;
+                        above_then = rest_then;
                     }
-                    if (above_2 >= axis_s_spindle_full_turn) {
-                        within_turn_2 = above_2 - axis_s_spindle_full_turn;
+                    if (above_then >= axis_s_spindle_full_turn) {
+                        within_turn_then = above_then - axis_s_spindle_full_turn;
                     } else {
-                        within_turn_2 = above_2;
+                        within_turn_then = above_then;
                     }
                 } else {
                     /* only what something else has overwritten comes here */
-                    within_turn_2 = 0.0;
+                    within_turn_then = 0.0;
                 }
-                state->x = within_turn_2;
+                state->x = within_turn_then;
             } else {
                 state->x = state->x + state->v * cycle_time;
             }
@@ -1020,28 +1005,28 @@ static void axis_s_spindle_any_cycle(
                             /* only what something else has overwritten comes here */
                             ahead_last = inputs->x_actual;
                         }
-                        double within_turn_3;
+                        double within_turn_after;
                         if (ahead_last >= 0.0 && ahead_last < axis_s_spindle_full_turn) {
-                            within_turn_3 = ahead_last;
+                            within_turn_after = ahead_last;
                         } else if (axis_s_spindle_magnitude(ahead_last) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_3 = (int32_t)(ahead_last * axis_s_spindle_per_turn);
-                            const double rest_3 = ahead_last - (double)turns_3 * axis_s_spindle_full_turn;
-                            double above_3;
-                            if (rest_3 < 0.0) {
-                                above_3 = rest_3 + axis_s_spindle_full_turn;
+                            const int32_t turns_after = (int32_t)(ahead_last * axis_s_spindle_per_turn);
+                            const double rest_after = ahead_last - (double)turns_after * axis_s_spindle_full_turn;
+                            double above_after;
+                            if (rest_after < 0.0) {
+                                above_after = rest_after + axis_s_spindle_full_turn;
                             } else {
-                                above_3 = rest_3;
+                                above_after = rest_after;
                             }
-                            if (above_3 >= axis_s_spindle_full_turn) {
-                                within_turn_3 = above_3 - axis_s_spindle_full_turn;
+                            if (above_after >= axis_s_spindle_full_turn) {
+                                within_turn_after = above_after - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_3 = above_3;
+                                within_turn_after = above_after;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_3 = 0.0;
+                            within_turn_after = 0.0;
                         }
-                        state->x_start = within_turn_3;
+                        state->x_start = within_turn_after;
                     }
                 }
                 break;
@@ -1142,36 +1127,36 @@ static void axis_s_spindle_any_cycle(
                     if (seen_is_known_last && is_found_next) {
                         const double v_next = state->v;
                         const double lead_last = lead_time - cycle_time;
-                        const double way_2 = v_next * lead_last;
-                        double ahead_2;
-                        if (axis_s_spindle_magnitude(way_2) <= lead_limit) {
-                            ahead_2 = inputs->x_actual + way_2;
+                        const double way_then = v_next * lead_last;
+                        double ahead_then;
+                        if (axis_s_spindle_magnitude(way_then) <= lead_limit) {
+                            ahead_then = inputs->x_actual + way_then;
                         } else {
                             /* only what something else has overwritten comes here */
-                            ahead_2 = inputs->x_actual;
+                            ahead_then = inputs->x_actual;
                         }
-                        double within_turn_4;
-                        if (ahead_2 >= 0.0 && ahead_2 < axis_s_spindle_full_turn) {
-                            within_turn_4 = ahead_2;
-                        } else if (axis_s_spindle_magnitude(ahead_2) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_4 = (int32_t)(ahead_2 * axis_s_spindle_per_turn);
-                            const double rest_4 = ahead_2 - (double)turns_4 * axis_s_spindle_full_turn;
-                            double above_4;
-                            if (rest_4 < 0.0) {
-                                above_4 = rest_4 + axis_s_spindle_full_turn;
+                        double within_turn_later;
+                        if (ahead_then >= 0.0 && ahead_then < axis_s_spindle_full_turn) {
+                            within_turn_later = ahead_then;
+                        } else if (axis_s_spindle_magnitude(ahead_then) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_later = (int32_t)(ahead_then * axis_s_spindle_per_turn);
+                            const double rest_later = ahead_then - (double)turns_later * axis_s_spindle_full_turn;
+                            double above_later;
+                            if (rest_later < 0.0) {
+                                above_later = rest_later + axis_s_spindle_full_turn;
                             } else {
-                                above_4 = rest_4;
+                                above_later = rest_later;
                             }
-                            if (above_4 >= axis_s_spindle_full_turn) {
-                                within_turn_4 = above_4 - axis_s_spindle_full_turn;
+                            if (above_later >= axis_s_spindle_full_turn) {
+                                within_turn_later = above_later - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_4 = above_4;
+                                within_turn_later = above_later;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_4 = 0.0;
+                            within_turn_later = 0.0;
                         }
-                        state->x = within_turn_4;
+                        state->x = within_turn_later;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
@@ -1201,36 +1186,36 @@ static void axis_s_spindle_any_cycle(
                         state->catches = false;
                         state->is_moving = true;
                         /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                        const double way_3 = state->v * lead_time;
-                        double ahead_3;
-                        if (axis_s_spindle_magnitude(way_3) <= lead_limit) {
-                            ahead_3 = inputs->x_actual + way_3;
+                        const double way_after = state->v * lead_time;
+                        double ahead_after;
+                        if (axis_s_spindle_magnitude(way_after) <= lead_limit) {
+                            ahead_after = inputs->x_actual + way_after;
                         } else {
                             /* only what something else has overwritten comes here */
-                            ahead_3 = inputs->x_actual;
+                            ahead_after = inputs->x_actual;
                         }
-                        double within_turn_5;
-                        if (ahead_3 >= 0.0 && ahead_3 < axis_s_spindle_full_turn) {
-                            within_turn_5 = ahead_3;
-                        } else if (axis_s_spindle_magnitude(ahead_3) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_5 = (int32_t)(ahead_3 * axis_s_spindle_per_turn);
-                            const double rest_5 = ahead_3 - (double)turns_5 * axis_s_spindle_full_turn;
-                            double above_5;
-                            if (rest_5 < 0.0) {
-                                above_5 = rest_5 + axis_s_spindle_full_turn;
+                        double within_turn_again;
+                        if (ahead_after >= 0.0 && ahead_after < axis_s_spindle_full_turn) {
+                            within_turn_again = ahead_after;
+                        } else if (axis_s_spindle_magnitude(ahead_after) <= axis_s_spindle_counted_limit) {
+                            const int32_t turns_again = (int32_t)(ahead_after * axis_s_spindle_per_turn);
+                            const double rest_again = ahead_after - (double)turns_again * axis_s_spindle_full_turn;
+                            double above_again;
+                            if (rest_again < 0.0) {
+                                above_again = rest_again + axis_s_spindle_full_turn;
                             } else {
-                                above_5 = rest_5;
+                                above_again = rest_again;
                             }
-                            if (above_5 >= axis_s_spindle_full_turn) {
-                                within_turn_5 = above_5 - axis_s_spindle_full_turn;
+                            if (above_again >= axis_s_spindle_full_turn) {
+                                within_turn_again = above_again - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_5 = above_5;
+                                within_turn_again = above_again;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_5 = 0.0;
+                            within_turn_again = 0.0;
                         }
-                        state->x_start = within_turn_5;
+                        state->x_start = within_turn_again;
                     } else if (is_slow_next && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE) {
                         state->takes_over = true;
                         /* TO_POSITION -> POSITION: the drive displays position control */
@@ -1269,28 +1254,28 @@ static void axis_s_spindle_any_cycle(
             state->x = state->x + state->v * cycle_time;
         }
         const double angle = state->x;
-        double within_turn_6;
+        double within_turn_anew;
         if (angle >= 0.0 && angle < axis_s_spindle_full_turn) {
-            within_turn_6 = angle;
+            within_turn_anew = angle;
         } else if (axis_s_spindle_magnitude(angle) <= axis_s_spindle_counted_limit) {
-            const int32_t turns_6 = (int32_t)(angle * axis_s_spindle_per_turn);
-            const double rest_6 = angle - (double)turns_6 * axis_s_spindle_full_turn;
-            double above_6;
-            if (rest_6 < 0.0) {
-                above_6 = rest_6 + axis_s_spindle_full_turn;
+            const int32_t turns_anew = (int32_t)(angle * axis_s_spindle_per_turn);
+            const double rest_anew = angle - (double)turns_anew * axis_s_spindle_full_turn;
+            double above_anew;
+            if (rest_anew < 0.0) {
+                above_anew = rest_anew + axis_s_spindle_full_turn;
             } else {
-                above_6 = rest_6;
+                above_anew = rest_anew;
             }
-            if (above_6 >= axis_s_spindle_full_turn) {
-                within_turn_6 = above_6 - axis_s_spindle_full_turn;
+            if (above_anew >= axis_s_spindle_full_turn) {
+                within_turn_anew = above_anew - axis_s_spindle_full_turn;
             } else {
-                within_turn_6 = above_6;
+                within_turn_anew = above_anew;
             }
         } else {
             /* only what something else has overwritten comes here */
-            within_turn_6 = 0.0;
+            within_turn_anew = 0.0;
         }
-        state->x = within_turn_6;
+        state->x = within_turn_anew;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
         const double velocity_increments_last = axis_s_spindle_velocity_scale * state->v;
@@ -1352,10 +1337,10 @@ static void axis_s_spindle_any_cycle(
                         && (state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
                             || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN));
             if (is_over && can_serve) {
-                const int32_t kind_2 = state->request0_kind;
-                if (!((kind_2 == AXIS_S_SPINDLE_JOB_STOP || kind_2 == AXIS_S_SPINDLE_JOB_TURN
-                            || kind_2 == AXIS_S_SPINDLE_JOB_ORIENT || kind_2 == AXIS_S_SPINDLE_JOB_RELEASE
-                            || kind_2 == AXIS_S_SPINDLE_JOB_HOME)
+                const int32_t kind_then = state->request0_kind;
+                if (!((kind_then == AXIS_S_SPINDLE_JOB_STOP || kind_then == AXIS_S_SPINDLE_JOB_TURN
+                            || kind_then == AXIS_S_SPINDLE_JOB_ORIENT || kind_then == AXIS_S_SPINDLE_JOB_RELEASE
+                            || kind_then == AXIS_S_SPINDLE_JOB_HOME)
                         && axis_s_spindle_magnitude(state->request0_speed) <= axis_s_spindle_sample_limit
                         && axis_s_spindle_magnitude(state->request0_position) <= axis_s_spindle_position_limit)) {
                     /* something has overwritten it */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   f46eb988c3412715717737f18a27858f
- * checksum    05e238c83af1b62fb8835508026c2851
+ * structure   398eb03f6efff7e3658a22f3750cd60f
+ * checksum    57f15fd48111061a27496ec1a91a95dd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0xf46eb988u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0xc3412715u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x717737f1u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x8a27858fu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x398eb03fu
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x6efff7e3u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x658a22f3u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x750cd60fu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

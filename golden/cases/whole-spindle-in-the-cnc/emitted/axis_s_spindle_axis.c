@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   bbb1dc29774b466e8d4cd70884e8d5aa
- * checksum    7a541f02460e7e523b3e6c57c6bbd62a
+ * structure   dda91cb42a0182122010cc4451186fde
+ * checksum    bc84f288ef9df1efa6e134984cc4d7e5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -353,27 +353,21 @@ static void axis_s_spindle_axis_any_cycle(
                 || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG)) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
         }
-        bool spindle_is_wrong;
         if (state->spindle_queued > 4u) {
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
             state->spindle_queued = 0u;
-            spindle_is_wrong = true;
-        } else {
-            spindle_is_wrong = false;
         }
         const int32_t spindle_control = state->spindle_control;
-        bool spindle_is_wrong_next;
-        if (spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+        if (!(spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
                 || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
                 || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
                 || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION) {
-            spindle_is_wrong_next = spindle_is_wrong;
-        } else {
+                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)) {
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
             state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             state->spindle_cycles = 0u;
             state->spindle_settled = 0u;
             state->spindle_missing = 0u;
-            spindle_is_wrong_next = true;
         }
         const bool spindle_is_sound =
             state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
@@ -382,10 +376,8 @@ static void axis_s_spindle_axis_any_cycle(
                 && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
                 && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
                 && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
-        bool spindle_is_wrong_last;
-        if (spindle_is_sound) {
-            spindle_is_wrong_last = spindle_is_wrong_next;
-        } else {
+        if (!spindle_is_sound) {
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
             state->spindle_x = 0.0;
             state->spindle_x_start = 0.0;
             state->spindle_v = 0.0;
@@ -394,26 +386,19 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_seen_v_before = 0.0;
             state->spindle_seen_samples = 0u;
             state->spindle_seen_slow = 0u;
-            spindle_is_wrong_last = true;
         }
         const int32_t spindle_kind = state->spindle_present_kind;
-        bool spindle_is_wrong_2;
-        if ((spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+        if (!((spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
                     || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                     || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
                 && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
                 && axis_s_spindle_axis_magnitude(state->spindle_present_position)
-                <= axis_s_spindle_axis_position_limit) {
-            spindle_is_wrong_2 = spindle_is_wrong_last;
-        } else {
+                <= axis_s_spindle_axis_position_limit)) {
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
             state->spindle_turns_fast = false;
             state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
             state->spindle_present_speed = 0.0;
             state->spindle_present_position = 0.0;
-            spindle_is_wrong_2 = true;
-        }
-        if (spindle_is_wrong_2) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
         }
         const bool spindle_is_any =
             inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
@@ -554,9 +539,9 @@ static void axis_s_spindle_axis_any_cycle(
                 /* nothing else is to be done */
             }
         }
-        const bool spindle_is_wrong_3 =
+        const bool spindle_is_wrong =
             inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
-        if (spindle_is_wrong_3 && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
         }
         uint32_t spindle_sample_error;
@@ -811,29 +796,29 @@ static void axis_s_spindle_axis_any_cycle(
                     /* only what something else has overwritten comes here */
                     spindle_ahead_next = inputs->x_actual;
                 }
-                double spindle_within_turn_2;
+                double spindle_within_turn_then;
                 if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_2 = spindle_ahead_next;
+                    spindle_within_turn_then = spindle_ahead_next;
                 } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
-                    const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
-                    const double spindle_rest_2 =
-                        spindle_ahead_next - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
-                    double spindle_above_2;
-                    if (spindle_rest_2 < 0.0) {
-                        spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
+                    const int32_t spindle_turns_then = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
+                    const double spindle_rest_then =
+                        spindle_ahead_next - (double)spindle_turns_then * axis_s_spindle_axis_full_turn;
+                    double spindle_above_then;
+                    if (spindle_rest_then < 0.0) {
+                        spindle_above_then = spindle_rest_then + axis_s_spindle_axis_full_turn;
                     } else {
-                        spindle_above_2 = spindle_rest_2;
+                        spindle_above_then = spindle_rest_then;
                     }
-                    if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
+                    if (spindle_above_then >= axis_s_spindle_axis_full_turn) {
+                        spindle_within_turn_then = spindle_above_then - axis_s_spindle_axis_full_turn;
                     } else {
-                        spindle_within_turn_2 = spindle_above_2;
+                        spindle_within_turn_then = spindle_above_then;
                     }
                 } else {
                     /* only what something else has overwritten comes here */
-                    spindle_within_turn_2 = 0.0;
+                    spindle_within_turn_then = 0.0;
                 }
-                state->spindle_x = spindle_within_turn_2;
+                state->spindle_x = spindle_within_turn_then;
             } else {
                 state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
             }
@@ -1112,31 +1097,31 @@ static void axis_s_spindle_axis_any_cycle(
                             /* only what something else has overwritten comes here */
                             spindle_ahead_last = inputs->x_actual;
                         }
-                        double spindle_within_turn_3;
+                        double spindle_within_turn_after;
                         if (spindle_ahead_last >= 0.0 && spindle_ahead_last < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_3 = spindle_ahead_last;
+                            spindle_within_turn_after = spindle_ahead_last;
                         } else if (axis_s_spindle_axis_magnitude(spindle_ahead_last)
                                 <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_3 =
+                            const int32_t spindle_turns_after =
                                 (int32_t)(spindle_ahead_last * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_3 =
-                                spindle_ahead_last - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
-                            double spindle_above_3;
-                            if (spindle_rest_3 < 0.0) {
-                                spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
+                            const double spindle_rest_after =
+                                spindle_ahead_last - (double)spindle_turns_after * axis_s_spindle_axis_full_turn;
+                            double spindle_above_after;
+                            if (spindle_rest_after < 0.0) {
+                                spindle_above_after = spindle_rest_after + axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_above_3 = spindle_rest_3;
+                                spindle_above_after = spindle_rest_after;
                             }
-                            if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
+                            if (spindle_above_after >= axis_s_spindle_axis_full_turn) {
+                                spindle_within_turn_after = spindle_above_after - axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_within_turn_3 = spindle_above_3;
+                                spindle_within_turn_after = spindle_above_after;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            spindle_within_turn_3 = 0.0;
+                            spindle_within_turn_after = 0.0;
                         }
-                        state->spindle_x_start = spindle_within_turn_3;
+                        state->spindle_x_start = spindle_within_turn_after;
                     }
                 }
                 break;
@@ -1220,52 +1205,53 @@ static void axis_s_spindle_axis_any_cycle(
                         axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
                     if (spindle_seen_is_known_last && spindle_is_found_next) {
                         const double spindle_v_next = state->spindle_v;
-                        double spindle_time_2;
+                        double spindle_time_then;
                         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                            int32_t spindle_percentage_2;
+                            int32_t spindle_percentage_then;
                             if (inputs->feedforward_percentage < 100) {
-                                spindle_percentage_2 = inputs->feedforward_percentage;
+                                spindle_percentage_then = inputs->feedforward_percentage;
                             } else {
-                                spindle_percentage_2 = 100;
+                                spindle_percentage_then = 100;
                             }
-                            spindle_time_2 =
-                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
+                            spindle_time_then =
+                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_then);
                         } else {
-                            spindle_time_2 = spindle_lead_time;
+                            spindle_time_then = spindle_lead_time;
                         }
-                        const double spindle_lead_last = spindle_time_2 - spindle_cycle_time;
-                        const double spindle_way_2 = spindle_v_next * spindle_lead_last;
-                        double spindle_ahead_2;
-                        if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
-                            spindle_ahead_2 = inputs->x_actual + spindle_way_2;
+                        const double spindle_lead_last = spindle_time_then - spindle_cycle_time;
+                        const double spindle_way_then = spindle_v_next * spindle_lead_last;
+                        double spindle_ahead_then;
+                        if (axis_s_spindle_axis_magnitude(spindle_way_then) <= lead_limit) {
+                            spindle_ahead_then = inputs->x_actual + spindle_way_then;
                         } else {
                             /* only what something else has overwritten comes here */
-                            spindle_ahead_2 = inputs->x_actual;
+                            spindle_ahead_then = inputs->x_actual;
                         }
-                        double spindle_within_turn_4;
-                        if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_4 = spindle_ahead_2;
-                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2)
+                        double spindle_within_turn_later;
+                        if (spindle_ahead_then >= 0.0 && spindle_ahead_then < axis_s_spindle_axis_full_turn) {
+                            spindle_within_turn_later = spindle_ahead_then;
+                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_then)
                                 <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_4 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_4 =
-                                spindle_ahead_2 - (double)spindle_turns_4 * axis_s_spindle_axis_full_turn;
-                            double spindle_above_4;
-                            if (spindle_rest_4 < 0.0) {
-                                spindle_above_4 = spindle_rest_4 + axis_s_spindle_axis_full_turn;
+                            const int32_t spindle_turns_later =
+                                (int32_t)(spindle_ahead_then * axis_s_spindle_axis_per_turn);
+                            const double spindle_rest_later =
+                                spindle_ahead_then - (double)spindle_turns_later * axis_s_spindle_axis_full_turn;
+                            double spindle_above_later;
+                            if (spindle_rest_later < 0.0) {
+                                spindle_above_later = spindle_rest_later + axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_above_4 = spindle_rest_4;
+                                spindle_above_later = spindle_rest_later;
                             }
-                            if (spindle_above_4 >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_4 = spindle_above_4 - axis_s_spindle_axis_full_turn;
+                            if (spindle_above_later >= axis_s_spindle_axis_full_turn) {
+                                spindle_within_turn_later = spindle_above_later - axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_within_turn_4 = spindle_above_4;
+                                spindle_within_turn_later = spindle_above_later;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            spindle_within_turn_4 = 0.0;
+                            spindle_within_turn_later = 0.0;
                         }
-                        state->spindle_x = spindle_within_turn_4;
+                        state->spindle_x = spindle_within_turn_later;
                     } else {
                         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
                     }
@@ -1295,51 +1281,52 @@ static void axis_s_spindle_axis_any_cycle(
                         state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                         state->spindle_is_moving = true;
                         /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                        double spindle_time_3;
+                        double spindle_time_after;
                         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                            int32_t spindle_percentage_3;
+                            int32_t spindle_percentage_after;
                             if (inputs->feedforward_percentage < 100) {
-                                spindle_percentage_3 = inputs->feedforward_percentage;
+                                spindle_percentage_after = inputs->feedforward_percentage;
                             } else {
-                                spindle_percentage_3 = 100;
+                                spindle_percentage_after = 100;
                             }
-                            spindle_time_3 =
-                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_3);
+                            spindle_time_after =
+                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_after);
                         } else {
-                            spindle_time_3 = spindle_lead_time;
+                            spindle_time_after = spindle_lead_time;
                         }
-                        const double spindle_way_3 = state->spindle_v * spindle_time_3;
-                        double spindle_ahead_3;
-                        if (axis_s_spindle_axis_magnitude(spindle_way_3) <= lead_limit) {
-                            spindle_ahead_3 = inputs->x_actual + spindle_way_3;
+                        const double spindle_way_after = state->spindle_v * spindle_time_after;
+                        double spindle_ahead_after;
+                        if (axis_s_spindle_axis_magnitude(spindle_way_after) <= lead_limit) {
+                            spindle_ahead_after = inputs->x_actual + spindle_way_after;
                         } else {
                             /* only what something else has overwritten comes here */
-                            spindle_ahead_3 = inputs->x_actual;
+                            spindle_ahead_after = inputs->x_actual;
                         }
-                        double spindle_within_turn_5;
-                        if (spindle_ahead_3 >= 0.0 && spindle_ahead_3 < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_5 = spindle_ahead_3;
-                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_3)
+                        double spindle_within_turn_again;
+                        if (spindle_ahead_after >= 0.0 && spindle_ahead_after < axis_s_spindle_axis_full_turn) {
+                            spindle_within_turn_again = spindle_ahead_after;
+                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_after)
                                 <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_5 = (int32_t)(spindle_ahead_3 * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_5 =
-                                spindle_ahead_3 - (double)spindle_turns_5 * axis_s_spindle_axis_full_turn;
-                            double spindle_above_5;
-                            if (spindle_rest_5 < 0.0) {
-                                spindle_above_5 = spindle_rest_5 + axis_s_spindle_axis_full_turn;
+                            const int32_t spindle_turns_again =
+                                (int32_t)(spindle_ahead_after * axis_s_spindle_axis_per_turn);
+                            const double spindle_rest_again =
+                                spindle_ahead_after - (double)spindle_turns_again * axis_s_spindle_axis_full_turn;
+                            double spindle_above_again;
+                            if (spindle_rest_again < 0.0) {
+                                spindle_above_again = spindle_rest_again + axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_above_5 = spindle_rest_5;
+                                spindle_above_again = spindle_rest_again;
                             }
-                            if (spindle_above_5 >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_5 = spindle_above_5 - axis_s_spindle_axis_full_turn;
+                            if (spindle_above_again >= axis_s_spindle_axis_full_turn) {
+                                spindle_within_turn_again = spindle_above_again - axis_s_spindle_axis_full_turn;
                             } else {
-                                spindle_within_turn_5 = spindle_above_5;
+                                spindle_within_turn_again = spindle_above_again;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            spindle_within_turn_5 = 0.0;
+                            spindle_within_turn_again = 0.0;
                         }
-                        state->spindle_x_start = spindle_within_turn_5;
+                        state->spindle_x_start = spindle_within_turn_again;
                     } else if (spindle_is_slow_next) {
                         state->spindle_takes_over = true;
                         /* TO_POSITION -> POSITION: the drive displays position control */
@@ -1378,28 +1365,28 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
         }
         const double spindle_angle = state->spindle_x;
-        double spindle_within_turn_6;
+        double spindle_within_turn_anew;
         if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_6 = spindle_angle;
+            spindle_within_turn_anew = spindle_angle;
         } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_6 = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_6 = spindle_angle - (double)spindle_turns_6 * axis_s_spindle_axis_full_turn;
-            double spindle_above_6;
-            if (spindle_rest_6 < 0.0) {
-                spindle_above_6 = spindle_rest_6 + axis_s_spindle_axis_full_turn;
+            const int32_t spindle_turns_anew = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_anew = spindle_angle - (double)spindle_turns_anew * axis_s_spindle_axis_full_turn;
+            double spindle_above_anew;
+            if (spindle_rest_anew < 0.0) {
+                spindle_above_anew = spindle_rest_anew + axis_s_spindle_axis_full_turn;
             } else {
-                spindle_above_6 = spindle_rest_6;
+                spindle_above_anew = spindle_rest_anew;
             }
-            if (spindle_above_6 >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_6 = spindle_above_6 - axis_s_spindle_axis_full_turn;
+            if (spindle_above_anew >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_anew = spindle_above_anew - axis_s_spindle_axis_full_turn;
             } else {
-                spindle_within_turn_6 = spindle_above_6;
+                spindle_within_turn_anew = spindle_above_anew;
             }
         } else {
             /* only what something else has overwritten comes here */
-            spindle_within_turn_6 = 0.0;
+            spindle_within_turn_anew = 0.0;
         }
-        state->spindle_x = spindle_within_turn_6;
+        state->spindle_x = spindle_within_turn_anew;
         const double spindle_x_spindle_next = state->spindle_x;
         const double spindle_v_spindle_last = state->spindle_v;
         const uint32_t spindle_lasting = state->spindle_lasting_error;
@@ -1695,14 +1682,14 @@ static void axis_s_spindle_axis_any_cycle(
                 axis_ipc_error_id_next = axis_ipc_reason_next;
             }
             outputs->v_add = axis_ipc_v_add_next;
-            uint32_t axis_error_id_2;
-            bool axis_fault_2;
+            uint32_t axis_error_id_then;
+            bool axis_fault_then;
             if (axis_ipc_fault_next) {
-                axis_error_id_2 = axis_ipc_error_id_next;
-                axis_fault_2 = true;
+                axis_error_id_then = axis_ipc_error_id_next;
+                axis_fault_then = true;
             } else {
-                axis_error_id_2 = axis_error_id_last;
-                axis_fault_2 = axis_fault_last;
+                axis_error_id_then = axis_error_id_last;
+                axis_fault_then = axis_fault_last;
             }
             bool axis_limited_next;
             if (axis_ipc_limited_next) {
@@ -1730,13 +1717,13 @@ static void axis_s_spindle_axis_any_cycle(
                 outputs->manipulated_variable = 0;
                 axis_position_control_limited_last = true;
             }
-            bool axis_position_control_limited_2;
+            bool axis_position_control_limited_then;
             if (axis_position_control_limited_last) {
-                axis_position_control_limited_2 = true;
+                axis_position_control_limited_then = true;
             } else {
-                axis_position_control_limited_2 = false;
+                axis_position_control_limited_then = false;
             }
-            outputs->limited = axis_position_control_limited_2 || axis_limited_next;
+            outputs->limited = axis_position_control_limited_then || axis_limited_next;
             if (!(axis_s_spindle_axis_magnitude(shorter_next) <= axis_s_spindle_axis_lag_limit)) {
                 state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
                 state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1751,8 +1738,8 @@ static void axis_s_spindle_axis_any_cycle(
                 }
             }
             uint32_t error_now_next;
-            if (axis_fault_2) {
-                error_now_next = axis_error_id_2;
+            if (axis_fault_then) {
+                error_now_next = axis_error_id_then;
             } else {
                 error_now_next = spindle_error_now;
             }

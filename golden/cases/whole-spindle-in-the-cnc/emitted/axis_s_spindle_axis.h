@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   bbb1dc29774b466e8d4cd70884e8d5aa
- * checksum    8136077b47ac8eed147e81d806adaf8d
+ * structure   dda91cb42a0182122010cc4451186fde
+ * checksum    e79811b0d6e0705f4a2ec628af2db2a7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xbbb1dc29u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x774b466eu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x8d4cd708u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x84e8d5aau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xdda91cb4u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x2a018212u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x2010cc44u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x51186fdeu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
