@@ -35,7 +35,10 @@ impl Names {
             name.push_str("_value");
         }
         // Mostly a new value of what has a name already.
-        let words = ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"].map(str::to_owned).into_iter();
+        let words =
+            ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"]
+                .map(str::to_owned)
+                .into_iter();
         let mut ends = words.chain((2..).map(|number| format!("_{number}")));
         while !self.claim(&name) {
             let end = ends.next().unwrap_or_default();
