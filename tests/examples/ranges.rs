@@ -1,4 +1,5 @@
 //! Prints what cannot be shown of each block of the golden cases, or of those whose folders are named.
+#![expect(clippy::print_stdout, reason = "it prints what it has found")]
 
 use generator::blocks::of_axis;
 use golden::case;
