@@ -104,7 +104,7 @@ impl Board {
         }
     }
 
-    /// Runs the runners one after another in one program; gives what they print. 32 KB of flash hold all of it.
+    /// Runs the runners one after another in one program; gives what they print. 64 KB of flash hold all of it.
     pub fn run(&self, emitted: &[&Emitted], build: Build<'_>) -> String {
         let folder = written(emitted);
         let cross = Path::new(env!("CARGO_MANIFEST_DIR")).join("cross");
