@@ -276,6 +276,9 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
     hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
+    if state.acting_set != 0u32 {
+        compare_one(state, coeffs);
+    }
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 

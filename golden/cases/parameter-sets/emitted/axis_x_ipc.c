@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   3ce19a27a6b5fc4191ff7de814c1168c
- * checksum    8be358a2f09cc81e8ea831c6b84c91cb
+ * structure   6e374858b5fe7a1492c6199c2bb5921e
+ * checksum    51b0bf5268f421aed7c30300033c07a4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -76,6 +76,7 @@ static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade 
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
+static const int32_t axis_x_ipc_differed = 2147483647; /* a number differed from its copy */
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     3436647191u, /* structure */
@@ -911,6 +912,113 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
+    if (state->acting_set != 0u) {
+        const int32_t turn_next = state->turn_next;
+        switch (turn_next) {
+        case 0: {
+            const float turn_limit_difference_next = *(const volatile float *)&state->now_limit - state->copy_limit;
+            int32_t turn_after_limit_next;
+            if (axis_x_ipc_is_zero(turn_limit_difference_next)) {
+                turn_after_limit_next = 1;
+            } else {
+                turn_after_limit_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_after_limit_next;
+            break;
+        }
+        case 1: {
+            int32_t turn_after_lower_limit_next;
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
+                turn_after_lower_limit_next = 2;
+            } else {
+                turn_after_lower_limit_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_after_lower_limit_next;
+            break;
+        }
+        case 2: {
+            int32_t turn_after_sum_limit_next;
+            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
+                turn_after_sum_limit_next = 3;
+            } else {
+                turn_after_sum_limit_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_after_sum_limit_next;
+            break;
+        }
+        case 3: {
+            const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
+            const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
+            const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
+            int32_t turn_next0000_next;
+            if (axis_x_ipc_is_zero(turn_difference0000_next)) {
+                turn_next0000_next = 4;
+            } else {
+                turn_next0000_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_next0000_next;
+            break;
+        }
+        case 4: {
+            const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
+            const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
+            const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
+            int32_t turn_next0001_next;
+            if (axis_x_ipc_is_zero(turn_difference0001_next)) {
+                turn_next0001_next = 5;
+            } else {
+                turn_next0001_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_next0001_next;
+            break;
+        }
+        case 5: {
+            const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
+            const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
+            const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
+            int32_t turn_next0002_next;
+            if (axis_x_ipc_is_zero(turn_difference0002_next)) {
+                turn_next0002_next = 6;
+            } else {
+                turn_next0002_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_next0002_next;
+            break;
+        }
+        case 6: {
+            const float turn_gain_difference0_next =
+                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
+            int32_t turn_after_gain0_next;
+            if (axis_x_ipc_is_zero(turn_gain_difference0_next)) {
+                turn_after_gain0_next = 7;
+            } else {
+                turn_after_gain0_next = axis_x_ipc_differed;
+            }
+            state->turn_next = turn_after_gain0_next;
+            break;
+        }
+        default: {
+            if (turn_next < 0) {
+                state->turn_next = axis_x_ipc_differed;
+            } else if (turn_next >= 7) {
+                /* every number has had its turn */
+                if (turn_next < 28) {
+                    state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
+                } else {
+                    state->turn_next = 0;
+                }
+                if (turn_next > 28) {
+                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
+                     * anew */
+                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+                }
+            } else {
+                /* nothing else is to be done */
+            }
+            break;
+        }
+        }
+    }
     const uint32_t set_id_next = state->set_id;
     outputs->active_set = set_id_next;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
@@ -927,9 +1035,6 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* the same for every axis */
-    static const int32_t differed = 2147483647; /* a number differed from its copy */
-
     if (inputs->params->set_id == state->acting_set
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
@@ -1003,7 +1108,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(turn_limit_difference)) {
                 turn_after_limit = 1;
             } else {
-                turn_after_limit = differed;
+                turn_after_limit = axis_x_ipc_differed;
             }
             state->turn_next = turn_after_limit;
             break;
@@ -1013,7 +1118,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
                 turn_after_lower_limit = 2;
             } else {
-                turn_after_lower_limit = differed;
+                turn_after_lower_limit = axis_x_ipc_differed;
             }
             state->turn_next = turn_after_lower_limit;
             break;
@@ -1023,7 +1128,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
                 turn_after_sum_limit = 3;
             } else {
-                turn_after_sum_limit = differed;
+                turn_after_sum_limit = axis_x_ipc_differed;
             }
             state->turn_next = turn_after_sum_limit;
             break;
@@ -1036,7 +1141,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(turn_difference0000)) {
                 turn_next0000 = 4;
             } else {
-                turn_next0000 = differed;
+                turn_next0000 = axis_x_ipc_differed;
             }
             state->turn_next = turn_next0000;
             break;
@@ -1049,7 +1154,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(turn_difference0001)) {
                 turn_next0001 = 5;
             } else {
-                turn_next0001 = differed;
+                turn_next0001 = axis_x_ipc_differed;
             }
             state->turn_next = turn_next0001;
             break;
@@ -1062,7 +1167,7 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(turn_difference0002)) {
                 turn_next0002 = 6;
             } else {
-                turn_next0002 = differed;
+                turn_next0002 = axis_x_ipc_differed;
             }
             state->turn_next = turn_next0002;
             break;
@@ -1074,14 +1179,14 @@ void axis_x_ipc_step(
             if (axis_x_ipc_is_zero(turn_gain_difference0)) {
                 turn_after_gain0 = 7;
             } else {
-                turn_after_gain0 = differed;
+                turn_after_gain0 = axis_x_ipc_differed;
             }
             state->turn_next = turn_after_gain0;
             break;
         }
         default: {
             if (turn < 0) {
-                state->turn_next = differed;
+                state->turn_next = axis_x_ipc_differed;
             } else if (turn >= 7) {
                 /* every number has had its turn */
                 if (turn < 28) {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  7f08797ecda99a95b4447d554f36617a
- * structure   3ce19a27a6b5fc4191ff7de814c1168c
- * checksum    94a548bdc0bb8c7b9329261f4fb883a0
+ * structure   6e374858b5fe7a1492c6199c2bb5921e
+ * checksum    90819724d92f59435caf77f84b2e8cc7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
 #define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_IPC_STRUCTURE_0 0x3ce19a27u
-#define AXIS_X_IPC_STRUCTURE_1 0xa6b5fc41u
-#define AXIS_X_IPC_STRUCTURE_2 0x91ff7de8u
-#define AXIS_X_IPC_STRUCTURE_3 0x14c1168cu
+#define AXIS_X_IPC_STRUCTURE_0 0x6e374858u
+#define AXIS_X_IPC_STRUCTURE_1 0xb5fe7a14u
+#define AXIS_X_IPC_STRUCTURE_2 0x92c6199cu
+#define AXIS_X_IPC_STRUCTURE_3 0x2bb5921eu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
