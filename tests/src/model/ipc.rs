@@ -169,7 +169,7 @@ impl Ipc {
         const READ_BY: [&[Mode]; 3] = [&[Mode::SetPoint], &[Mode::Indirect, Mode::DirectMotor], &[Mode::DirectLoad]];
         let mut velocities = [v_command, inputs.v_motor, inputs.v_direct];
         let is_bad = [0, 1, 2].map(|i| Coefficients::reads(p, READ_BY[i]) && !is_in_range(c, velocities[i]));
-        let is_held = is_bad.contains(&true) && self.runs && self.bad < self.ride_through;
+        let is_held = is_bad.contains(&true) && self.can_ride();
         if !is_bad.contains(&true) {
             self.bad = 0;
         } else if is_held {
@@ -178,6 +178,12 @@ impl Ipc {
         }
         let [v_command, v_motor, v_direct] = velocities;
         (Inputs { v_motor, v_direct, ..*inputs }, v_command, is_held)
+    }
+
+    /// Whether the last good sample would stand in the place of a bad one.
+    #[must_use]
+    pub fn can_ride(&self) -> bool {
+        self.runs && self.bad < self.ride_through
     }
 
     /// The watch is ready again where the mode is not ON, and with a reset, whatever else the cycle does.

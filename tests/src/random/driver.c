@@ -30,6 +30,11 @@ static REAL block_magnitude(REAL value)
     return value < (REAL)0 ? -value : value;
 }
 
+static bool block_is_zero(REAL value)
+{
+    return value == (REAL)0;
+}
+
 static int32_t block_nearest(REAL value)
 {
     return (int32_t)(value < (REAL)0 ? value - NEARLY_HALF : value + NEARLY_HALF);

@@ -75,8 +75,9 @@ fn run(drawn: &Drawn, rng: Rng, cycles: usize) -> Result<Seen, String> {
                     && match drawn.parameters.tunable {
                         // No set stays in use after such a fault.
                         "all" => !model.has_set() || active_set == 0.0,
-                        // Its parts start anew: mostly the large sample that left it open is no fault.
-                        "weights" => false,
+                        // A block without a fault before would have ridden through. Else its parts start anew: mostly the large sample that
+                        // left it open is no fault.
+                        "weights" => !is_one_of(&[1.0]) && model.can_ride(),
                         _ => true,
                     },
             is_tripped: tripped > 0.0,

@@ -53,6 +53,12 @@ impl<'d> Alone<'d> {
         self.in_use != 0
     }
 
+    /// Whether a bad sample would be ridden through, had the cycle before no fault.
+    #[must_use]
+    pub fn can_ride(&self) -> bool {
+        self.ipc.can_ride()
+    }
+
     /// One cycle: what each output may be.
     pub fn cycle(&mut self, given: &Given, found: Found) -> Expected {
         let (p, c) = (&self.of.parameters, &self.of.coefficients);
