@@ -28,11 +28,17 @@ pub fn counted_limit<R: Real>() -> R {
     R::per_kind(7.1e14, 2.0e9)
 }
 
+/// Whether an angle is within one turn.
+#[portable]
+pub fn is_within_turn<R: Real>(angle: R) -> bool {
+    angle >= R::ZERO && angle < full_turn()
+}
+
 /// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit; anything else gives 0.
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
     let mut within_turn = R::ZERO;
-    if angle >= R::ZERO && angle < full_turn() {
+    if is_within_turn(angle) {
         within_turn = angle;
     } else if in_range(angle, counted_limit()) {
         let turns = truncate(angle * per_turn());

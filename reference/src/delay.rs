@@ -7,7 +7,7 @@
 //! Exact for a signal that is linear between its samples, as the acceleration of a jerk-limited profile is; the magnitude
 //! falls to cos(pi frequency Ts) at f = 1/2.
 //!
-//! Every sample is kept twice. Where something has overwritten one of them, both delays differ: the present sample is given instead.
+//! Every sample is kept twice. Where something has overwritten one that is due, the present sample is given instead.
 
 use portable::{Real, in_range, portable};
 
@@ -77,20 +77,27 @@ pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
     }
 }
 
+/// Whether the samples that make the delayed one are as they were taken.
+#[portable]
+pub fn is_intact<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    let mut intact = true;
+    if coeffs.whole > 0usize {
+        intact = in_range(state.x[coeffs.whole - 1] - state.copy[coeffs.whole - 1], R::ZERO);
+    }
+    if coeffs.fractional {
+        intact = intact && in_range(state.x[coeffs.whole] - state.copy[coeffs.whole], R::ZERO);
+    }
+    intact
+}
+
 /// One cycle: takes the input, gives the delayed one.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, delayed: &mut Delayed<R>) {
     delayed.overwritten = false;
     if has_memory(coeffs) {
-        let y = interpolated(&state.x, coeffs, x);
-        let y_of_copy = interpolated(&state.copy, coeffs, x);
-        // No number is none of both.
-        if in_range(y - y_of_copy, R::ZERO) {
-            delayed.y = y;
-        } else {
-            delayed.y = x;
-            delayed.overwritten = true;
-        }
+        let intact = is_intact(state, coeffs);
+        delayed.overwritten = !intact;
+        delayed.y = if intact { interpolated(&state.x, coeffs, x) } else { x };
         shift(&mut state.x, x);
         shift(&mut state.copy, x);
     } else {

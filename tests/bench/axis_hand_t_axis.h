@@ -27,7 +27,9 @@ typedef struct {
 typedef struct {
     bool preset; /* whether the delay has been filled */
     double before; /* what the delay got in the last cycle */
+    double before_copy; /* the same again: what has been overwritten differs */
     double x_held; /* the last position command of the drive */
+    double x_held_copy; /* the same again */
 } axis_hand_t_axis_state;
 
 void axis_hand_t_axis_init(axis_hand_t_axis_state *state);

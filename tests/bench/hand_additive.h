@@ -16,6 +16,7 @@ void AXIS(init)(axis_state *state)
 {
     state->preset = false;
     state->x_held = 0.0;
+    state->x_held_copy = 0.0;
 }
 
 void AXIS(inputs_init)(axis_inputs *inputs)
@@ -26,8 +27,11 @@ void AXIS(inputs_init)(axis_inputs *inputs)
 /* A cycle without a command position in range: the drive keeps the one that it has. */
 SELDOM void hold(axis_state *restrict state, axis_outputs *restrict outputs)
 {
+    const bool is_intact = state->x_held == state->x_held_copy;
     state->preset = false;
-    *outputs = (axis_outputs){ .x_drive = state->x_held, .fault = true, .error_id = 17u };
+    *outputs = (axis_outputs){
+        .x_drive = is_intact ? state->x_held : 0.0, .fault = true, .error_id = is_intact ? 17u : 3u
+    };
 }
 
 /* A cycle in which only the position command is put out. */
@@ -39,6 +43,7 @@ SELDOM void follow(
 {
     state->preset = false;
     state->x_held = inputs->x_command;
+    state->x_held_copy = inputs->x_command;
     *outputs = (axis_outputs){ .x_drive = inputs->x_command, .fault = error_id != 0u, .error_id = error_id };
 }
 
@@ -79,16 +84,27 @@ void AXIS(step)(
     if (!state->preset) {
         state->preset = true;
         state->before = x;
+        state->before_copy = x;
     }
     const double before = state->before;
+    const bool is_intact = before == state->before_copy;
     state->before = x;
+    state->before_copy = x;
     state->x_held = inputs->x_command;
+    state->x_held_copy = inputs->x_command;
     outputs->x_drive = inputs->x_command;
     outputs->error_id = 0u;
     outputs->limited = false;
     outputs->fault = false;
 
-    const double increments = increments_per_input * (now * x + earlier * before);
+    double delayed = now * x + earlier * before;
+    if (!is_intact) {
+        state->preset = false;
+        outputs->error_id = 3u;
+        outputs->fault = true;
+        delayed = x;
+    }
+    const double increments = increments_per_input * delayed;
     if (fabs(increments) < highest) {
         outputs->OUTPUT = nearest(increments);
     } else {

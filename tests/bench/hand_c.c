@@ -76,8 +76,12 @@ OFTEN double run_stage(axis_state *restrict state, double v_motor, bool *limited
 /* The output of the position controller: the lag goes the shortest way. */
 OFTEN double control(double x, double x_actual, double v_feedforward, bool *gives_up)
 {
-    const double lag = shortest(x - x_actual);
-    *gives_up = !(fabs(lag) <= 170000.0);
+    double lag = x - x_actual;
+    *gives_up = false;
+    if (!(fabs(lag) <= 170000.0)) {
+        lag = shortest(lag);
+        *gives_up = !(fabs(lag) <= 170000.0);
+    }
     return kv * (x - (x - lag)) + v_feedforward;
 }
 

@@ -70,10 +70,16 @@ OFTEN bool has_requests(const hand_spindle *spindle, const axis_inputs *inputs)
     return inputs->m3 | inputs->m4 | inputs->m5 | inputs->m19 | inputs->putax | inputs->g74 | spindle->was_true;
 }
 
+/* Whether the job is one that can be asked for: what overwrote it does not come out. */
+OFTEN bool is_job(const hand_job *job)
+{
+    return (uint32_t)job->kind <= HOME && in_range(job->speed) && position_in_range(job->position);
+}
+
 /* Whether the spindle is led by its state alone in this cycle. */
 OFTEN bool is_plain(const hand_spindle *spindle, const axis_inputs *inputs)
 {
-    return inputs->drive_on && !inputs->reset && spindle->lasting_error == 0u && spindle->queued == 0u
+    return is_job(&spindle->job) && inputs->drive_on && !inputs->reset && spindle->lasting_error == 0u && spindle->queued == 0u
         && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == SPINDLE_CYCLE_TIME_NS);
 }
 

@@ -30,14 +30,18 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
 
 /// Whether there is such a job.
 #[portable]
-pub fn is_job(kind: Job) -> bool {
-    kind == Job::Stop || kind == Job::Turn || kind == Job::Orient || kind == Job::Release || kind == Job::Home
+pub fn is_job<R: Real>(request: &Request<R>) -> bool {
+    request.kind == Job::Stop
+        || request.kind == Job::Turn
+        || request.kind == Job::Orient
+        || request.kind == Job::Release
+        || request.kind == Job::Home
 }
 
 /// Whether a request is one that can be asked for.
 #[portable]
 pub fn is_request<R: Real>(request: &Request<R>) -> bool {
-    is_job(request.kind) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
+    is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
 /// Whether there is such a state.

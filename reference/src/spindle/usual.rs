@@ -1,13 +1,12 @@
-//! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong. It does what
-//! `any_cycle` does there, and asks for less. No transition.
+//! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong, and a
+//! position within one turn. It does what `any_cycle` does there, and asks for less. No transition.
 
 use super::change::is_displayed;
-use super::motion::move_to;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};
 use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, Usual};
-use crate::angle::position_limit;
+use crate::angle::{is_within_turn, position_limit};
 use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
@@ -43,7 +42,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
         && in_range(inputs.v_interpolator, v_largest)
-        && in_range(inputs.x_command, position_limit())
+        && is_within_turn(inputs.x_command)
         && (!coeffs.closes_loop || in_range(inputs.x_actual, position_limit()))
         && is_displayed(coeffs, inputs, coeffs.position_mode)
 }
@@ -56,7 +55,7 @@ pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
         && in_range(inputs.v_interpolator, sample_limit())
-        && in_range(inputs.x_actual, position_limit())
+        && is_within_turn(inputs.x_actual)
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
 }
 
@@ -70,7 +69,8 @@ pub fn remain_in_position<R: Real>(
 ) {
     note("a usual cycle in POSITION");
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
-    move_to(state, inputs.x_command, inputs.v_interpolator);
+    state.x = inputs.x_command;
+    state.v = inputs.v_interpolator;
     put_out(state, coeffs, outputs);
     put_out_mode(coeffs, outputs, false);
     outputs.spindle_state = SpindleState::Position;
@@ -88,7 +88,8 @@ pub fn remain_in_velocity<R: Real>(
     note("a usual cycle in VELOCITY");
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     state.missing = 0u32;
-    move_to(state, inputs.x_actual, inputs.v_interpolator);
+    state.x = inputs.x_actual;
+    state.v = inputs.v_interpolator;
     put_out(state, coeffs, outputs);
     put_out_mode(coeffs, outputs, true);
     outputs.spindle_state = SpindleState::Velocity;

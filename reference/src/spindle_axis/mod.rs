@@ -109,9 +109,14 @@ pub fn act<R: Real>(
 ) {
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
+    let mut gives_up = false;
     if coeffs.axis.position_control.location == Location::Cnc {
         // On the same turn: the lag goes the shortest way.
-        let lag = shortest(spindle_outputs.x_spindle - inputs.x_actual);
+        let mut lag = spindle_outputs.x_spindle - inputs.x_actual;
+        if !within(lag, lag_limit()) {
+            lag = shortest(lag);
+            gives_up = !within(lag, lag_limit());
+        }
         axis_inputs.following_error = lag;
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
     }
@@ -128,7 +133,7 @@ pub fn act<R: Real>(
     axis_inputs.feedforward_active = inputs.feedforward_active;
     axis_inputs.feedforward_percentage = inputs.feedforward_percentage;
     axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
-    if coeffs.axis.position_control.location == Location::Cnc && !within(axis_inputs.following_error, lag_limit()) {
+    if gives_up {
         give_up(&mut state.spindle, axis_outputs.v_command);
     }
 }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   a758a0685e415fe039528647f147d8da
- * checksum    69bff85480729392b7eeae0beaddc64a
+ * structure   f8385ed4df07ceb410b080f5b47a69d7
+ * checksum    7f45103625ad589e411ade7d9820e42f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_p_axis.h"
@@ -211,16 +211,14 @@ void axis_p_axis_step(
             state->position_control_shift_copy2 = inputs->x_command;
         }
         state->position_control_preset = true;
-        const double position_control_shift_x_whole = state->position_control_shift_x2;
-        const double position_control_shift_x_whole_next = state->position_control_shift_copy2;
+        const bool position_control_shift_intact =
+            axis_p_axis_is_zero(state->position_control_shift_x2 - state->position_control_shift_copy2);
+        const bool position_control_shift_overwritten = !position_control_shift_intact;
         double position_control_shift_y;
-        bool position_control_shift_overwritten;
-        if (axis_p_axis_is_zero(position_control_shift_x_whole - position_control_shift_x_whole_next)) {
-            position_control_shift_y = position_control_shift_x_whole;
-            position_control_shift_overwritten = false;
+        if (position_control_shift_intact) {
+            position_control_shift_y = state->position_control_shift_x2;
         } else {
             position_control_shift_y = inputs->x_command;
-            position_control_shift_overwritten = true;
         }
         state->position_control_shift_x2 = state->position_control_shift_x1;
         state->position_control_shift_x1 = state->position_control_shift_x0;

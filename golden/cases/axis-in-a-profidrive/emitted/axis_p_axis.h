@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5de621ebeb52c01d0f5b0eb8d906051a
- * structure   a758a0685e415fe039528647f147d8da
- * checksum    3a30612b86f7bdd8891839061fb2bc5a
+ * structure   f8385ed4df07ceb410b080f5b47a69d7
+ * checksum    62eae62345d72218b849bab1258d2462
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_P_AXIS_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_P_AXIS_PARAMETERS_2 0x0f5b0eb8u
 #define AXIS_P_AXIS_PARAMETERS_3 0xd906051au
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_P_AXIS_STRUCTURE_0 0xa758a068u
-#define AXIS_P_AXIS_STRUCTURE_1 0x5e415fe0u
-#define AXIS_P_AXIS_STRUCTURE_2 0x39528647u
-#define AXIS_P_AXIS_STRUCTURE_3 0xf147d8dau
+#define AXIS_P_AXIS_STRUCTURE_0 0xf8385ed4u
+#define AXIS_P_AXIS_STRUCTURE_1 0xdf07ceb4u
+#define AXIS_P_AXIS_STRUCTURE_2 0x10b080f5u
+#define AXIS_P_AXIS_STRUCTURE_3 0xb47a69d7u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_P_AXIS_INPUTS_SIZE 48u
 #define AXIS_P_AXIS_OUTPUTS_SIZE 32u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   7205fb4f2b1dfede0c4c5a362a23fb1d
- * checksum    7000ac022c57a04db755fc7e3a117443
+ * structure   ad5f551c763bd7c49e387f68e2064689
+ * checksum    49619c65ac3b9b1d223eb1caa9d852ed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -285,22 +285,18 @@ void axis_x_axis_step(
                 state->feedforward_preset = true;
             }
             /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-            const double feedforward_velocity_delay_y =
-                feedforward_velocity_delay_now * feedforward_v
-                    + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
-            state->feedforward_velocity_delay_x0 = feedforward_v;
-            const double feedforward_velocity_delay_y_next =
-                feedforward_velocity_delay_now * feedforward_v
-                    + feedforward_velocity_delay_before * state->feedforward_velocity_delay_copy0;
+            const bool feedforward_velocity_delay_intact =
+                axis_x_axis_is_zero(state->feedforward_velocity_delay_x0 - state->feedforward_velocity_delay_copy0);
             state->feedforward_velocity_delay_copy0 = feedforward_v;
-            bool feedforward_velocity_delay_overwritten;
-            if (axis_x_axis_is_zero(feedforward_velocity_delay_y - feedforward_velocity_delay_y_next)) {
-                feedforward_v_additive = feedforward_velocity_delay_y;
-                feedforward_velocity_delay_overwritten = false;
+            const bool feedforward_velocity_delay_overwritten = !feedforward_velocity_delay_intact;
+            if (feedforward_velocity_delay_intact) {
+                feedforward_v_additive =
+                    feedforward_velocity_delay_now * feedforward_v
+                        + feedforward_velocity_delay_before * state->feedforward_velocity_delay_x0;
             } else {
                 feedforward_v_additive = feedforward_v;
-                feedforward_velocity_delay_overwritten = true;
             }
+            state->feedforward_velocity_delay_x0 = feedforward_v;
             bool feedforward_fault;
             uint32_t feedforward_error_id;
             if (feedforward_velocity_delay_overwritten) {
@@ -312,22 +308,22 @@ void axis_x_axis_step(
                 feedforward_error_id = AXIS_X_AXIS_ERROR_NONE;
             }
             /* delay of 5999 us = 5.999 cycles (P-AXIS-00390) */
-            const double feedforward_acceleration_delay_x_whole = state->feedforward_acceleration_delay_x4;
-            const double feedforward_acceleration_delay_y =
-                feedforward_acceleration_delay_now * feedforward_acceleration_delay_x_whole
-                    + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_x5;
-            const double feedforward_acceleration_delay_x_whole_next = state->feedforward_acceleration_delay_copy4;
-            const double feedforward_acceleration_delay_y_next =
-                feedforward_acceleration_delay_now * feedforward_acceleration_delay_x_whole_next
-                    + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_copy5;
-            double feedforward_acceleration_delay_y_last;
-            bool feedforward_acceleration_delay_overwritten;
-            if (axis_x_axis_is_zero(feedforward_acceleration_delay_y - feedforward_acceleration_delay_y_next)) {
-                feedforward_acceleration_delay_y_last = feedforward_acceleration_delay_y;
-                feedforward_acceleration_delay_overwritten = false;
+            const bool feedforward_acceleration_delay_intact =
+                axis_x_axis_is_zero(state->feedforward_acceleration_delay_x4
+                    - state->feedforward_acceleration_delay_copy4);
+            const bool feedforward_acceleration_delay_intact_next =
+                feedforward_acceleration_delay_intact
+                    && axis_x_axis_is_zero(state->feedforward_acceleration_delay_x5
+                    - state->feedforward_acceleration_delay_copy5);
+            const bool feedforward_acceleration_delay_overwritten = !feedforward_acceleration_delay_intact_next;
+            double feedforward_acceleration_delay_y;
+            if (feedforward_acceleration_delay_intact_next) {
+                const double feedforward_acceleration_delay_x_whole = state->feedforward_acceleration_delay_x4;
+                feedforward_acceleration_delay_y =
+                    feedforward_acceleration_delay_now * feedforward_acceleration_delay_x_whole
+                        + feedforward_acceleration_delay_before * state->feedforward_acceleration_delay_x5;
             } else {
-                feedforward_acceleration_delay_y_last = feedforward_a;
-                feedforward_acceleration_delay_overwritten = true;
+                feedforward_acceleration_delay_y = feedforward_a;
             }
             state->feedforward_acceleration_delay_x5 = state->feedforward_acceleration_delay_x4;
             state->feedforward_acceleration_delay_x4 = state->feedforward_acceleration_delay_x3;
@@ -341,7 +337,7 @@ void axis_x_axis_step(
             state->feedforward_acceleration_delay_copy2 = state->feedforward_acceleration_delay_copy1;
             state->feedforward_acceleration_delay_copy1 = state->feedforward_acceleration_delay_copy0;
             state->feedforward_acceleration_delay_copy0 = feedforward_a;
-            const double feedforward_torque_a = feedforward_torque_acceleration * feedforward_acceleration_delay_y_last;
+            const double feedforward_torque_a = feedforward_torque_acceleration * feedforward_acceleration_delay_y;
             if (feedforward_acceleration_delay_overwritten) {
                 state->feedforward_preset = false;
                 feedforward_fault_next = true;

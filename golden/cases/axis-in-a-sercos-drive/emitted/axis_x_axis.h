@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   7205fb4f2b1dfede0c4c5a362a23fb1d
- * checksum    bf06e9b9a46b841608a69906b2df3036
+ * structure   ad5f551c763bd7c49e387f68e2064689
+ * checksum    b0c14786081b1d1356e59d96a7e8ac5a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
 #define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0x7205fb4fu
-#define AXIS_X_AXIS_STRUCTURE_1 0x2b1dfedeu
-#define AXIS_X_AXIS_STRUCTURE_2 0x0c4c5a36u
-#define AXIS_X_AXIS_STRUCTURE_3 0x2a23fb1du
+#define AXIS_X_AXIS_STRUCTURE_0 0xad5f551cu
+#define AXIS_X_AXIS_STRUCTURE_1 0x763bd7c4u
+#define AXIS_X_AXIS_STRUCTURE_2 0x9e387f68u
+#define AXIS_X_AXIS_STRUCTURE_3 0xe2064689u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 48u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 40u

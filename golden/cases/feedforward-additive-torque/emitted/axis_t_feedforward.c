@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   9487ddfe8b32f36fa297190384121109
- * checksum    69e33a559cc1058de3e8717d298d0960
+ * structure   507eb35e6b005bbd030becee7553c9b1
+ * checksum    879bf80eccb8bda2a5d9adbe3964c425
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_t_feedforward.h"
@@ -155,24 +155,26 @@ void axis_t_feedforward_step(
             state->preset = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00390) */
-        const double acceleration_delay_y =
-            acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_x0;
-        state->acceleration_delay_x0 = a;
-        const double acceleration_delay_y_next =
-            acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_copy0;
+        const bool acceleration_delay_intact =
+            axis_t_feedforward_is_zero(state->acceleration_delay_x0 - state->acceleration_delay_copy0);
         state->acceleration_delay_copy0 = a;
-        double acceleration_delay_y_last;
-        if (axis_t_feedforward_is_zero(acceleration_delay_y - acceleration_delay_y_next)) {
-            outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
-            outputs->fault = false;
-            acceleration_delay_y_last = acceleration_delay_y;
+        double acceleration_delay_y;
+        if (acceleration_delay_intact) {
+            acceleration_delay_y =
+                acceleration_delay_now * a + acceleration_delay_before * state->acceleration_delay_x0;
         } else {
-            acceleration_delay_y_last = a;
+            acceleration_delay_y = a;
+        }
+        state->acceleration_delay_x0 = a;
+        const double torque_a = torque_acceleration * acceleration_delay_y;
+        if (!acceleration_delay_intact) {
             state->preset = false;
             outputs->fault = true;
             outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_STATE;
+        } else {
+            outputs->error_id = AXIS_T_FEEDFORWARD_ERROR_NONE;
+            outputs->fault = false;
         }
-        const double torque_a = torque_acceleration * acceleration_delay_y_last;
         if (axis_t_feedforward_magnitude(torque_a) <= torque_range_upper_limit) {
             outputs->additive_torque = axis_t_feedforward_nearest(torque_a);
             outputs->torque_limited = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  e6c01a5b3ef569d72ebaa9f39de14a3f
- * structure   9487ddfe8b32f36fa297190384121109
- * checksum    46bd2e10e6b5c4da33f4669ef3c43f14
+ * structure   507eb35e6b005bbd030becee7553c9b1
+ * checksum    e4262a2a7f85af03c3494091f7389aed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_T_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_T_FEEDFORWARD_PARAMETERS_2 0x2ebaa9f3u
 #define AXIS_T_FEEDFORWARD_PARAMETERS_3 0x9de14a3fu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x9487ddfeu
-#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x8b32f36fu
-#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0xa2971903u
-#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0x84121109u
+#define AXIS_T_FEEDFORWARD_STRUCTURE_0 0x507eb35eu
+#define AXIS_T_FEEDFORWARD_STRUCTURE_1 0x6b005bbdu
+#define AXIS_T_FEEDFORWARD_STRUCTURE_2 0x030beceeu
+#define AXIS_T_FEEDFORWARD_STRUCTURE_3 0x7553c9b1u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_T_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_T_FEEDFORWARD_OUTPUTS_SIZE 12u

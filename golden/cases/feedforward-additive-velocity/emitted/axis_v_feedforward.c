@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   a016ca467c8ca83f8da0b5be75728a88
- * checksum    b961f21a91fbd6971e30f2262372545d
+ * structure   e4b41a4bc251fe68c73df4ba9c744a9d
+ * checksum    9bac95742b2e2d9261b704a1e6c828b4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_v_feedforward.h"
@@ -157,24 +157,26 @@ void axis_v_feedforward_step(
             state->preset = true;
         }
         /* delay of 150 us = 0.15 cycles (P-AXIS-00389) */
-        const double velocity_delay_y = velocity_delay_now * v + velocity_delay_before * state->velocity_delay_x0;
-        state->velocity_delay_x0 = v;
-        const double velocity_delay_y_next =
-            velocity_delay_now * v + velocity_delay_before * state->velocity_delay_copy0;
+        const bool velocity_delay_intact =
+            axis_v_feedforward_is_zero(state->velocity_delay_x0 - state->velocity_delay_copy0);
         state->velocity_delay_copy0 = v;
-        double velocity_delay_y_last;
-        if (axis_v_feedforward_is_zero(velocity_delay_y - velocity_delay_y_next)) {
-            outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
-            outputs->fault = false;
-            velocity_delay_y_last = velocity_delay_y;
+        double velocity_delay_y;
+        if (velocity_delay_intact) {
+            velocity_delay_y = velocity_delay_now * v + velocity_delay_before * state->velocity_delay_x0;
         } else {
-            velocity_delay_y_last = v;
+            velocity_delay_y = v;
+        }
+        outputs->v_additive = velocity_delay_y;
+        state->velocity_delay_x0 = v;
+        if (!velocity_delay_intact) {
             state->preset = false;
             outputs->fault = true;
             outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_STATE;
+        } else {
+            outputs->error_id = AXIS_V_FEEDFORWARD_ERROR_NONE;
+            outputs->fault = false;
         }
-        outputs->v_additive = velocity_delay_y_last;
-        const double velocity = velocity_scale * velocity_delay_y_last;
+        const double velocity = velocity_scale * velocity_delay_y;
         if (axis_v_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
             outputs->additive_velocity = axis_v_feedforward_nearest(velocity);
             outputs->velocity_limited = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  9a5bb4a83307cb65482e42039b26788c
- * structure   a016ca467c8ca83f8da0b5be75728a88
- * checksum    f5cdfa110820fa1722889103b147a186
+ * structure   e4b41a4bc251fe68c73df4ba9c744a9d
+ * checksum    601261d2bc16091b632af0034bd5e64b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_V_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_V_FEEDFORWARD_PARAMETERS_2 0x482e4203u
 #define AXIS_V_FEEDFORWARD_PARAMETERS_3 0x9b26788cu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0xa016ca46u
-#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0x7c8ca83fu
-#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0x8da0b5beu
-#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x75728a88u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_0 0xe4b41a4bu
+#define AXIS_V_FEEDFORWARD_STRUCTURE_1 0xc251fe68u
+#define AXIS_V_FEEDFORWARD_STRUCTURE_2 0xc73df4bau
+#define AXIS_V_FEEDFORWARD_STRUCTURE_3 0x9c744a9du
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_V_FEEDFORWARD_INPUTS_SIZE 24u
 #define AXIS_V_FEEDFORWARD_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   619e71a8ea6a31eeefbc89aa6fdee3fa
- * checksum    137dff595e9ef9273245b63b10b94352
+ * structure   2276c7f252e22cf5c3c32e24240c6444
+ * checksum    0835007e502d1373882ab10269a0e281
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
@@ -215,25 +215,19 @@ void axis_x_feedforward_step(
             state->preset = true;
         }
         /* delay of 5999 us = 5.999 cycles (P-AXIS-00389) */
-        const double velocity_delay_x_whole = state->velocity_delay_x4;
-        const double velocity_delay_y =
-            velocity_delay_now * velocity_delay_x_whole + velocity_delay_before * state->velocity_delay_x5;
-        const double velocity_delay_x_whole_next = state->velocity_delay_copy4;
-        const double velocity_delay_y_next =
-            velocity_delay_now * velocity_delay_x_whole_next + velocity_delay_before * state->velocity_delay_copy5;
-        uint32_t error_id_so_far;
-        bool fault_so_far;
-        double velocity_delay_y_last;
-        if (axis_x_feedforward_is_zero(velocity_delay_y - velocity_delay_y_next)) {
-            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_NONE;
-            fault_so_far = false;
-            velocity_delay_y_last = velocity_delay_y;
+        const bool velocity_delay_intact =
+            axis_x_feedforward_is_zero(state->velocity_delay_x4 - state->velocity_delay_copy4);
+        const bool velocity_delay_intact_next =
+            velocity_delay_intact && axis_x_feedforward_is_zero(state->velocity_delay_x5 - state->velocity_delay_copy5);
+        double velocity_delay_y;
+        if (velocity_delay_intact_next) {
+            const double velocity_delay_x_whole = state->velocity_delay_x4;
+            velocity_delay_y =
+                velocity_delay_now * velocity_delay_x_whole + velocity_delay_before * state->velocity_delay_x5;
         } else {
-            velocity_delay_y_last = v;
-            state->preset = false;
-            fault_so_far = true;
-            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_STATE;
+            velocity_delay_y = v;
         }
+        outputs->v_additive = velocity_delay_y;
         state->velocity_delay_x5 = state->velocity_delay_x4;
         state->velocity_delay_x4 = state->velocity_delay_x3;
         state->velocity_delay_x3 = state->velocity_delay_x2;
@@ -246,8 +240,17 @@ void axis_x_feedforward_step(
         state->velocity_delay_copy2 = state->velocity_delay_copy1;
         state->velocity_delay_copy1 = state->velocity_delay_copy0;
         state->velocity_delay_copy0 = v;
-        outputs->v_additive = velocity_delay_y_last;
-        const double velocity = velocity_scale * velocity_delay_y_last;
+        bool fault_so_far;
+        uint32_t error_id_so_far;
+        if (!velocity_delay_intact_next) {
+            state->preset = false;
+            fault_so_far = true;
+            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_STATE;
+        } else {
+            error_id_so_far = AXIS_X_FEEDFORWARD_ERROR_NONE;
+            fault_so_far = false;
+        }
+        const double velocity = velocity_scale * velocity_delay_y;
         if (axis_x_feedforward_magnitude(velocity) <= velocity_range_upper_limit) {
             outputs->additive_velocity = axis_x_feedforward_nearest(velocity);
             outputs->velocity_limited = false;
@@ -263,24 +266,27 @@ void axis_x_feedforward_step(
             outputs->velocity_limited = true;
         }
         /* delay of 2000 us = 2 cycles (P-AXIS-00390) */
-        const double acceleration_delay_x_whole = state->acceleration_delay_x1;
-        const double acceleration_delay_x_whole_next = state->acceleration_delay_copy1;
+        const bool acceleration_delay_intact =
+            axis_x_feedforward_is_zero(state->acceleration_delay_x1 - state->acceleration_delay_copy1);
         double acceleration_delay_y;
-        if (axis_x_feedforward_is_zero(acceleration_delay_x_whole - acceleration_delay_x_whole_next)) {
-            outputs->error_id = error_id_so_far;
-            outputs->fault = fault_so_far;
-            acceleration_delay_y = acceleration_delay_x_whole;
+        if (acceleration_delay_intact) {
+            acceleration_delay_y = state->acceleration_delay_x1;
         } else {
             acceleration_delay_y = a;
-            state->preset = false;
-            outputs->fault = true;
-            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_STATE;
         }
         state->acceleration_delay_x1 = state->acceleration_delay_x0;
         state->acceleration_delay_x0 = a;
         state->acceleration_delay_copy1 = state->acceleration_delay_copy0;
         state->acceleration_delay_copy0 = a;
         const double torque_a = torque_acceleration * acceleration_delay_y;
+        if (!acceleration_delay_intact) {
+            state->preset = false;
+            outputs->fault = true;
+            outputs->error_id = AXIS_X_FEEDFORWARD_ERROR_STATE;
+        } else {
+            outputs->error_id = error_id_so_far;
+            outputs->fault = fault_so_far;
+        }
         /* delay of 0 us = 0 cycles (P-AXIS-00547) */
         const double torque_a_j = torque_a + torque_jerk * j;
         if (axis_x_feedforward_magnitude(torque_a_j) <= torque_range_upper_limit) {

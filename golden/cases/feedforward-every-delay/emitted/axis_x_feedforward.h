@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  5081215969251b07d12905c1b2a3f3db
- * structure   619e71a8ea6a31eeefbc89aa6fdee3fa
- * checksum    3b33c26584ffbb965afe5ddf2bb99791
+ * structure   2276c7f252e22cf5c3c32e24240c6444
+ * checksum    49d866fc56a1ac23779fcb9e05790cdb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_X_FEEDFORWARD_PARAMETERS_2 0xd12905c1u
 #define AXIS_X_FEEDFORWARD_PARAMETERS_3 0xb2a3f3dbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x619e71a8u
-#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0xea6a31eeu
-#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xefbc89aau
-#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x6fdee3fau
+#define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x2276c7f2u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x52e22cf5u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xc3c32e24u
+#define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x240c6444u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_X_FEEDFORWARD_INPUTS_SIZE 40u
 #define AXIS_X_FEEDFORWARD_OUTPUTS_SIZE 24u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   398eb03f6efff7e3658a22f3750cd60f
- * checksum    984e8453ce756147f9aed1251ecccacb
+ * structure   f87bfab75838978cff913fc6d65e1219
+ * checksum    887ecabfb2ce7174307d1b941fed52e1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -94,9 +94,6 @@ static const double axis_s_spindle_sample_limit = 1000000000000000.0;
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
 static const double axis_s_spindle_position_limit = 700000000000000.0;
 static const double axis_s_spindle_full_turn = 360000.0; /* a full turn [0.001 deg] */
-/* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
-static const double axis_s_spindle_counted_limit = 710000000000000.0;
-static const double axis_s_spindle_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
 void axis_s_spindle_init(axis_s_spindle_state *fresh)
 {
@@ -214,20 +211,22 @@ static void axis_s_spindle_any_cycle(
     /* the same for every axis */
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
+    /* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
+    static const double counted_limit = 710000000000000.0;
+    static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
-    const int32_t kind_next = state->present_kind;
     const bool in_velocity =
         state->usual == AXIS_S_SPINDLE_USUAL_VELOCITY
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
-            && (kind_next == AXIS_S_SPINDLE_JOB_STOP || kind_next == AXIS_S_SPINDLE_JOB_TURN
-                || kind_next == AXIS_S_SPINDLE_JOB_ORIENT || kind_next == AXIS_S_SPINDLE_JOB_RELEASE
-                || kind_next == AXIS_S_SPINDLE_JOB_HOME)
+            && (state->present_kind == AXIS_S_SPINDLE_JOB_STOP || state->present_kind == AXIS_S_SPINDLE_JOB_TURN
+                || state->present_kind == AXIS_S_SPINDLE_JOB_ORIENT || state->present_kind == AXIS_S_SPINDLE_JOB_RELEASE
+                || state->present_kind == AXIS_S_SPINDLE_JOB_HOME)
             && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
             && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
             && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_sample_limit
-            && axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_position_limit
+            && inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_full_turn
             && inputs->operation_mode_display == AXIS_S_SPINDLE_VELOCITY_MODE;
     if (in_velocity) {
         outputs->loop_closed = false;
@@ -236,31 +235,10 @@ static void axis_s_spindle_any_cycle(
         outputs->fault = false;
         outputs->error_id = AXIS_S_SPINDLE_ERROR_NONE;
         outputs->waiting = 0u;
-        state->v = inputs->v_interpolator;
         /* a usual cycle in VELOCITY */
         state->missing = 0u;
-        double within_turn_next;
-        if (inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_full_turn) {
-            within_turn_next = inputs->x_actual;
-        } else if (axis_s_spindle_magnitude(inputs->x_actual) <= axis_s_spindle_counted_limit) {
-            const int32_t turns_next = (int32_t)(inputs->x_actual * axis_s_spindle_per_turn);
-            const double rest_next = inputs->x_actual - (double)turns_next * axis_s_spindle_full_turn;
-            double above_next;
-            if (rest_next < 0.0) {
-                above_next = rest_next + axis_s_spindle_full_turn;
-            } else {
-                above_next = rest_next;
-            }
-            if (above_next >= axis_s_spindle_full_turn) {
-                within_turn_next = above_next - axis_s_spindle_full_turn;
-            } else {
-                within_turn_next = above_next;
-            }
-        } else {
-            /* only what something else has overwritten comes here */
-            within_turn_next = 0.0;
-        }
-        state->x = within_turn_next;
+        state->x = inputs->x_actual;
+        state->v = inputs->v_interpolator;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
         const double velocity_increments_next = axis_s_spindle_velocity_scale * state->v;
@@ -334,10 +312,10 @@ static void axis_s_spindle_any_cycle(
             state->seen_samples = 0u;
             state->seen_slow = 0u;
         }
-        const int32_t kind_last = state->present_kind;
-        if (!((kind_last == AXIS_S_SPINDLE_JOB_STOP || kind_last == AXIS_S_SPINDLE_JOB_TURN
-                    || kind_last == AXIS_S_SPINDLE_JOB_ORIENT || kind_last == AXIS_S_SPINDLE_JOB_RELEASE
-                    || kind_last == AXIS_S_SPINDLE_JOB_HOME)
+        if (!((state->present_kind == AXIS_S_SPINDLE_JOB_STOP || state->present_kind == AXIS_S_SPINDLE_JOB_TURN
+                    || state->present_kind == AXIS_S_SPINDLE_JOB_ORIENT
+                    || state->present_kind == AXIS_S_SPINDLE_JOB_RELEASE
+                    || state->present_kind == AXIS_S_SPINDLE_JOB_HOME)
                 && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
                 && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit)) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
@@ -598,28 +576,28 @@ static void axis_s_spindle_any_cycle(
                     /* only what something else has overwritten comes here */
                     ahead = inputs->x_actual;
                 }
-                double within_turn_last;
+                double within_turn;
                 if (ahead >= 0.0 && ahead < axis_s_spindle_full_turn) {
-                    within_turn_last = ahead;
-                } else if (axis_s_spindle_magnitude(ahead) <= axis_s_spindle_counted_limit) {
-                    const int32_t turns_last = (int32_t)(ahead * axis_s_spindle_per_turn);
-                    const double rest_last = ahead - (double)turns_last * axis_s_spindle_full_turn;
-                    double above_last;
-                    if (rest_last < 0.0) {
-                        above_last = rest_last + axis_s_spindle_full_turn;
+                    within_turn = ahead;
+                } else if (axis_s_spindle_magnitude(ahead) <= counted_limit) {
+                    const int32_t turns = (int32_t)(ahead * per_turn);
+                    const double rest = ahead - (double)turns * axis_s_spindle_full_turn;
+                    double above;
+                    if (rest < 0.0) {
+                        above = rest + axis_s_spindle_full_turn;
                     } else {
-                        above_last = rest_last;
+                        above = rest;
                     }
-                    if (above_last >= axis_s_spindle_full_turn) {
-                        within_turn_last = above_last - axis_s_spindle_full_turn;
+                    if (above >= axis_s_spindle_full_turn) {
+                        within_turn = above - axis_s_spindle_full_turn;
                     } else {
-                        within_turn_last = above_last;
+                        within_turn = above;
                     }
                 } else {
                     /* only what something else has overwritten comes here */
-                    within_turn_last = 0.0;
+                    within_turn = 0.0;
                 }
-                state->x = within_turn_last;
+                state->x = within_turn;
                 sample_error = 0u;
             } else {
                 sample_error = AXIS_S_SPINDLE_ERROR_X_ACTUAL;
@@ -703,28 +681,28 @@ static void axis_s_spindle_any_cycle(
                     /* only what something else has overwritten comes here */
                     ahead_next = inputs->x_actual;
                 }
-                double within_turn_then;
+                double within_turn_next;
                 if (ahead_next >= 0.0 && ahead_next < axis_s_spindle_full_turn) {
-                    within_turn_then = ahead_next;
-                } else if (axis_s_spindle_magnitude(ahead_next) <= axis_s_spindle_counted_limit) {
-                    const int32_t turns_then = (int32_t)(ahead_next * axis_s_spindle_per_turn);
-                    const double rest_then = ahead_next - (double)turns_then * axis_s_spindle_full_turn;
-                    double above_then;
-                    if (rest_then < 0.0) {
-                        above_then = rest_then + axis_s_spindle_full_turn;
+                    within_turn_next = ahead_next;
+                } else if (axis_s_spindle_magnitude(ahead_next) <= counted_limit) {
+                    const int32_t turns_next = (int32_t)(ahead_next * per_turn);
+                    const double rest_next = ahead_next - (double)turns_next * axis_s_spindle_full_turn;
+                    double above_next;
+                    if (rest_next < 0.0) {
+                        above_next = rest_next + axis_s_spindle_full_turn;
                     } else {
-                        above_then = rest_then;
+                        above_next = rest_next;
                     }
-                    if (above_then >= axis_s_spindle_full_turn) {
-                        within_turn_then = above_then - axis_s_spindle_full_turn;
+                    if (above_next >= axis_s_spindle_full_turn) {
+                        within_turn_next = above_next - axis_s_spindle_full_turn;
                     } else {
-                        within_turn_then = above_then;
+                        within_turn_next = above_next;
                     }
                 } else {
                     /* only what something else has overwritten comes here */
-                    within_turn_then = 0.0;
+                    within_turn_next = 0.0;
                 }
-                state->x = within_turn_then;
+                state->x = within_turn_next;
             } else {
                 state->x = state->x + state->v * cycle_time;
             }
@@ -758,9 +736,8 @@ static void axis_s_spindle_any_cycle(
                             if (state->takes_over) {
                                 const double distance = inputs->x_command - (state->x + state->v * cycle_time);
                                 double shorter;
-                                if (axis_s_spindle_magnitude(distance) <= axis_s_spindle_counted_limit) {
-                                    const int32_t whole_turns =
-                                        axis_s_spindle_nearest(distance * axis_s_spindle_per_turn);
+                                if (axis_s_spindle_magnitude(distance) <= counted_limit) {
+                                    const int32_t whole_turns = axis_s_spindle_nearest(distance * per_turn);
                                     shorter = distance - (double)whole_turns * axis_s_spindle_full_turn;
                                 } else {
                                     /* only what something else has overwritten comes here */
@@ -829,9 +806,8 @@ static void axis_s_spindle_any_cycle(
                             if (state->takes_over) {
                                 const double distance_next = inputs->x_command - (state->x + state->v * cycle_time);
                                 double shorter_next;
-                                if (axis_s_spindle_magnitude(distance_next) <= axis_s_spindle_counted_limit) {
-                                    const int32_t whole_turns_next =
-                                        axis_s_spindle_nearest(distance_next * axis_s_spindle_per_turn);
+                                if (axis_s_spindle_magnitude(distance_next) <= counted_limit) {
+                                    const int32_t whole_turns_next = axis_s_spindle_nearest(distance_next * per_turn);
                                     shorter_next = distance_next - (double)whole_turns_next * axis_s_spindle_full_turn;
                                 } else {
                                     /* only what something else has overwritten comes here */
@@ -1005,28 +981,28 @@ static void axis_s_spindle_any_cycle(
                             /* only what something else has overwritten comes here */
                             ahead_last = inputs->x_actual;
                         }
-                        double within_turn_after;
+                        double within_turn_last;
                         if (ahead_last >= 0.0 && ahead_last < axis_s_spindle_full_turn) {
-                            within_turn_after = ahead_last;
-                        } else if (axis_s_spindle_magnitude(ahead_last) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_after = (int32_t)(ahead_last * axis_s_spindle_per_turn);
-                            const double rest_after = ahead_last - (double)turns_after * axis_s_spindle_full_turn;
-                            double above_after;
-                            if (rest_after < 0.0) {
-                                above_after = rest_after + axis_s_spindle_full_turn;
+                            within_turn_last = ahead_last;
+                        } else if (axis_s_spindle_magnitude(ahead_last) <= counted_limit) {
+                            const int32_t turns_last = (int32_t)(ahead_last * per_turn);
+                            const double rest_last = ahead_last - (double)turns_last * axis_s_spindle_full_turn;
+                            double above_last;
+                            if (rest_last < 0.0) {
+                                above_last = rest_last + axis_s_spindle_full_turn;
                             } else {
-                                above_after = rest_after;
+                                above_last = rest_last;
                             }
-                            if (above_after >= axis_s_spindle_full_turn) {
-                                within_turn_after = above_after - axis_s_spindle_full_turn;
+                            if (above_last >= axis_s_spindle_full_turn) {
+                                within_turn_last = above_last - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_after = above_after;
+                                within_turn_last = above_last;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_after = 0.0;
+                            within_turn_last = 0.0;
                         }
-                        state->x_start = within_turn_after;
+                        state->x_start = within_turn_last;
                     }
                 }
                 break;
@@ -1135,28 +1111,28 @@ static void axis_s_spindle_any_cycle(
                             /* only what something else has overwritten comes here */
                             ahead_then = inputs->x_actual;
                         }
-                        double within_turn_later;
+                        double within_turn_then;
                         if (ahead_then >= 0.0 && ahead_then < axis_s_spindle_full_turn) {
-                            within_turn_later = ahead_then;
-                        } else if (axis_s_spindle_magnitude(ahead_then) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_later = (int32_t)(ahead_then * axis_s_spindle_per_turn);
-                            const double rest_later = ahead_then - (double)turns_later * axis_s_spindle_full_turn;
-                            double above_later;
-                            if (rest_later < 0.0) {
-                                above_later = rest_later + axis_s_spindle_full_turn;
+                            within_turn_then = ahead_then;
+                        } else if (axis_s_spindle_magnitude(ahead_then) <= counted_limit) {
+                            const int32_t turns_then = (int32_t)(ahead_then * per_turn);
+                            const double rest_then = ahead_then - (double)turns_then * axis_s_spindle_full_turn;
+                            double above_then;
+                            if (rest_then < 0.0) {
+                                above_then = rest_then + axis_s_spindle_full_turn;
                             } else {
-                                above_later = rest_later;
+                                above_then = rest_then;
                             }
-                            if (above_later >= axis_s_spindle_full_turn) {
-                                within_turn_later = above_later - axis_s_spindle_full_turn;
+                            if (above_then >= axis_s_spindle_full_turn) {
+                                within_turn_then = above_then - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_later = above_later;
+                                within_turn_then = above_then;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_later = 0.0;
+                            within_turn_then = 0.0;
                         }
-                        state->x = within_turn_later;
+                        state->x = within_turn_then;
                     } else {
                         state->x = state->x + state->v * cycle_time;
                     }
@@ -1194,28 +1170,28 @@ static void axis_s_spindle_any_cycle(
                             /* only what something else has overwritten comes here */
                             ahead_after = inputs->x_actual;
                         }
-                        double within_turn_again;
+                        double within_turn_after;
                         if (ahead_after >= 0.0 && ahead_after < axis_s_spindle_full_turn) {
-                            within_turn_again = ahead_after;
-                        } else if (axis_s_spindle_magnitude(ahead_after) <= axis_s_spindle_counted_limit) {
-                            const int32_t turns_again = (int32_t)(ahead_after * axis_s_spindle_per_turn);
-                            const double rest_again = ahead_after - (double)turns_again * axis_s_spindle_full_turn;
-                            double above_again;
-                            if (rest_again < 0.0) {
-                                above_again = rest_again + axis_s_spindle_full_turn;
+                            within_turn_after = ahead_after;
+                        } else if (axis_s_spindle_magnitude(ahead_after) <= counted_limit) {
+                            const int32_t turns_after = (int32_t)(ahead_after * per_turn);
+                            const double rest_after = ahead_after - (double)turns_after * axis_s_spindle_full_turn;
+                            double above_after;
+                            if (rest_after < 0.0) {
+                                above_after = rest_after + axis_s_spindle_full_turn;
                             } else {
-                                above_again = rest_again;
+                                above_after = rest_after;
                             }
-                            if (above_again >= axis_s_spindle_full_turn) {
-                                within_turn_again = above_again - axis_s_spindle_full_turn;
+                            if (above_after >= axis_s_spindle_full_turn) {
+                                within_turn_after = above_after - axis_s_spindle_full_turn;
                             } else {
-                                within_turn_again = above_again;
+                                within_turn_after = above_after;
                             }
                         } else {
                             /* only what something else has overwritten comes here */
-                            within_turn_again = 0.0;
+                            within_turn_after = 0.0;
                         }
-                        state->x_start = within_turn_again;
+                        state->x_start = within_turn_after;
                     } else if (is_slow_next && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE) {
                         state->takes_over = true;
                         /* TO_POSITION -> POSITION: the drive displays position control */
@@ -1254,28 +1230,28 @@ static void axis_s_spindle_any_cycle(
             state->x = state->x + state->v * cycle_time;
         }
         const double angle = state->x;
-        double within_turn_anew;
+        double within_turn_later;
         if (angle >= 0.0 && angle < axis_s_spindle_full_turn) {
-            within_turn_anew = angle;
-        } else if (axis_s_spindle_magnitude(angle) <= axis_s_spindle_counted_limit) {
-            const int32_t turns_anew = (int32_t)(angle * axis_s_spindle_per_turn);
-            const double rest_anew = angle - (double)turns_anew * axis_s_spindle_full_turn;
-            double above_anew;
-            if (rest_anew < 0.0) {
-                above_anew = rest_anew + axis_s_spindle_full_turn;
+            within_turn_later = angle;
+        } else if (axis_s_spindle_magnitude(angle) <= counted_limit) {
+            const int32_t turns_later = (int32_t)(angle * per_turn);
+            const double rest_later = angle - (double)turns_later * axis_s_spindle_full_turn;
+            double above_later;
+            if (rest_later < 0.0) {
+                above_later = rest_later + axis_s_spindle_full_turn;
             } else {
-                above_anew = rest_anew;
+                above_later = rest_later;
             }
-            if (above_anew >= axis_s_spindle_full_turn) {
-                within_turn_anew = above_anew - axis_s_spindle_full_turn;
+            if (above_later >= axis_s_spindle_full_turn) {
+                within_turn_later = above_later - axis_s_spindle_full_turn;
             } else {
-                within_turn_anew = above_anew;
+                within_turn_later = above_later;
             }
         } else {
             /* only what something else has overwritten comes here */
-            within_turn_anew = 0.0;
+            within_turn_later = 0.0;
         }
-        state->x = within_turn_anew;
+        state->x = within_turn_later;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
         const double velocity_increments_last = axis_s_spindle_velocity_scale * state->v;
@@ -1337,10 +1313,11 @@ static void axis_s_spindle_any_cycle(
                         && (state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
                             || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN));
             if (is_over && can_serve) {
-                const int32_t kind_then = state->request0_kind;
-                if (!((kind_then == AXIS_S_SPINDLE_JOB_STOP || kind_then == AXIS_S_SPINDLE_JOB_TURN
-                            || kind_then == AXIS_S_SPINDLE_JOB_ORIENT || kind_then == AXIS_S_SPINDLE_JOB_RELEASE
-                            || kind_then == AXIS_S_SPINDLE_JOB_HOME)
+                if (!((state->request0_kind == AXIS_S_SPINDLE_JOB_STOP
+                            || state->request0_kind == AXIS_S_SPINDLE_JOB_TURN
+                            || state->request0_kind == AXIS_S_SPINDLE_JOB_ORIENT
+                            || state->request0_kind == AXIS_S_SPINDLE_JOB_RELEASE
+                            || state->request0_kind == AXIS_S_SPINDLE_JOB_HOME)
                         && axis_s_spindle_magnitude(state->request0_speed) <= axis_s_spindle_sample_limit
                         && axis_s_spindle_magnitude(state->request0_position) <= axis_s_spindle_position_limit)) {
                     /* something has overwritten it */
@@ -1400,18 +1377,18 @@ void axis_s_spindle_step(
     const axis_s_spindle_inputs *restrict inputs,
     axis_s_spindle_outputs *restrict outputs)
 {
-    const int32_t kind = state->present_kind;
     const bool in_position =
         state->usual == AXIS_S_SPINDLE_USUAL_POSITION
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
-            && (kind == AXIS_S_SPINDLE_JOB_STOP || kind == AXIS_S_SPINDLE_JOB_TURN || kind == AXIS_S_SPINDLE_JOB_ORIENT
-                || kind == AXIS_S_SPINDLE_JOB_RELEASE || kind == AXIS_S_SPINDLE_JOB_HOME)
+            && (state->present_kind == AXIS_S_SPINDLE_JOB_STOP || state->present_kind == AXIS_S_SPINDLE_JOB_TURN
+                || state->present_kind == AXIS_S_SPINDLE_JOB_ORIENT || state->present_kind == AXIS_S_SPINDLE_JOB_RELEASE
+                || state->present_kind == AXIS_S_SPINDLE_JOB_HOME)
             && axis_s_spindle_magnitude(state->present_speed) <= axis_s_spindle_sample_limit
             && axis_s_spindle_magnitude(state->present_position) <= axis_s_spindle_position_limit
             && axis_s_spindle_magnitude(inputs->v_interpolator) <= axis_s_spindle_v_largest
-            && axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_position_limit
+            && inputs->x_command >= 0.0 && inputs->x_command < axis_s_spindle_full_turn
             && inputs->operation_mode_display == AXIS_S_SPINDLE_POSITION_MODE;
     if (in_position) {
         outputs->loop_closed = true;
@@ -1420,30 +1397,9 @@ void axis_s_spindle_step(
         outputs->fault = false;
         outputs->error_id = AXIS_S_SPINDLE_ERROR_NONE;
         outputs->waiting = 0u;
-        state->v = inputs->v_interpolator;
         /* a usual cycle in POSITION */
-        double within_turn;
-        if (inputs->x_command >= 0.0 && inputs->x_command < axis_s_spindle_full_turn) {
-            within_turn = inputs->x_command;
-        } else if (axis_s_spindle_magnitude(inputs->x_command) <= axis_s_spindle_counted_limit) {
-            const int32_t turns = (int32_t)(inputs->x_command * axis_s_spindle_per_turn);
-            const double rest = inputs->x_command - (double)turns * axis_s_spindle_full_turn;
-            double above;
-            if (rest < 0.0) {
-                above = rest + axis_s_spindle_full_turn;
-            } else {
-                above = rest;
-            }
-            if (above >= axis_s_spindle_full_turn) {
-                within_turn = above - axis_s_spindle_full_turn;
-            } else {
-                within_turn = above;
-            }
-        } else {
-            /* only what something else has overwritten comes here */
-            within_turn = 0.0;
-        }
-        state->x = within_turn;
+        state->x = inputs->x_command;
+        state->v = inputs->v_interpolator;
         outputs->x_spindle = state->x;
         outputs->v_spindle = state->v;
         const double velocity_increments = axis_s_spindle_velocity_scale * state->v;

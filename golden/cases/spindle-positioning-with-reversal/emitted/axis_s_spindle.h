@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   398eb03f6efff7e3658a22f3750cd60f
- * checksum    57f15fd48111061a27496ec1a91a95dd
+ * structure   f87bfab75838978cff913fc6d65e1219
+ * checksum    a0ff70d8433108cd39070ca272733334
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0x398eb03fu
-#define AXIS_S_SPINDLE_STRUCTURE_1 0x6efff7e3u
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x658a22f3u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x750cd60fu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0xf87bfab7u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x5838978cu
+#define AXIS_S_SPINDLE_STRUCTURE_2 0xff913fc6u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0xd65e1219u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   dda91cb42a0182122010cc4451186fde
- * checksum    bc84f288ef9df1efa6e134984cc4d7e5
+ * structure   1ec427122fe44b290793fb75c67daff8
+ * checksum    85eebde2ea08ae5ddc1cbbefa5666a52
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -131,13 +131,13 @@ static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
 static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
+/* largest position lag of the loop in the CNC: beyond half a turn it would act the other way [0.001 deg] */
+static const double axis_s_spindle_axis_lag_limit = 170000.0;
 /* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
 static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
-/* largest position lag of the loop in the CNC: beyond half a turn it would act the other way [0.001 deg] */
-static const double axis_s_spindle_axis_lag_limit = 170000.0;
 
 void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
@@ -262,1524 +262,1438 @@ static void axis_s_spindle_axis_any_cycle(
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
 
-    const int32_t kind_next = state->spindle_present_kind;
-    if (state->spindle_usual == AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY
-            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
-            && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
-            && (kind_next == AXIS_S_SPINDLE_AXIS_JOB_STOP || kind_next == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                || kind_next == AXIS_S_SPINDLE_AXIS_JOB_ORIENT || kind_next == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                || kind_next == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+    if (state->spindle_missing > 4u) {
+        state->spindle_missing = 4u;
+    }
+    if (state->spindle_settled > 3u) {
+        state->spindle_settled = 3u;
+    }
+    if (state->spindle_cycles > largest_count) {
+        state->spindle_cycles = largest_count;
+    }
+    const uint32_t spindle_id = state->spindle_lasting_error;
+    if (!(spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_NONE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
+            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_STATE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
+            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
+            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
+            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG)) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+    }
+    if (state->spindle_queued > 4u) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        state->spindle_queued = 0u;
+    }
+    const int32_t spindle_control = state->spindle_control;
+    if (!(spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
+            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        state->spindle_cycles = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_missing = 0u;
+    }
+    const bool spindle_is_sound =
+        state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
+            && state->spindle_x_start < axis_s_spindle_axis_full_turn
+            && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
+    if (!spindle_is_sound) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        state->spindle_x = 0.0;
+        state->spindle_x_start = 0.0;
+        state->spindle_v = 0.0;
+        state->spindle_seen_v = 0.0;
+        state->spindle_seen_v_last = 0.0;
+        state->spindle_seen_v_before = 0.0;
+        state->spindle_seen_samples = 0u;
+        state->spindle_seen_slow = 0u;
+    }
+    if (!((state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
-            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-        outputs->loop_closed = false;
-        outputs->fault = false;
-        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        outputs->waiting = 0u;
-        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit)) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        state->spindle_turns_fast = false;
+        state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+        state->spindle_present_speed = 0.0;
+        state->spindle_present_position = 0.0;
+    }
+    const bool spindle_is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
+    uint32_t spindle_request_error;
+    if (spindle_is_any || state->spindle_before_any) {
+        state->spindle_before_any = spindle_is_any;
+        const bool spindle_new_m19 = inputs->m19 && !state->spindle_before_m19;
+        const bool spindle_new_turn =
+            !spindle_new_m19
+                && ((inputs->m3 && !state->spindle_before_m3) || (inputs->m4 && !state->spindle_before_m4));
+        const bool spindle_new_m5 = inputs->m5 && !state->spindle_before_m5;
+        const bool spindle_new_putax = inputs->putax && !state->spindle_before_putax;
+        const bool spindle_new_g74 = inputs->g74 && !state->spindle_before_g74;
+        state->spindle_before_m3 = inputs->m3;
+        state->spindle_before_m4 = inputs->m4;
+        state->spindle_before_m5 = inputs->m5;
+        state->spindle_before_m19 = inputs->m19;
+        state->spindle_before_putax = inputs->putax;
+        state->spindle_before_g74 = inputs->g74;
+        if (!inputs->reset
+                && (spindle_new_g74 || spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn)) {
+            bool spindle_has_others;
+            int32_t spindle_wanted;
+            if (spindle_new_g74) {
+                spindle_has_others = spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_HOME;
+            } else if (spindle_new_putax) {
+                spindle_has_others = spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_RELEASE;
+            } else if (spindle_new_m19) {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
+                spindle_has_others = spindle_new_m5;
+            } else if (spindle_new_m5) {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+                spindle_has_others = spindle_new_turn;
+            } else {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_TURN;
+                spindle_has_others = false;
+            }
+            const uint32_t spindle_waiting_now = state->spindle_queued;
+            const bool spindle_has_speed =
+                spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
+            uint32_t spindle_why;
+            if (spindle_has_speed && inputs->m3 && inputs->m4) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DIRECTION;
+            } else if (spindle_has_speed
+                    && !(axis_s_spindle_axis_magnitude(inputs->s_word) <= axis_s_spindle_axis_sample_limit)) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_WORD;
+            } else if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                    && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= axis_s_spindle_axis_position_limit)) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
+            } else if (!inputs->drive_on) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
+            } else if (spindle_waiting_now >= 4u) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_WAITING;
+            } else {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            }
+            if (spindle_why != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+                spindle_request_error = spindle_why;
+            } else {
+                double spindle_speed;
+                if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                        || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
+                    const bool spindle_is_negative = inputs->s_word < 0.0;
+                    if (spindle_is_negative == inputs->m4) {
+                        spindle_speed = inputs->s_word;
+                    } else {
+                        spindle_speed = -inputs->s_word;
+                    }
+                } else {
+                    spindle_speed = 0.0;
+                }
+                double spindle_target;
+                if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
+                    spindle_target = inputs->s_position;
+                } else {
+                    spindle_target = 0.0;
+                }
+                if (state->spindle_queued == 0u) {
+                    state->spindle_request0_kind = spindle_wanted;
+                    state->spindle_request0_speed = spindle_speed;
+                    state->spindle_request0_position = spindle_target;
+                } else if (state->spindle_queued == 1u) {
+                    state->spindle_request1_kind = spindle_wanted;
+                    state->spindle_request1_speed = spindle_speed;
+                    state->spindle_request1_position = spindle_target;
+                } else if (state->spindle_queued == 2u) {
+                    state->spindle_request2_kind = spindle_wanted;
+                    state->spindle_request2_speed = spindle_speed;
+                    state->spindle_request2_position = spindle_target;
+                } else {
+                    state->spindle_request3_kind = spindle_wanted;
+                    state->spindle_request3_speed = spindle_speed;
+                    state->spindle_request3_position = spindle_target;
+                }
+                state->spindle_queued = state->spindle_queued + 1u;
+                if (spindle_has_others) {
+                    spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_REQUESTS;
+                } else {
+                    spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                }
+            }
+        } else {
+            spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        }
+    } else {
+        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    }
+    if (inputs->reset) {
+        state->spindle_queued = 0u;
+        if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            state->spindle_returns = false;
+            const bool spindle_begins =
+                state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+            if (inputs->drive_on && spindle_begins) {
+                state->spindle_seen_samples = 0u;
+                state->spindle_seen_slow = 0u;
+                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                state->spindle_cycles = 0u;
+                state->spindle_settled = 0u;
+                state->spindle_missing = 0u;
+            } else if (inputs->drive_on) {
+                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                state->spindle_cycles = 0u;
+                state->spindle_settled = 0u;
+                state->spindle_missing = 0u;
+            } else {
+                /* nothing else is to be done */
+            }
+        } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            state->spindle_returns = true;
+        } else {
+            /* nothing else is to be done */
+        }
+    }
+    const bool spindle_is_wrong =
+        inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
+    if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
+    }
+    uint32_t spindle_sample_error;
+    if (inputs->drive_on) {
+        spindle_sample_error = 0u;
+    } else {
+        state->spindle_takes_over = false;
+        state->spindle_queued = 0u;
+        state->spindle_returns = false;
+        state->spindle_missing = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_cycles = 0u;
+        if (state->spindle_control != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
+            state->spindle_seen_samples = 0u;
+            state->spindle_seen_slow = 0u;
+        }
+        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        state->spindle_is_moving = false;
+        if (state->spindle_v > 0.0) {
+            state->spindle_v = state->spindle_v - spindle_v_step;
+            if (state->spindle_v < 0.0) {
+                state->spindle_v = 0.0;
+            }
+        } else if (state->spindle_v < 0.0) {
+            state->spindle_v = state->spindle_v + spindle_v_step;
+            if (state->spindle_v > 0.0) {
+                state->spindle_v = 0.0;
+            }
+        } else {
+            /* nothing else is to be done */
+        }
+        const bool spindle_seen_is_known =
+            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+        if (spindle_seen_is_known) {
+            if (state->spindle_seen_samples == 0u) {
+                state->spindle_seen_v_last = inputs->v_actual;
+                state->spindle_seen_v_before = inputs->v_actual;
+            }
+            const double spindle_seen_a = state->spindle_seen_v_before;
+            const double spindle_seen_b = state->spindle_seen_v_last;
+            double spindle_seen_low;
+            if (spindle_seen_a < spindle_seen_b) {
+                spindle_seen_low = spindle_seen_a;
+            } else {
+                spindle_seen_low = spindle_seen_b;
+            }
+            double spindle_seen_high;
+            if (spindle_seen_a < spindle_seen_b) {
+                spindle_seen_high = spindle_seen_b;
+            } else {
+                spindle_seen_high = spindle_seen_a;
+            }
+            double spindle_seen_below_high;
+            if (inputs->v_actual < spindle_seen_high) {
+                spindle_seen_below_high = inputs->v_actual;
+            } else {
+                spindle_seen_below_high = spindle_seen_high;
+            }
+            double spindle_seen_v_middle;
+            if (spindle_seen_below_high < spindle_seen_low) {
+                spindle_seen_v_middle = spindle_seen_low;
+            } else {
+                spindle_seen_v_middle = spindle_seen_below_high;
+            }
+            state->spindle_seen_v = spindle_seen_v_middle;
+            state->spindle_seen_v_before = state->spindle_seen_v_last;
+            state->spindle_seen_v_last = inputs->v_actual;
+            if (state->spindle_seen_samples < 3u) {
+                state->spindle_seen_samples = state->spindle_seen_samples + 1u;
+            }
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
+                state->spindle_seen_slow = 0u;
+            } else if (state->spindle_seen_slow < 3u) {
+                state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+            } else {
+                /* nothing else is to be done */
+            }
+        } else {
+            state->spindle_seen_samples = 0u;
+            state->spindle_seen_slow = 0u;
+        }
+        double spindle_v_turning;
+        if (spindle_seen_is_known) {
+            if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
+                spindle_v_turning = 0.0;
+            } else {
+                spindle_v_turning = state->spindle_seen_v;
+            }
+            double spindle_v_low;
+            if (spindle_v_turning < 0.0) {
+                spindle_v_low = spindle_v_turning;
+            } else {
+                spindle_v_low = 0.0;
+            }
+            double spindle_v_high;
+            if (spindle_v_turning < 0.0) {
+                spindle_v_high = 0.0;
+            } else {
+                spindle_v_high = spindle_v_turning;
+            }
+            if (state->spindle_v > spindle_v_high) {
+                state->spindle_v = spindle_v_high;
+            } else if (state->spindle_v < spindle_v_low) {
+                state->spindle_v = spindle_v_low;
+            } else {
+                /* nothing else is to be done */
+            }
+        } else {
+            spindle_v_turning = 0.0;
+        }
+        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+            double spindle_time;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                int32_t spindle_percentage;
+                if (inputs->feedforward_percentage < 100) {
+                    spindle_percentage = inputs->feedforward_percentage;
+                } else {
+                    spindle_percentage = 100;
+                }
+                spindle_time = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
+            } else {
+                spindle_time = spindle_lead_time;
+            }
+            const double spindle_lead = spindle_time - spindle_cycle_time;
+            const double spindle_way = spindle_v_turning * spindle_lead;
+            double spindle_ahead;
+            if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
+                spindle_ahead = inputs->x_actual + spindle_way;
+            } else {
+                /* only what something else has overwritten comes here */
+                spindle_ahead = inputs->x_actual;
+            }
+            double spindle_within_turn;
+            if (spindle_ahead >= 0.0 && spindle_ahead < axis_s_spindle_axis_full_turn) {
+                spindle_within_turn = spindle_ahead;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t spindle_turns = (int32_t)(spindle_ahead * axis_s_spindle_axis_per_turn);
+                const double spindle_rest = spindle_ahead - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+                double spindle_above;
+                if (spindle_rest < 0.0) {
+                    spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_above = spindle_rest;
+                }
+                if (spindle_above >= axis_s_spindle_axis_full_turn) {
+                    spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_within_turn = spindle_above;
+                }
+            } else {
+                /* only what something else has overwritten comes here */
+                spindle_within_turn = 0.0;
+            }
+            state->spindle_x = spindle_within_turn;
+            spindle_sample_error = 0u;
+        } else {
+            spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+        }
+    }
+    const int32_t spindle_spindle_state = state->spindle_control;
+    const bool spindle_begins_next =
+        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    const bool spindle_is_seized =
+        inputs->drive_on && state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE && spindle_begins_next
+            && state->spindle_cycles == 0u;
+    uint32_t spindle_sample_error_next;
+    if (spindle_is_seized) {
+        state->spindle_is_moving = true;
+        const bool spindle_seen_is_known_next =
+            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+        if (spindle_seen_is_known_next) {
+            if (state->spindle_seen_samples == 0u) {
+                state->spindle_seen_v_last = inputs->v_actual;
+                state->spindle_seen_v_before = inputs->v_actual;
+            }
+            const double spindle_seen_a_next = state->spindle_seen_v_before;
+            const double spindle_seen_b_next = state->spindle_seen_v_last;
+            double spindle_seen_low_next;
+            if (spindle_seen_a_next < spindle_seen_b_next) {
+                spindle_seen_low_next = spindle_seen_a_next;
+            } else {
+                spindle_seen_low_next = spindle_seen_b_next;
+            }
+            double spindle_seen_high_next;
+            if (spindle_seen_a_next < spindle_seen_b_next) {
+                spindle_seen_high_next = spindle_seen_b_next;
+            } else {
+                spindle_seen_high_next = spindle_seen_a_next;
+            }
+            double spindle_seen_below_high_next;
+            if (inputs->v_actual < spindle_seen_high_next) {
+                spindle_seen_below_high_next = inputs->v_actual;
+            } else {
+                spindle_seen_below_high_next = spindle_seen_high_next;
+            }
+            double spindle_seen_v_middle_next;
+            if (spindle_seen_below_high_next < spindle_seen_low_next) {
+                spindle_seen_v_middle_next = spindle_seen_low_next;
+            } else {
+                spindle_seen_v_middle_next = spindle_seen_below_high_next;
+            }
+            state->spindle_seen_v = spindle_seen_v_middle_next;
+            state->spindle_seen_v_before = state->spindle_seen_v_last;
+            state->spindle_seen_v_last = inputs->v_actual;
+            if (state->spindle_seen_samples < 3u) {
+                state->spindle_seen_samples = state->spindle_seen_samples + 1u;
+            }
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
+                state->spindle_seen_slow = 0u;
+            } else if (state->spindle_seen_slow < 3u) {
+                state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+            } else {
+                /* nothing else is to be done */
+            }
+        } else {
+            state->spindle_seen_samples = 0u;
+            state->spindle_seen_slow = 0u;
+        }
+        if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
+            double spindle_v_turning_next;
+            if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
+                spindle_v_turning_next = 0.0;
+            } else {
+                spindle_v_turning_next = state->spindle_seen_v;
+            }
+            state->spindle_v = spindle_v_turning_next;
+        }
+        const bool spindle_is_found =
+            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+        if (spindle_seen_is_known_next && spindle_is_found) {
+            const double spindle_v = state->spindle_v;
+            double spindle_time_next;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                int32_t spindle_percentage_next;
+                if (inputs->feedforward_percentage < 100) {
+                    spindle_percentage_next = inputs->feedforward_percentage;
+                } else {
+                    spindle_percentage_next = 100;
+                }
+                spindle_time_next =
+                    spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_next);
+            } else {
+                spindle_time_next = spindle_lead_time;
+            }
+            const double spindle_lead_next = spindle_time_next - spindle_cycle_time;
+            const double spindle_way_next = spindle_v * spindle_lead_next;
+            double spindle_ahead_next;
+            if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
+                spindle_ahead_next = inputs->x_actual + spindle_way_next;
+            } else {
+                /* only what something else has overwritten comes here */
+                spindle_ahead_next = inputs->x_actual;
+            }
+            double spindle_within_turn_next;
+            if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_next = spindle_ahead_next;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t spindle_turns_next = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
+                const double spindle_rest_next =
+                    spindle_ahead_next - (double)spindle_turns_next * axis_s_spindle_axis_full_turn;
+                double spindle_above_next;
+                if (spindle_rest_next < 0.0) {
+                    spindle_above_next = spindle_rest_next + axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_above_next = spindle_rest_next;
+                }
+                if (spindle_above_next >= axis_s_spindle_axis_full_turn) {
+                    spindle_within_turn_next = spindle_above_next - axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_within_turn_next = spindle_above_next;
+                }
+            } else {
+                /* only what something else has overwritten comes here */
+                spindle_within_turn_next = 0.0;
+            }
+            state->spindle_x = spindle_within_turn_next;
+        } else {
+            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+        }
+        if (!spindle_seen_is_known_next) {
+            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+        } else if (spindle_is_found) {
+            spindle_sample_error_next = spindle_sample_error;
+        } else {
+            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+        }
+    } else if (inputs->drive_on && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        switch (state->spindle_control) {
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: {
+            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
+                bool spindle_leads;
+                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                    state->spindle_missing = state->spindle_missing + 1u;
+                    state->spindle_takes_over = true;
+                    if (state->spindle_missing > 3u) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                    spindle_leads = false;
+                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    bool spindle_is_too_far;
+                    if (state->spindle_takes_over) {
+                        const double spindle_distance =
+                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                        double spindle_shorter;
+                        if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
+                            const int32_t spindle_whole_turns =
+                                axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                            spindle_shorter =
+                                spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
+                        } else {
+                            /* only what something else has overwritten comes here */
+                            spindle_shorter = 0.0;
+                        }
+                        spindle_is_too_far =
+                            !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
+                        if (spindle_is_too_far) {
+                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
+                        }
+                    } else {
+                        spindle_is_too_far = false;
+                    }
+                    spindle_leads = !spindle_is_too_far;
+                    spindle_sample_error_next = spindle_sample_error;
+                } else {
+                    state->spindle_missing = state->spindle_missing + 1u;
+                    state->spindle_takes_over = true;
+                    if (state->spindle_missing > 3u) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                    spindle_leads = false;
+                }
+                if (spindle_leads) {
+                    state->spindle_missing = 0u;
+                    state->spindle_takes_over = false;
+                    state->spindle_x = inputs->x_command;
+                    state->spindle_v = inputs->v_interpolator;
+                    const bool spindle_is_reached =
+                        inputs->v_interpolator >= spindle_v_velocity_control_on
+                            || -inputs->v_interpolator >= spindle_v_velocity_control_on;
+                    if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
+                        /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
+                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                        state->spindle_cycles = 0u;
+                        state->spindle_settled = 0u;
+                        state->spindle_missing = 0u;
+                    }
+                }
+            } else {
+                state->spindle_missing = state->spindle_missing + 1u;
+                state->spindle_takes_over = true;
+                if (state->spindle_missing > 3u) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            }
+            break;
+        }
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
+            state->spindle_cycles = state->spindle_cycles + 1u;
+            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
+                bool spindle_leads_next;
+                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                    state->spindle_missing = state->spindle_missing + 1u;
+                    state->spindle_takes_over = true;
+                    if (state->spindle_missing > 3u) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                    spindle_leads_next = false;
+                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    bool spindle_is_too_far_next;
+                    if (state->spindle_takes_over) {
+                        const double spindle_distance_next =
+                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                        double spindle_shorter_next;
+                        if (axis_s_spindle_axis_magnitude(spindle_distance_next) <= axis_s_spindle_axis_counted_limit) {
+                            const int32_t spindle_whole_turns_next =
+                                axis_s_spindle_axis_nearest(spindle_distance_next * axis_s_spindle_axis_per_turn);
+                            spindle_shorter_next =
+                                spindle_distance_next
+                                    - (double)spindle_whole_turns_next * axis_s_spindle_axis_full_turn;
+                        } else {
+                            /* only what something else has overwritten comes here */
+                            spindle_shorter_next = 0.0;
+                        }
+                        spindle_is_too_far_next =
+                            !(axis_s_spindle_axis_magnitude(spindle_shorter_next) <= spindle_takeover_window);
+                        if (spindle_is_too_far_next) {
+                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
+                        }
+                    } else {
+                        spindle_is_too_far_next = false;
+                    }
+                    spindle_leads_next = !spindle_is_too_far_next;
+                    spindle_sample_error_next = spindle_sample_error;
+                } else {
+                    state->spindle_missing = state->spindle_missing + 1u;
+                    state->spindle_takes_over = true;
+                    if (state->spindle_missing > 3u) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                    spindle_leads_next = false;
+                }
+                if (spindle_leads_next) {
+                    state->spindle_missing = 0u;
+                    state->spindle_takes_over = false;
+                    state->spindle_x = inputs->x_command;
+                    state->spindle_v = inputs->v_interpolator;
+                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                    state->spindle_cycles = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_missing = 0u;
+                }
+            } else {
+                state->spindle_missing = state->spindle_missing + 1u;
+                state->spindle_takes_over = true;
+                if (state->spindle_missing > 3u) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            }
+            break;
+        }
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
+            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
+                state->spindle_missing = 0u;
+                state->spindle_v = inputs->v_interpolator;
+                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    state->spindle_x = inputs->x_actual;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                if (state->spindle_returns
+                        || (state->spindle_queued > 0u
+                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
+                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                    state->spindle_returns = false;
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    state->spindle_cycles = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_missing = 0u;
+                }
+                spindle_sample_error_next = spindle_sample_error;
+            } else {
+                state->spindle_missing = state->spindle_missing + 1u;
+                state->spindle_takes_over = true;
+                if (state->spindle_missing > 3u) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            }
+            break;
+        }
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE: {
+            state->spindle_cycles = state->spindle_cycles + 1u;
+            const bool spindle_is_known =
+                axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+            bool spindle_is_slow;
+            if (spindle_is_known) {
+                const double spindle_v_before = state->spindle_v;
+                double spindle_v_magnitude_next;
+                if (spindle_v_before < 0.0) {
+                    spindle_v_magnitude_next = -spindle_v_before;
+                } else {
+                    spindle_v_magnitude_next = spindle_v_before;
+                }
+                spindle_is_slow =
+                    axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
+                        && axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_magnitude_next + spindle_window;
+            } else {
+                spindle_is_slow = false;
+            }
+            if (spindle_is_slow) {
+                state->spindle_settled = state->spindle_settled + 1u;
+            } else {
+                state->spindle_settled = 0u;
+            }
+            const bool spindle_is_settled = state->spindle_settled >= 3u;
+            const bool spindle_can_leave =
+                spindle_is_settled
+                    && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+            if (!spindle_is_known) {
+                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+            } else if (spindle_is_settled && !spindle_can_leave) {
+                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+            } else {
+                spindle_sample_error_next = spindle_sample_error;
+            }
+            if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
+                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
+            } else {
+                if (state->spindle_v > spindle_v_position_control_on) {
+                    state->spindle_v = state->spindle_v - spindle_v_step;
+                    if (state->spindle_v < spindle_v_position_control_on) {
+                        state->spindle_v = spindle_v_position_control_on;
+                    }
+                } else if (state->spindle_v < spindle_v_position_control_on_negative) {
+                    state->spindle_v = state->spindle_v + spindle_v_step;
+                    if (state->spindle_v > spindle_v_position_control_on_negative) {
+                        state->spindle_v = spindle_v_position_control_on_negative;
+                    }
+                } else {
+                    /* nothing else is to be done */
+                }
+                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                if (spindle_can_leave) {
+                    state->spindle_missing = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_cycles = 0u;
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    state->spindle_is_moving = true;
+                    /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                    double spindle_time_last;
+                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                        int32_t spindle_percentage_last;
+                        if (inputs->feedforward_percentage < 100) {
+                            spindle_percentage_last = inputs->feedforward_percentage;
+                        } else {
+                            spindle_percentage_last = 100;
+                        }
+                        spindle_time_last =
+                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_last);
+                    } else {
+                        spindle_time_last = spindle_lead_time;
+                    }
+                    const double spindle_way_last = state->spindle_v * spindle_time_last;
+                    double spindle_ahead_last;
+                    if (axis_s_spindle_axis_magnitude(spindle_way_last) <= lead_limit) {
+                        spindle_ahead_last = inputs->x_actual + spindle_way_last;
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_ahead_last = inputs->x_actual;
+                    }
+                    double spindle_within_turn_last;
+                    if (spindle_ahead_last >= 0.0 && spindle_ahead_last < axis_s_spindle_axis_full_turn) {
+                        spindle_within_turn_last = spindle_ahead_last;
+                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_last) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_turns_last = (int32_t)(spindle_ahead_last * axis_s_spindle_axis_per_turn);
+                        const double spindle_rest_last =
+                            spindle_ahead_last - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
+                        double spindle_above_last;
+                        if (spindle_rest_last < 0.0) {
+                            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_above_last = spindle_rest_last;
+                        }
+                        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
+                            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_within_turn_last = spindle_above_last;
+                        }
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_within_turn_last = 0.0;
+                    }
+                    state->spindle_x_start = spindle_within_turn_last;
+                }
+            }
+            break;
+        }
+        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
+            state->spindle_cycles = state->spindle_cycles + 1u;
+            if (state->spindle_is_moving) {
+                state->spindle_missing = 0u;
+                state->spindle_settled = 0u;
+                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                state->spindle_takes_over = true;
+                if (state->spindle_cycles == 1u) {
+                    state->spindle_x = state->spindle_x_start;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                /* TO_POSITION -> POSITION: the drive displays position control */
+                state->spindle_cycles = 0u;
+                spindle_sample_error_next = spindle_sample_error;
+            } else {
+                const bool spindle_seen_is_known_last =
+                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+                if (spindle_seen_is_known_last) {
+                    if (state->spindle_seen_samples == 0u) {
+                        state->spindle_seen_v_last = inputs->v_actual;
+                        state->spindle_seen_v_before = inputs->v_actual;
+                    }
+                    const double spindle_seen_a_last = state->spindle_seen_v_before;
+                    const double spindle_seen_b_last = state->spindle_seen_v_last;
+                    double spindle_seen_low_last;
+                    if (spindle_seen_a_last < spindle_seen_b_last) {
+                        spindle_seen_low_last = spindle_seen_a_last;
+                    } else {
+                        spindle_seen_low_last = spindle_seen_b_last;
+                    }
+                    double spindle_seen_high_last;
+                    if (spindle_seen_a_last < spindle_seen_b_last) {
+                        spindle_seen_high_last = spindle_seen_b_last;
+                    } else {
+                        spindle_seen_high_last = spindle_seen_a_last;
+                    }
+                    double spindle_seen_below_high_last;
+                    if (inputs->v_actual < spindle_seen_high_last) {
+                        spindle_seen_below_high_last = inputs->v_actual;
+                    } else {
+                        spindle_seen_below_high_last = spindle_seen_high_last;
+                    }
+                    double spindle_seen_v_middle_last;
+                    if (spindle_seen_below_high_last < spindle_seen_low_last) {
+                        spindle_seen_v_middle_last = spindle_seen_low_last;
+                    } else {
+                        spindle_seen_v_middle_last = spindle_seen_below_high_last;
+                    }
+                    state->spindle_seen_v = spindle_seen_v_middle_last;
+                    state->spindle_seen_v_before = state->spindle_seen_v_last;
+                    state->spindle_seen_v_last = inputs->v_actual;
+                    if (state->spindle_seen_samples < 3u) {
+                        state->spindle_seen_samples = state->spindle_seen_samples + 1u;
+                    }
+                    if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
+                        state->spindle_seen_slow = 0u;
+                    } else if (state->spindle_seen_slow < 3u) {
+                        state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+                    } else {
+                        /* nothing else is to be done */
+                    }
+                } else {
+                    state->spindle_seen_samples = 0u;
+                    state->spindle_seen_slow = 0u;
+                }
+                if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
+                    double spindle_v_turning_last;
+                    if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
+                        spindle_v_turning_last = 0.0;
+                    } else {
+                        spindle_v_turning_last = state->spindle_seen_v;
+                    }
+                    state->spindle_v = spindle_v_turning_last;
+                }
+                const bool spindle_is_found_next =
+                    axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+                if (spindle_seen_is_known_last && spindle_is_found_next) {
+                    const double spindle_v_next = state->spindle_v;
+                    double spindle_time_then;
+                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                        int32_t spindle_percentage_then;
+                        if (inputs->feedforward_percentage < 100) {
+                            spindle_percentage_then = inputs->feedforward_percentage;
+                        } else {
+                            spindle_percentage_then = 100;
+                        }
+                        spindle_time_then =
+                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_then);
+                    } else {
+                        spindle_time_then = spindle_lead_time;
+                    }
+                    const double spindle_lead_last = spindle_time_then - spindle_cycle_time;
+                    const double spindle_way_then = spindle_v_next * spindle_lead_last;
+                    double spindle_ahead_then;
+                    if (axis_s_spindle_axis_magnitude(spindle_way_then) <= lead_limit) {
+                        spindle_ahead_then = inputs->x_actual + spindle_way_then;
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_ahead_then = inputs->x_actual;
+                    }
+                    double spindle_within_turn_then;
+                    if (spindle_ahead_then >= 0.0 && spindle_ahead_then < axis_s_spindle_axis_full_turn) {
+                        spindle_within_turn_then = spindle_ahead_then;
+                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_then) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_turns_then = (int32_t)(spindle_ahead_then * axis_s_spindle_axis_per_turn);
+                        const double spindle_rest_then =
+                            spindle_ahead_then - (double)spindle_turns_then * axis_s_spindle_axis_full_turn;
+                        double spindle_above_then;
+                        if (spindle_rest_then < 0.0) {
+                            spindle_above_then = spindle_rest_then + axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_above_then = spindle_rest_then;
+                        }
+                        if (spindle_above_then >= axis_s_spindle_axis_full_turn) {
+                            spindle_within_turn_then = spindle_above_then - axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_within_turn_then = spindle_above_then;
+                        }
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_within_turn_then = 0.0;
+                    }
+                    state->spindle_x = spindle_within_turn_then;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                if (!spindle_seen_is_known_last) {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+                } else if (spindle_is_found_next) {
+                    spindle_sample_error_next = spindle_sample_error;
+                } else {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                }
+                const bool spindle_is_known_next =
+                    state->spindle_seen_samples >= 3u && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
+                if (spindle_is_known_next && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
+                    /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
+                    state->spindle_is_moving = true;
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    state->spindle_cycles = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_missing = 0u;
+                } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                    state->spindle_missing = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_cycles = 0u;
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    state->spindle_is_moving = true;
+                    /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                    double spindle_time_after;
+                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                        int32_t spindle_percentage_after;
+                        if (inputs->feedforward_percentage < 100) {
+                            spindle_percentage_after = inputs->feedforward_percentage;
+                        } else {
+                            spindle_percentage_after = 100;
+                        }
+                        spindle_time_after =
+                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_after);
+                    } else {
+                        spindle_time_after = spindle_lead_time;
+                    }
+                    const double spindle_way_after = state->spindle_v * spindle_time_after;
+                    double spindle_ahead_after;
+                    if (axis_s_spindle_axis_magnitude(spindle_way_after) <= lead_limit) {
+                        spindle_ahead_after = inputs->x_actual + spindle_way_after;
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_ahead_after = inputs->x_actual;
+                    }
+                    double spindle_within_turn_after;
+                    if (spindle_ahead_after >= 0.0 && spindle_ahead_after < axis_s_spindle_axis_full_turn) {
+                        spindle_within_turn_after = spindle_ahead_after;
+                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_after)
+                            <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_turns_after =
+                            (int32_t)(spindle_ahead_after * axis_s_spindle_axis_per_turn);
+                        const double spindle_rest_after =
+                            spindle_ahead_after - (double)spindle_turns_after * axis_s_spindle_axis_full_turn;
+                        double spindle_above_after;
+                        if (spindle_rest_after < 0.0) {
+                            spindle_above_after = spindle_rest_after + axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_above_after = spindle_rest_after;
+                        }
+                        if (spindle_above_after >= axis_s_spindle_axis_full_turn) {
+                            spindle_within_turn_after = spindle_above_after - axis_s_spindle_axis_full_turn;
+                        } else {
+                            spindle_within_turn_after = spindle_above_after;
+                        }
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_within_turn_after = 0.0;
+                    }
+                    state->spindle_x_start = spindle_within_turn_after;
+                } else if (spindle_is_slow_next) {
+                    state->spindle_takes_over = true;
+                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                    state->spindle_cycles = 0u;
+                    state->spindle_settled = 0u;
+                    state->spindle_missing = 0u;
+                } else {
+                    /* nothing else is to be done */
+                }
+                if (state->spindle_cycles > spindle_start_cycles) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
+                }
+            }
+            break;
+        }
+        }
+    } else {
+        spindle_sample_error_next = spindle_sample_error;
+    }
+    const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    if (spindle_has_failed && inputs->drive_on && !spindle_is_seized) {
+        if (state->spindle_v > 0.0) {
+            state->spindle_v = state->spindle_v - spindle_v_step;
+            if (state->spindle_v < 0.0) {
+                state->spindle_v = 0.0;
+            }
+        } else if (state->spindle_v < 0.0) {
+            state->spindle_v = state->spindle_v + spindle_v_step;
+            if (state->spindle_v > 0.0) {
+                state->spindle_v = 0.0;
+            }
+        } else {
+            /* nothing else is to be done */
+        }
+        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+    }
+    const double spindle_angle = state->spindle_x;
+    double spindle_within_turn_later;
+    if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
+        spindle_within_turn_later = spindle_angle;
+    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
+        const int32_t spindle_turns_later = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_later = spindle_angle - (double)spindle_turns_later * axis_s_spindle_axis_full_turn;
+        double spindle_above_later;
+        if (spindle_rest_later < 0.0) {
+            spindle_above_later = spindle_rest_later + axis_s_spindle_axis_full_turn;
+        } else {
+            spindle_above_later = spindle_rest_later;
+        }
+        if (spindle_above_later >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_later = spindle_above_later - axis_s_spindle_axis_full_turn;
+        } else {
+            spindle_within_turn_later = spindle_above_later;
+        }
+    } else {
+        /* only what something else has overwritten comes here */
+        spindle_within_turn_later = 0.0;
+    }
+    state->spindle_x = spindle_within_turn_later;
+    const double spindle_x_spindle_next = state->spindle_x;
+    const double spindle_v_spindle_last = state->spindle_v;
+    const uint32_t spindle_lasting = state->spindle_lasting_error;
+    uint32_t spindle_error_now;
+    if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_lasting;
+    } else if (spindle_sample_error_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_sample_error_next;
+    } else {
+        spindle_error_now = spindle_request_error;
+    }
+    const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_loop_closed =
+        spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
+            && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    if (!inputs->drive_on || inputs->reset || spindle_has_failed
+            || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+        if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP) {
+            state->spindle_turns_fast = false;
+            state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+            state->spindle_present_speed = 0.0;
+            state->spindle_present_position = 0.0;
+            uint32_t spindle_jobs;
+            if (state->spindle_jobs < 4294967295u) {
+                spindle_jobs = state->spindle_jobs + 1u;
+            } else {
+                spindle_jobs = 0u;
+            }
+            state->spindle_jobs = spindle_jobs;
+        }
+    } else if (state->spindle_queued > 0u) {
+        const bool spindle_is_over =
+            state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN || inputs->job_done;
+        const bool spindle_can_serve =
+            state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY && !state->spindle_returns
+                    && (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN));
+        if (spindle_is_over && spindle_can_serve) {
+            if (!((state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+                    && axis_s_spindle_axis_magnitude(state->spindle_request0_speed) <= axis_s_spindle_axis_sample_limit
+                    && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
+                    <= axis_s_spindle_axis_position_limit)) {
+                /* something has overwritten it */
+                state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+                state->spindle_request0_speed = 0.0;
+                state->spindle_request0_position = 0.0;
+            }
+            const bool spindle_is_fast =
+                state->spindle_request0_speed > spindle_v_velocity_control_on
+                    || -state->spindle_request0_speed > spindle_v_velocity_control_on;
+            state->spindle_turns_fast = state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN && spindle_is_fast;
+            state->spindle_present_kind = state->spindle_request0_kind;
+            state->spindle_present_speed = state->spindle_request0_speed;
+            state->spindle_present_position = state->spindle_request0_position;
+            state->spindle_request0_kind = state->spindle_request1_kind;
+            state->spindle_request0_speed = state->spindle_request1_speed;
+            state->spindle_request0_position = state->spindle_request1_position;
+            state->spindle_request1_kind = state->spindle_request2_kind;
+            state->spindle_request1_speed = state->spindle_request2_speed;
+            state->spindle_request1_position = state->spindle_request2_position;
+            state->spindle_request2_kind = state->spindle_request3_kind;
+            state->spindle_request2_speed = state->spindle_request3_speed;
+            state->spindle_request2_position = state->spindle_request3_position;
+            state->spindle_queued = state->spindle_queued - 1u;
+            uint32_t spindle_jobs_next;
+            if (state->spindle_jobs < 4294967295u) {
+                spindle_jobs_next = state->spindle_jobs + 1u;
+            } else {
+                spindle_jobs_next = 0u;
+            }
+            state->spindle_jobs = spindle_jobs_next;
+        }
+    } else {
+        /* nothing else is to be done */
+    }
+    const int32_t spindle_job = state->spindle_present_kind;
+    const double spindle_job_speed = state->spindle_present_speed;
+    const double spindle_job_position = state->spindle_present_position;
+    const uint32_t spindle_job_number = state->spindle_jobs;
+    const uint32_t spindle_waiting = state->spindle_queued;
+    const bool spindle_is_quiet =
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
+            && !state->spindle_before_any;
+    int32_t spindle_usual;
+    if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+            && !state->spindle_takes_over && !state->spindle_turns_fast) {
+        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_POSITION;
+    } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+            && !state->spindle_returns) {
+        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY;
+    } else {
+        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+    }
+    state->spindle_usual = spindle_usual;
+    const bool is_led =
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_missing == 0u
+            && inputs->drive_on;
+    const bool follows =
+        is_led
+            && (spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
+    if (follows) {
+        outputs->loop_closed = spindle_loop_closed;
+        outputs->waiting = spindle_waiting;
+        outputs->job_number = spindle_job_number;
+        outputs->job = spindle_job;
+        outputs->spindle_state = spindle_spindle_state;
+        outputs->job_position = spindle_job_position;
+        outputs->job_speed = spindle_job_speed;
+        outputs->v_spindle = spindle_v_spindle_last;
+        outputs->x_spindle = spindle_x_spindle_next;
+        const double lag_last = spindle_x_spindle_next - inputs->x_actual;
+        bool gives_up_next;
+        double lag_then;
+        if (axis_s_spindle_axis_magnitude(lag_last) <= axis_s_spindle_axis_lag_limit) {
+            gives_up_next = false;
+            lag_then = lag_last;
+        } else {
+            if (axis_s_spindle_axis_magnitude(lag_last) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns_next = axis_s_spindle_axis_nearest(lag_last * axis_s_spindle_axis_per_turn);
+                lag_then = lag_last - (double)whole_turns_next * axis_s_spindle_axis_full_turn;
+            } else {
+                /* only what something else has overwritten comes here */
+                lag_then = 0.0;
+            }
+            gives_up_next = !(axis_s_spindle_axis_magnitude(lag_then) <= axis_s_spindle_axis_lag_limit);
+        }
+        const double axis_inputs_x_actual_next = spindle_x_spindle_next - lag_then;
+        double axis_feedforward_v_feedforward_next;
+        bool axis_feedforward_fault_next;
+        uint32_t axis_feedforward_error_id_next;
+        if (axis_s_spindle_axis_magnitude(spindle_v_spindle_last) <= axis_s_spindle_axis_sample_limit) {
+            double axis_feedforward_gain_now_next;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                if (inputs->feedforward_percentage >= 100) {
+                    axis_feedforward_gain_now_next = axis_s_spindle_axis_axis_feedforward_weight;
+                } else {
+                    axis_feedforward_gain_now_next =
+                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
+                }
+            } else {
+                axis_feedforward_gain_now_next = 0.0;
+            }
+            axis_feedforward_v_feedforward_next = axis_feedforward_gain_now_next * spindle_v_spindle_last;
+            axis_feedforward_fault_next = false;
+            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            axis_feedforward_v_feedforward_next = 0.0;
+            axis_feedforward_fault_next = true;
+            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+        }
+        outputs->v_feedforward = axis_feedforward_v_feedforward_next;
+        uint32_t axis_error_id_last;
+        bool axis_fault_last;
+        if (axis_feedforward_fault_next) {
+            axis_error_id_last = axis_feedforward_error_id_next;
+            axis_fault_last = true;
+        } else {
+            axis_error_id_last = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_fault_last = false;
+        }
+        const double axis_lag_next = spindle_x_spindle_next - axis_inputs_x_actual_next;
+        const double axis_v_lag_next = axis_s_spindle_axis_axis_position_control_kv * axis_lag_next;
+        const double axis_v_controller_next = axis_v_lag_next + axis_feedforward_v_feedforward_next;
+        outputs->v_command = axis_v_controller_next;
+        bool axis_ipc_runs_next;
+        uint32_t axis_ipc_reason_next;
+        if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs_next = false;
+            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
+        } else if (spindle_loop_closed && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
+                && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
+            axis_ipc_runs_next = true;
+            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs_next = false;
+            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
+                || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
+            if (spindle_loop_closed) {
+                if (state->axis_ipc_preset) {
+                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
+                        state->axis_ipc_fade = state->axis_ipc_fade + 1u;
+                    } else if (state->axis_ipc_fade > 1u) {
+                        state->axis_ipc_fade = state->axis_ipc_fade - 1u;
+                    } else {
+                        state->axis_ipc_fade = 0u;
+                        if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                            state->axis_ipc_preset = false;
+                        }
+                    }
+                    axis_ipc_runs_next = true;
+                } else {
+                    if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                        /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                        const double axis_ipc_stage0_filter0_section0_s_next =
+                            axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s_next;
+                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s_next;
+                        state->axis_ipc_preset = true;
+                    }
+                    axis_ipc_runs_next = false;
+                }
+            } else {
+                state->axis_ipc_preset = false;
+                state->axis_ipc_fade = 0u;
+                axis_ipc_runs_next = false;
+            }
+            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs_next = false;
+            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
+        }
+        bool axis_ipc_limited_next;
+        double axis_ipc_v_add_next;
+        bool axis_ipc_fault_next;
+        uint32_t axis_ipc_error_id_next;
+        if (axis_ipc_runs_next) {
+            const uint32_t axis_ipc_fade_next = state->axis_ipc_fade;
+            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+            const double axis_ipc_stage0_filter0_section0_t_next =
+                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+            const double axis_ipc_stage0_filter0_section0_y_next =
+                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_next;
+            state->axis_ipc_stage0_filter0_section0_s1 =
+                state->axis_ipc_stage0_filter0_section0_s2
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_next;
+            state->axis_ipc_stage0_filter0_section0_s2 =
+                axis_ipc_stage0_filter0_section0_t_next + axis_s_spindle_axis_anti_denormal
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_next;
+            const double axis_ipc_v_stage0_next =
+                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_next;
+            double axis_ipc_v_limited_next;
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_limit) {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_rest) {
+                    axis_ipc_v_limited_next = 0.0;
+                } else {
+                    axis_ipc_v_limited_next = axis_ipc_v_stage0_next;
+                }
+                axis_ipc_limited_next = false;
+            } else {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                    if (axis_ipc_v_stage0_next > 0.0) {
+                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_limit;
+                    } else {
+                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_lower_limit;
+                    }
+                } else {
+                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                     * then everything starts anew */
+                    state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
+                    axis_ipc_v_limited_next = 0.0;
+                }
+                axis_ipc_limited_next = true;
+            }
+            if (axis_ipc_fade_next < axis_s_spindle_axis_axis_ipc_fade_cycles) {
+                if (axis_ipc_fade_next > 0u) {
+                    axis_ipc_v_add_next =
+                        axis_ipc_v_limited_next * ((double)axis_ipc_fade_next * axis_s_spindle_axis_axis_ipc_fade_step);
+                } else {
+                    axis_ipc_v_add_next = 0.0;
+                }
+                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                    outputs->v_add_calculated = 0.0;
+                } else {
+                    outputs->v_add_calculated = axis_ipc_v_limited_next;
+                }
+            } else {
+                axis_ipc_v_add_next = axis_ipc_v_limited_next;
+                outputs->v_add_calculated = axis_ipc_v_limited_next;
+            }
+            axis_ipc_fault_next = false;
+            axis_ipc_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            axis_ipc_fault_next = axis_ipc_reason_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_v_add_next = 0.0;
+            outputs->v_add_calculated = 0.0;
+            axis_ipc_limited_next = false;
+            axis_ipc_error_id_next = axis_ipc_reason_next;
+        }
+        outputs->v_add = axis_ipc_v_add_next;
+        uint32_t axis_error_id_then;
+        bool axis_fault_then;
+        if (axis_ipc_fault_next) {
+            axis_error_id_then = axis_ipc_error_id_next;
+            axis_fault_then = true;
+        } else {
+            axis_error_id_then = axis_error_id_last;
+            axis_fault_then = axis_fault_last;
+        }
+        bool axis_limited_next;
+        if (axis_ipc_limited_next) {
+            axis_limited_next = true;
+        } else {
+            axis_limited_next = false;
+        }
+        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add_next;
+        const double axis_position_control_increments_next =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_next;
+        bool axis_position_control_limited_last;
+        if (axis_s_spindle_axis_magnitude(axis_position_control_increments_next)
+                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_next);
+            axis_position_control_limited_last = false;
+        } else if (axis_position_control_increments_next > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            axis_position_control_limited_last = true;
+        } else if (axis_position_control_increments_next < 0.0) {
+            axis_position_control_limited_last =
+                axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            outputs->manipulated_variable = 0;
+            axis_position_control_limited_last = true;
+        }
+        bool axis_position_control_limited_then;
+        if (axis_position_control_limited_last) {
+            axis_position_control_limited_then = true;
+        } else {
+            axis_position_control_limited_then = false;
+        }
+        outputs->limited = axis_position_control_limited_then || axis_limited_next;
+        if (gives_up_next) {
+            state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+            double spindle_v_magnitude_last;
+            if (state->spindle_v < 0.0) {
+                spindle_v_magnitude_last = -state->spindle_v;
+            } else {
+                spindle_v_magnitude_last = state->spindle_v;
+            }
+            if (axis_s_spindle_axis_magnitude(axis_v_controller_next) <= spindle_v_magnitude_last) {
+                state->spindle_v = axis_v_controller_next;
+            }
+        }
+        uint32_t error_now_next;
+        if (axis_fault_then) {
+            error_now_next = axis_error_id_then;
+        } else {
+            error_now_next = spindle_error_now;
+        }
+        outputs->error_id = error_now_next;
+        outputs->fault = error_now_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    } else {
+        outputs->loop_closed = spindle_loop_closed;
+        outputs->fault = spindle_fault;
+        outputs->error_id = spindle_error_now;
+        outputs->waiting = spindle_waiting;
+        outputs->job_number = spindle_job_number;
+        outputs->job = spindle_job;
+        outputs->spindle_state = spindle_spindle_state;
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
-        state->axis_ipc_fade = 0u;
+        outputs->v_command = spindle_v_spindle_last;
+        outputs->job_position = spindle_job_position;
+        outputs->job_speed = spindle_job_speed;
+        outputs->v_spindle = spindle_v_spindle_last;
+        outputs->x_spindle = spindle_x_spindle_next;
         state->axis_ipc_preset = false;
-        state->spindle_v = inputs->v_interpolator;
-        /* a usual cycle in VELOCITY */
-        state->spindle_missing = 0u;
-        double spindle_within_turn_next;
-        if (inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_next = inputs->x_actual;
-        } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_next = (int32_t)(inputs->x_actual * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_next =
-                inputs->x_actual - (double)spindle_turns_next * axis_s_spindle_axis_full_turn;
-            double spindle_above_next;
-            if (spindle_rest_next < 0.0) {
-                spindle_above_next = spindle_rest_next + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above_next = spindle_rest_next;
-            }
-            if (spindle_above_next >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_next = spindle_above_next - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn_next = spindle_above_next;
-            }
-        } else {
-            /* only what something else has overwritten comes here */
-            spindle_within_turn_next = 0.0;
-        }
-        state->spindle_x = spindle_within_turn_next;
-        outputs->x_spindle = state->spindle_x;
-        const double spindle_v_spindle_next = state->spindle_v;
-        outputs->v_command = spindle_v_spindle_next;
-        outputs->v_spindle = spindle_v_spindle_next;
-        outputs->job = state->spindle_present_kind;
-        outputs->job_speed = state->spindle_present_speed;
-        outputs->job_position = state->spindle_present_position;
-        outputs->job_number = state->spindle_jobs;
-        const double open_increments =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_next;
-        if (axis_s_spindle_axis_magnitude(open_increments) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments);
+        state->axis_ipc_fade = 0u;
+        const double open_increments_next =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_last;
+        if (axis_s_spindle_axis_magnitude(open_increments_next) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_next);
             outputs->limited = false;
-        } else if (open_increments > 0.0) {
+        } else if (open_increments_next > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (open_increments < 0.0) {
-            outputs->limited = open_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
+        } else if (open_increments_next < 0.0) {
+            outputs->limited = open_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
-        }
-    } else {
-        if (state->spindle_missing > 4u) {
-            state->spindle_missing = 4u;
-        }
-        if (state->spindle_settled > 3u) {
-            state->spindle_settled = 3u;
-        }
-        if (state->spindle_cycles > largest_count) {
-            state->spindle_cycles = largest_count;
-        }
-        const uint32_t spindle_id = state->spindle_lasting_error;
-        if (!(spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_NONE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
-                || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_STATE
-                || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
-                || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
-                || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
-                || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG)) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        }
-        if (state->spindle_queued > 4u) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            state->spindle_queued = 0u;
-        }
-        const int32_t spindle_control = state->spindle_control;
-        if (!(spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-            state->spindle_cycles = 0u;
-            state->spindle_settled = 0u;
-            state->spindle_missing = 0u;
-        }
-        const bool spindle_is_sound =
-            state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
-                && state->spindle_x_start < axis_s_spindle_axis_full_turn
-                && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
-        if (!spindle_is_sound) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            state->spindle_x = 0.0;
-            state->spindle_x_start = 0.0;
-            state->spindle_v = 0.0;
-            state->spindle_seen_v = 0.0;
-            state->spindle_seen_v_last = 0.0;
-            state->spindle_seen_v_before = 0.0;
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
-        }
-        const int32_t spindle_kind = state->spindle_present_kind;
-        if (!((spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                    || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                    || spindle_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-                && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_present_position)
-                <= axis_s_spindle_axis_position_limit)) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            state->spindle_turns_fast = false;
-            state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-            state->spindle_present_speed = 0.0;
-            state->spindle_present_position = 0.0;
-        }
-        const bool spindle_is_any =
-            inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
-        uint32_t spindle_request_error;
-        if (spindle_is_any || state->spindle_before_any) {
-            state->spindle_before_any = spindle_is_any;
-            const bool spindle_new_m19 = inputs->m19 && !state->spindle_before_m19;
-            const bool spindle_new_turn =
-                !spindle_new_m19
-                    && ((inputs->m3 && !state->spindle_before_m3) || (inputs->m4 && !state->spindle_before_m4));
-            const bool spindle_new_m5 = inputs->m5 && !state->spindle_before_m5;
-            const bool spindle_new_putax = inputs->putax && !state->spindle_before_putax;
-            const bool spindle_new_g74 = inputs->g74 && !state->spindle_before_g74;
-            state->spindle_before_m3 = inputs->m3;
-            state->spindle_before_m4 = inputs->m4;
-            state->spindle_before_m5 = inputs->m5;
-            state->spindle_before_m19 = inputs->m19;
-            state->spindle_before_putax = inputs->putax;
-            state->spindle_before_g74 = inputs->g74;
-            if (!inputs->reset
-                    && (spindle_new_g74 || spindle_new_putax || spindle_new_m19 || spindle_new_m5
-                        || spindle_new_turn)) {
-                bool spindle_has_others;
-                int32_t spindle_wanted;
-                if (spindle_new_g74) {
-                    spindle_has_others = spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_HOME;
-                } else if (spindle_new_putax) {
-                    spindle_has_others = spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_RELEASE;
-                } else if (spindle_new_m19) {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
-                    spindle_has_others = spindle_new_m5;
-                } else if (spindle_new_m5) {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                    spindle_has_others = spindle_new_turn;
-                } else {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_TURN;
-                    spindle_has_others = false;
-                }
-                const uint32_t spindle_waiting_now = state->spindle_queued;
-                const bool spindle_has_speed =
-                    spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
-                uint32_t spindle_why;
-                if (spindle_has_speed && inputs->m3 && inputs->m4) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DIRECTION;
-                } else if (spindle_has_speed
-                        && !(axis_s_spindle_axis_magnitude(inputs->s_word) <= axis_s_spindle_axis_sample_limit)) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_WORD;
-                } else if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                        && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= axis_s_spindle_axis_position_limit)) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
-                } else if (!inputs->drive_on) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
-                } else if (spindle_waiting_now >= 4u) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_WAITING;
-                } else {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                }
-                if (spindle_why != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-                    spindle_request_error = spindle_why;
-                } else {
-                    double spindle_speed;
-                    if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                            || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
-                        const bool spindle_is_negative = inputs->s_word < 0.0;
-                        if (spindle_is_negative == inputs->m4) {
-                            spindle_speed = inputs->s_word;
-                        } else {
-                            spindle_speed = -inputs->s_word;
-                        }
-                    } else {
-                        spindle_speed = 0.0;
-                    }
-                    double spindle_target;
-                    if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
-                        spindle_target = inputs->s_position;
-                    } else {
-                        spindle_target = 0.0;
-                    }
-                    if (state->spindle_queued == 0u) {
-                        state->spindle_request0_kind = spindle_wanted;
-                        state->spindle_request0_speed = spindle_speed;
-                        state->spindle_request0_position = spindle_target;
-                    } else if (state->spindle_queued == 1u) {
-                        state->spindle_request1_kind = spindle_wanted;
-                        state->spindle_request1_speed = spindle_speed;
-                        state->spindle_request1_position = spindle_target;
-                    } else if (state->spindle_queued == 2u) {
-                        state->spindle_request2_kind = spindle_wanted;
-                        state->spindle_request2_speed = spindle_speed;
-                        state->spindle_request2_position = spindle_target;
-                    } else {
-                        state->spindle_request3_kind = spindle_wanted;
-                        state->spindle_request3_speed = spindle_speed;
-                        state->spindle_request3_position = spindle_target;
-                    }
-                    state->spindle_queued = state->spindle_queued + 1u;
-                    if (spindle_has_others) {
-                        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_REQUESTS;
-                    } else {
-                        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                    }
-                }
-            } else {
-                spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            }
-        } else {
-            spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-        if (inputs->reset) {
-            state->spindle_queued = 0u;
-            if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                state->spindle_returns = false;
-                const bool spindle_begins =
-                    state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
-                        && !state->spindle_is_moving;
-                if (inputs->drive_on && spindle_begins) {
-                    state->spindle_seen_samples = 0u;
-                    state->spindle_seen_slow = 0u;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else if (inputs->drive_on) {
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else {
-                    /* nothing else is to be done */
-                }
-            } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-                state->spindle_returns = true;
-            } else {
-                /* nothing else is to be done */
-            }
-        }
-        const bool spindle_is_wrong =
-            inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
-        if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
-        }
-        uint32_t spindle_sample_error;
-        if (inputs->drive_on) {
-            spindle_sample_error = 0u;
-        } else {
-            state->spindle_takes_over = false;
-            state->spindle_queued = 0u;
-            state->spindle_returns = false;
-            state->spindle_missing = 0u;
-            state->spindle_settled = 0u;
-            state->spindle_cycles = 0u;
-            if (state->spindle_control != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
-                state->spindle_seen_samples = 0u;
-                state->spindle_seen_slow = 0u;
-            }
-            state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-            state->spindle_is_moving = false;
-            if (state->spindle_v > 0.0) {
-                state->spindle_v = state->spindle_v - spindle_v_step;
-                if (state->spindle_v < 0.0) {
-                    state->spindle_v = 0.0;
-                }
-            } else if (state->spindle_v < 0.0) {
-                state->spindle_v = state->spindle_v + spindle_v_step;
-                if (state->spindle_v > 0.0) {
-                    state->spindle_v = 0.0;
-                }
-            } else {
-                /* nothing else is to be done */
-            }
-            const bool spindle_seen_is_known =
-                axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-            if (spindle_seen_is_known) {
-                if (state->spindle_seen_samples == 0u) {
-                    state->spindle_seen_v_last = inputs->v_actual;
-                    state->spindle_seen_v_before = inputs->v_actual;
-                }
-                const double spindle_seen_a = state->spindle_seen_v_before;
-                const double spindle_seen_b = state->spindle_seen_v_last;
-                double spindle_seen_low;
-                if (spindle_seen_a < spindle_seen_b) {
-                    spindle_seen_low = spindle_seen_a;
-                } else {
-                    spindle_seen_low = spindle_seen_b;
-                }
-                double spindle_seen_high;
-                if (spindle_seen_a < spindle_seen_b) {
-                    spindle_seen_high = spindle_seen_b;
-                } else {
-                    spindle_seen_high = spindle_seen_a;
-                }
-                double spindle_seen_below_high;
-                if (inputs->v_actual < spindle_seen_high) {
-                    spindle_seen_below_high = inputs->v_actual;
-                } else {
-                    spindle_seen_below_high = spindle_seen_high;
-                }
-                double spindle_seen_v_middle;
-                if (spindle_seen_below_high < spindle_seen_low) {
-                    spindle_seen_v_middle = spindle_seen_low;
-                } else {
-                    spindle_seen_v_middle = spindle_seen_below_high;
-                }
-                state->spindle_seen_v = spindle_seen_v_middle;
-                state->spindle_seen_v_before = state->spindle_seen_v_last;
-                state->spindle_seen_v_last = inputs->v_actual;
-                if (state->spindle_seen_samples < 3u) {
-                    state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                }
-                if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                    state->spindle_seen_slow = 0u;
-                } else if (state->spindle_seen_slow < 3u) {
-                    state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                } else {
-                    /* nothing else is to be done */
-                }
-            } else {
-                state->spindle_seen_samples = 0u;
-                state->spindle_seen_slow = 0u;
-            }
-            double spindle_v_turning;
-            if (spindle_seen_is_known) {
-                if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                    spindle_v_turning = 0.0;
-                } else {
-                    spindle_v_turning = state->spindle_seen_v;
-                }
-                double spindle_v_low;
-                if (spindle_v_turning < 0.0) {
-                    spindle_v_low = spindle_v_turning;
-                } else {
-                    spindle_v_low = 0.0;
-                }
-                double spindle_v_high;
-                if (spindle_v_turning < 0.0) {
-                    spindle_v_high = 0.0;
-                } else {
-                    spindle_v_high = spindle_v_turning;
-                }
-                if (state->spindle_v > spindle_v_high) {
-                    state->spindle_v = spindle_v_high;
-                } else if (state->spindle_v < spindle_v_low) {
-                    state->spindle_v = spindle_v_low;
-                } else {
-                    /* nothing else is to be done */
-                }
-            } else {
-                spindle_v_turning = 0.0;
-            }
-            if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                double spindle_time;
-                if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                    int32_t spindle_percentage;
-                    if (inputs->feedforward_percentage < 100) {
-                        spindle_percentage = inputs->feedforward_percentage;
-                    } else {
-                        spindle_percentage = 100;
-                    }
-                    spindle_time = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
-                } else {
-                    spindle_time = spindle_lead_time;
-                }
-                const double spindle_lead = spindle_time - spindle_cycle_time;
-                const double spindle_way = spindle_v_turning * spindle_lead;
-                double spindle_ahead;
-                if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
-                    spindle_ahead = inputs->x_actual + spindle_way;
-                } else {
-                    /* only what something else has overwritten comes here */
-                    spindle_ahead = inputs->x_actual;
-                }
-                double spindle_within_turn_last;
-                if (spindle_ahead >= 0.0 && spindle_ahead < axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_last = spindle_ahead;
-                } else if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_counted_limit) {
-                    const int32_t spindle_turns_last = (int32_t)(spindle_ahead * axis_s_spindle_axis_per_turn);
-                    const double spindle_rest_last =
-                        spindle_ahead - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
-                    double spindle_above_last;
-                    if (spindle_rest_last < 0.0) {
-                        spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_above_last = spindle_rest_last;
-                    }
-                    if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_within_turn_last = spindle_above_last;
-                    }
-                } else {
-                    /* only what something else has overwritten comes here */
-                    spindle_within_turn_last = 0.0;
-                }
-                state->spindle_x = spindle_within_turn_last;
-                spindle_sample_error = 0u;
-            } else {
-                spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-            }
-        }
-        const int32_t spindle_spindle_state = state->spindle_control;
-        const bool spindle_begins_next =
-            state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-        const bool spindle_is_seized =
-            inputs->drive_on && state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE && spindle_begins_next
-                && state->spindle_cycles == 0u;
-        uint32_t spindle_sample_error_next;
-        if (spindle_is_seized) {
-            state->spindle_is_moving = true;
-            const bool spindle_seen_is_known_next =
-                axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-            if (spindle_seen_is_known_next) {
-                if (state->spindle_seen_samples == 0u) {
-                    state->spindle_seen_v_last = inputs->v_actual;
-                    state->spindle_seen_v_before = inputs->v_actual;
-                }
-                const double spindle_seen_a_next = state->spindle_seen_v_before;
-                const double spindle_seen_b_next = state->spindle_seen_v_last;
-                double spindle_seen_low_next;
-                if (spindle_seen_a_next < spindle_seen_b_next) {
-                    spindle_seen_low_next = spindle_seen_a_next;
-                } else {
-                    spindle_seen_low_next = spindle_seen_b_next;
-                }
-                double spindle_seen_high_next;
-                if (spindle_seen_a_next < spindle_seen_b_next) {
-                    spindle_seen_high_next = spindle_seen_b_next;
-                } else {
-                    spindle_seen_high_next = spindle_seen_a_next;
-                }
-                double spindle_seen_below_high_next;
-                if (inputs->v_actual < spindle_seen_high_next) {
-                    spindle_seen_below_high_next = inputs->v_actual;
-                } else {
-                    spindle_seen_below_high_next = spindle_seen_high_next;
-                }
-                double spindle_seen_v_middle_next;
-                if (spindle_seen_below_high_next < spindle_seen_low_next) {
-                    spindle_seen_v_middle_next = spindle_seen_low_next;
-                } else {
-                    spindle_seen_v_middle_next = spindle_seen_below_high_next;
-                }
-                state->spindle_seen_v = spindle_seen_v_middle_next;
-                state->spindle_seen_v_before = state->spindle_seen_v_last;
-                state->spindle_seen_v_last = inputs->v_actual;
-                if (state->spindle_seen_samples < 3u) {
-                    state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                }
-                if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                    state->spindle_seen_slow = 0u;
-                } else if (state->spindle_seen_slow < 3u) {
-                    state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                } else {
-                    /* nothing else is to be done */
-                }
-            } else {
-                state->spindle_seen_samples = 0u;
-                state->spindle_seen_slow = 0u;
-            }
-            if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-                double spindle_v_turning_next;
-                if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                    spindle_v_turning_next = 0.0;
-                } else {
-                    spindle_v_turning_next = state->spindle_seen_v;
-                }
-                state->spindle_v = spindle_v_turning_next;
-            }
-            const bool spindle_is_found =
-                axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-            if (spindle_seen_is_known_next && spindle_is_found) {
-                const double spindle_v = state->spindle_v;
-                double spindle_time_next;
-                if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                    int32_t spindle_percentage_next;
-                    if (inputs->feedforward_percentage < 100) {
-                        spindle_percentage_next = inputs->feedforward_percentage;
-                    } else {
-                        spindle_percentage_next = 100;
-                    }
-                    spindle_time_next =
-                        spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_next);
-                } else {
-                    spindle_time_next = spindle_lead_time;
-                }
-                const double spindle_lead_next = spindle_time_next - spindle_cycle_time;
-                const double spindle_way_next = spindle_v * spindle_lead_next;
-                double spindle_ahead_next;
-                if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
-                    spindle_ahead_next = inputs->x_actual + spindle_way_next;
-                } else {
-                    /* only what something else has overwritten comes here */
-                    spindle_ahead_next = inputs->x_actual;
-                }
-                double spindle_within_turn_then;
-                if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_then = spindle_ahead_next;
-                } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
-                    const int32_t spindle_turns_then = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
-                    const double spindle_rest_then =
-                        spindle_ahead_next - (double)spindle_turns_then * axis_s_spindle_axis_full_turn;
-                    double spindle_above_then;
-                    if (spindle_rest_then < 0.0) {
-                        spindle_above_then = spindle_rest_then + axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_above_then = spindle_rest_then;
-                    }
-                    if (spindle_above_then >= axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_then = spindle_above_then - axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_within_turn_then = spindle_above_then;
-                    }
-                } else {
-                    /* only what something else has overwritten comes here */
-                    spindle_within_turn_then = 0.0;
-                }
-                state->spindle_x = spindle_within_turn_then;
-            } else {
-                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-            }
-            if (!spindle_seen_is_known_next) {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-            } else if (spindle_is_found) {
-                spindle_sample_error_next = spindle_sample_error;
-            } else {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-            }
-        } else if (inputs->drive_on && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            switch (state->spindle_control) {
-            case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: {
-                if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                    bool spindle_leads;
-                    if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                        state->spindle_missing = state->spindle_missing + 1u;
-                        state->spindle_takes_over = true;
-                        if (state->spindle_missing > 3u) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                        } else {
-                            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                        }
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                        spindle_leads = false;
-                    } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                        bool spindle_is_too_far;
-                        if (state->spindle_takes_over) {
-                            const double spindle_distance =
-                                inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                            double spindle_shorter;
-                            if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                                const int32_t spindle_whole_turns =
-                                    axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
-                                spindle_shorter =
-                                    spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
-                            } else {
-                                /* only what something else has overwritten comes here */
-                                spindle_shorter = 0.0;
-                            }
-                            spindle_is_too_far =
-                                !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
-                            if (spindle_is_too_far) {
-                                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                            }
-                        } else {
-                            spindle_is_too_far = false;
-                        }
-                        spindle_leads = !spindle_is_too_far;
-                        spindle_sample_error_next = spindle_sample_error;
-                    } else {
-                        state->spindle_missing = state->spindle_missing + 1u;
-                        state->spindle_takes_over = true;
-                        if (state->spindle_missing > 3u) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                        } else {
-                            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                        }
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                        spindle_leads = false;
-                    }
-                    if (spindle_leads) {
-                        state->spindle_missing = 0u;
-                        state->spindle_takes_over = false;
-                        state->spindle_x = inputs->x_command;
-                        state->spindle_v = inputs->v_interpolator;
-                        const bool spindle_is_reached =
-                            inputs->v_interpolator >= spindle_v_velocity_control_on
-                                || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                        if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
-                            /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                            state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                            state->spindle_cycles = 0u;
-                            state->spindle_settled = 0u;
-                            state->spindle_missing = 0u;
-                        }
-                    }
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                }
-                break;
-            }
-            case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
-                state->spindle_cycles = state->spindle_cycles + 1u;
-                if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                    bool spindle_leads_next;
-                    if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                        state->spindle_missing = state->spindle_missing + 1u;
-                        state->spindle_takes_over = true;
-                        if (state->spindle_missing > 3u) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                        } else {
-                            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                        }
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                        spindle_leads_next = false;
-                    } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                        bool spindle_is_too_far_next;
-                        if (state->spindle_takes_over) {
-                            const double spindle_distance_next =
-                                inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                            double spindle_shorter_next;
-                            if (axis_s_spindle_axis_magnitude(spindle_distance_next)
-                                    <= axis_s_spindle_axis_counted_limit) {
-                                const int32_t spindle_whole_turns_next =
-                                    axis_s_spindle_axis_nearest(spindle_distance_next * axis_s_spindle_axis_per_turn);
-                                spindle_shorter_next =
-                                    spindle_distance_next
-                                        - (double)spindle_whole_turns_next * axis_s_spindle_axis_full_turn;
-                            } else {
-                                /* only what something else has overwritten comes here */
-                                spindle_shorter_next = 0.0;
-                            }
-                            spindle_is_too_far_next =
-                                !(axis_s_spindle_axis_magnitude(spindle_shorter_next) <= spindle_takeover_window);
-                            if (spindle_is_too_far_next) {
-                                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                            }
-                        } else {
-                            spindle_is_too_far_next = false;
-                        }
-                        spindle_leads_next = !spindle_is_too_far_next;
-                        spindle_sample_error_next = spindle_sample_error;
-                    } else {
-                        state->spindle_missing = state->spindle_missing + 1u;
-                        state->spindle_takes_over = true;
-                        if (state->spindle_missing > 3u) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                        } else {
-                            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                        }
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                        spindle_leads_next = false;
-                    }
-                    if (spindle_leads_next) {
-                        state->spindle_missing = 0u;
-                        state->spindle_takes_over = false;
-                        state->spindle_x = inputs->x_command;
-                        state->spindle_v = inputs->v_interpolator;
-                        /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    }
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                }
-                break;
-            }
-            case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
-                if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                    state->spindle_missing = 0u;
-                    state->spindle_v = inputs->v_interpolator;
-                    if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                        state->spindle_x = inputs->x_actual;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    if (state->spindle_returns
-                            || (state->spindle_queued > 0u
-                                && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                                || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
-                        /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                        state->spindle_returns = false;
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    }
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                }
-                break;
-            }
-            case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE: {
-                state->spindle_cycles = state->spindle_cycles + 1u;
-                const bool spindle_is_known =
-                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-                bool spindle_is_slow;
-                if (spindle_is_known) {
-                    const double spindle_v_before = state->spindle_v;
-                    double spindle_v_magnitude_next;
-                    if (spindle_v_before < 0.0) {
-                        spindle_v_magnitude_next = -spindle_v_before;
-                    } else {
-                        spindle_v_magnitude_next = spindle_v_before;
-                    }
-                    spindle_is_slow =
-                        axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
-                            && axis_s_spindle_axis_magnitude(inputs->v_actual)
-                            <= spindle_v_magnitude_next + spindle_window;
-                } else {
-                    spindle_is_slow = false;
-                }
-                if (spindle_is_slow) {
-                    state->spindle_settled = state->spindle_settled + 1u;
-                } else {
-                    state->spindle_settled = 0u;
-                }
-                const bool spindle_is_settled = state->spindle_settled >= 3u;
-                const bool spindle_can_leave =
-                    spindle_is_settled
-                        && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-                if (!spindle_is_known) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-                } else if (spindle_is_settled && !spindle_can_leave) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                } else {
-                    spindle_sample_error_next = spindle_sample_error;
-                }
-                if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
-                } else {
-                    if (state->spindle_v > spindle_v_position_control_on) {
-                        state->spindle_v = state->spindle_v - spindle_v_step;
-                        if (state->spindle_v < spindle_v_position_control_on) {
-                            state->spindle_v = spindle_v_position_control_on;
-                        }
-                    } else if (state->spindle_v < spindle_v_position_control_on_negative) {
-                        state->spindle_v = state->spindle_v + spindle_v_step;
-                        if (state->spindle_v > spindle_v_position_control_on_negative) {
-                            state->spindle_v = spindle_v_position_control_on_negative;
-                        }
-                    } else {
-                        /* nothing else is to be done */
-                    }
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    if (spindle_can_leave) {
-                        state->spindle_missing = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_cycles = 0u;
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                        state->spindle_is_moving = true;
-                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                        double spindle_time_last;
-                        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                            int32_t spindle_percentage_last;
-                            if (inputs->feedforward_percentage < 100) {
-                                spindle_percentage_last = inputs->feedforward_percentage;
-                            } else {
-                                spindle_percentage_last = 100;
-                            }
-                            spindle_time_last =
-                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_last);
-                        } else {
-                            spindle_time_last = spindle_lead_time;
-                        }
-                        const double spindle_way_last = state->spindle_v * spindle_time_last;
-                        double spindle_ahead_last;
-                        if (axis_s_spindle_axis_magnitude(spindle_way_last) <= lead_limit) {
-                            spindle_ahead_last = inputs->x_actual + spindle_way_last;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_ahead_last = inputs->x_actual;
-                        }
-                        double spindle_within_turn_after;
-                        if (spindle_ahead_last >= 0.0 && spindle_ahead_last < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_after = spindle_ahead_last;
-                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_last)
-                                <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_after =
-                                (int32_t)(spindle_ahead_last * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_after =
-                                spindle_ahead_last - (double)spindle_turns_after * axis_s_spindle_axis_full_turn;
-                            double spindle_above_after;
-                            if (spindle_rest_after < 0.0) {
-                                spindle_above_after = spindle_rest_after + axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_above_after = spindle_rest_after;
-                            }
-                            if (spindle_above_after >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_after = spindle_above_after - axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_within_turn_after = spindle_above_after;
-                            }
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_within_turn_after = 0.0;
-                        }
-                        state->spindle_x_start = spindle_within_turn_after;
-                    }
-                }
-                break;
-            }
-            default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
-                state->spindle_cycles = state->spindle_cycles + 1u;
-                if (state->spindle_is_moving) {
-                    state->spindle_missing = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_cycles == 1u) {
-                        state->spindle_x = state->spindle_x_start;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    /* TO_POSITION -> POSITION: the drive displays position control */
-                    state->spindle_cycles = 0u;
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    const bool spindle_seen_is_known_last =
-                        axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-                    if (spindle_seen_is_known_last) {
-                        if (state->spindle_seen_samples == 0u) {
-                            state->spindle_seen_v_last = inputs->v_actual;
-                            state->spindle_seen_v_before = inputs->v_actual;
-                        }
-                        const double spindle_seen_a_last = state->spindle_seen_v_before;
-                        const double spindle_seen_b_last = state->spindle_seen_v_last;
-                        double spindle_seen_low_last;
-                        if (spindle_seen_a_last < spindle_seen_b_last) {
-                            spindle_seen_low_last = spindle_seen_a_last;
-                        } else {
-                            spindle_seen_low_last = spindle_seen_b_last;
-                        }
-                        double spindle_seen_high_last;
-                        if (spindle_seen_a_last < spindle_seen_b_last) {
-                            spindle_seen_high_last = spindle_seen_b_last;
-                        } else {
-                            spindle_seen_high_last = spindle_seen_a_last;
-                        }
-                        double spindle_seen_below_high_last;
-                        if (inputs->v_actual < spindle_seen_high_last) {
-                            spindle_seen_below_high_last = inputs->v_actual;
-                        } else {
-                            spindle_seen_below_high_last = spindle_seen_high_last;
-                        }
-                        double spindle_seen_v_middle_last;
-                        if (spindle_seen_below_high_last < spindle_seen_low_last) {
-                            spindle_seen_v_middle_last = spindle_seen_low_last;
-                        } else {
-                            spindle_seen_v_middle_last = spindle_seen_below_high_last;
-                        }
-                        state->spindle_seen_v = spindle_seen_v_middle_last;
-                        state->spindle_seen_v_before = state->spindle_seen_v_last;
-                        state->spindle_seen_v_last = inputs->v_actual;
-                        if (state->spindle_seen_samples < 3u) {
-                            state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                        }
-                        if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                            state->spindle_seen_slow = 0u;
-                        } else if (state->spindle_seen_slow < 3u) {
-                            state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                        } else {
-                            /* nothing else is to be done */
-                        }
-                    } else {
-                        state->spindle_seen_samples = 0u;
-                        state->spindle_seen_slow = 0u;
-                    }
-                    if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-                        double spindle_v_turning_last;
-                        if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                            spindle_v_turning_last = 0.0;
-                        } else {
-                            spindle_v_turning_last = state->spindle_seen_v;
-                        }
-                        state->spindle_v = spindle_v_turning_last;
-                    }
-                    const bool spindle_is_found_next =
-                        axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-                    if (spindle_seen_is_known_last && spindle_is_found_next) {
-                        const double spindle_v_next = state->spindle_v;
-                        double spindle_time_then;
-                        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                            int32_t spindle_percentage_then;
-                            if (inputs->feedforward_percentage < 100) {
-                                spindle_percentage_then = inputs->feedforward_percentage;
-                            } else {
-                                spindle_percentage_then = 100;
-                            }
-                            spindle_time_then =
-                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_then);
-                        } else {
-                            spindle_time_then = spindle_lead_time;
-                        }
-                        const double spindle_lead_last = spindle_time_then - spindle_cycle_time;
-                        const double spindle_way_then = spindle_v_next * spindle_lead_last;
-                        double spindle_ahead_then;
-                        if (axis_s_spindle_axis_magnitude(spindle_way_then) <= lead_limit) {
-                            spindle_ahead_then = inputs->x_actual + spindle_way_then;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_ahead_then = inputs->x_actual;
-                        }
-                        double spindle_within_turn_later;
-                        if (spindle_ahead_then >= 0.0 && spindle_ahead_then < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_later = spindle_ahead_then;
-                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_then)
-                                <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_later =
-                                (int32_t)(spindle_ahead_then * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_later =
-                                spindle_ahead_then - (double)spindle_turns_later * axis_s_spindle_axis_full_turn;
-                            double spindle_above_later;
-                            if (spindle_rest_later < 0.0) {
-                                spindle_above_later = spindle_rest_later + axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_above_later = spindle_rest_later;
-                            }
-                            if (spindle_above_later >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_later = spindle_above_later - axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_within_turn_later = spindle_above_later;
-                            }
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_within_turn_later = 0.0;
-                        }
-                        state->spindle_x = spindle_within_turn_later;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    if (!spindle_seen_is_known_last) {
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-                    } else if (spindle_is_found_next) {
-                        spindle_sample_error_next = spindle_sample_error;
-                    } else {
-                        spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    }
-                    const bool spindle_is_known_next =
-                        state->spindle_seen_samples >= 3u
-                            && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                    const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
-                    if (spindle_is_known_next
-                            && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
-                        /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
-                        state->spindle_is_moving = true;
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
-                        state->spindle_missing = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_cycles = 0u;
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                        state->spindle_is_moving = true;
-                        /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                        double spindle_time_after;
-                        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                            int32_t spindle_percentage_after;
-                            if (inputs->feedforward_percentage < 100) {
-                                spindle_percentage_after = inputs->feedforward_percentage;
-                            } else {
-                                spindle_percentage_after = 100;
-                            }
-                            spindle_time_after =
-                                spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_after);
-                        } else {
-                            spindle_time_after = spindle_lead_time;
-                        }
-                        const double spindle_way_after = state->spindle_v * spindle_time_after;
-                        double spindle_ahead_after;
-                        if (axis_s_spindle_axis_magnitude(spindle_way_after) <= lead_limit) {
-                            spindle_ahead_after = inputs->x_actual + spindle_way_after;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_ahead_after = inputs->x_actual;
-                        }
-                        double spindle_within_turn_again;
-                        if (spindle_ahead_after >= 0.0 && spindle_ahead_after < axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_again = spindle_ahead_after;
-                        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_after)
-                                <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_turns_again =
-                                (int32_t)(spindle_ahead_after * axis_s_spindle_axis_per_turn);
-                            const double spindle_rest_again =
-                                spindle_ahead_after - (double)spindle_turns_again * axis_s_spindle_axis_full_turn;
-                            double spindle_above_again;
-                            if (spindle_rest_again < 0.0) {
-                                spindle_above_again = spindle_rest_again + axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_above_again = spindle_rest_again;
-                            }
-                            if (spindle_above_again >= axis_s_spindle_axis_full_turn) {
-                                spindle_within_turn_again = spindle_above_again - axis_s_spindle_axis_full_turn;
-                            } else {
-                                spindle_within_turn_again = spindle_above_again;
-                            }
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_within_turn_again = 0.0;
-                        }
-                        state->spindle_x_start = spindle_within_turn_again;
-                    } else if (spindle_is_slow_next) {
-                        state->spindle_takes_over = true;
-                        /* TO_POSITION -> POSITION: the drive displays position control */
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    } else {
-                        /* nothing else is to be done */
-                    }
-                    if (state->spindle_cycles > spindle_start_cycles) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
-                    }
-                }
-                break;
-            }
-            }
-        } else {
-            spindle_sample_error_next = spindle_sample_error;
-        }
-        const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        if (spindle_has_failed && inputs->drive_on && !spindle_is_seized) {
-            if (state->spindle_v > 0.0) {
-                state->spindle_v = state->spindle_v - spindle_v_step;
-                if (state->spindle_v < 0.0) {
-                    state->spindle_v = 0.0;
-                }
-            } else if (state->spindle_v < 0.0) {
-                state->spindle_v = state->spindle_v + spindle_v_step;
-                if (state->spindle_v > 0.0) {
-                    state->spindle_v = 0.0;
-                }
-            } else {
-                /* nothing else is to be done */
-            }
-            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-        }
-        const double spindle_angle = state->spindle_x;
-        double spindle_within_turn_anew;
-        if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_anew = spindle_angle;
-        } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_anew = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_anew = spindle_angle - (double)spindle_turns_anew * axis_s_spindle_axis_full_turn;
-            double spindle_above_anew;
-            if (spindle_rest_anew < 0.0) {
-                spindle_above_anew = spindle_rest_anew + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above_anew = spindle_rest_anew;
-            }
-            if (spindle_above_anew >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_anew = spindle_above_anew - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn_anew = spindle_above_anew;
-            }
-        } else {
-            /* only what something else has overwritten comes here */
-            spindle_within_turn_anew = 0.0;
-        }
-        state->spindle_x = spindle_within_turn_anew;
-        const double spindle_x_spindle_next = state->spindle_x;
-        const double spindle_v_spindle_last = state->spindle_v;
-        const uint32_t spindle_lasting = state->spindle_lasting_error;
-        uint32_t spindle_error_now;
-        if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            spindle_error_now = spindle_lasting;
-        } else if (spindle_sample_error_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            spindle_error_now = spindle_sample_error_next;
-        } else {
-            spindle_error_now = spindle_request_error;
-        }
-        const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        const bool spindle_loop_closed =
-            spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
-                && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        if (!inputs->drive_on || inputs->reset || spindle_has_failed
-                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-            if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP) {
-                state->spindle_turns_fast = false;
-                state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                state->spindle_present_speed = 0.0;
-                state->spindle_present_position = 0.0;
-                uint32_t spindle_jobs;
-                if (state->spindle_jobs < 4294967295u) {
-                    spindle_jobs = state->spindle_jobs + 1u;
-                } else {
-                    spindle_jobs = 0u;
-                }
-                state->spindle_jobs = spindle_jobs;
-            }
-        } else if (state->spindle_queued > 0u) {
-            const bool spindle_is_over =
-                state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN || inputs->job_done;
-            const bool spindle_can_serve =
-                state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY && !state->spindle_returns
-                        && (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN));
-            if (spindle_is_over && spindle_can_serve) {
-                const int32_t spindle_kind_next = state->spindle_request0_kind;
-                if (!((spindle_kind_next == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || spindle_kind_next == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                            || spindle_kind_next == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                            || spindle_kind_next == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                            || spindle_kind_next == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-                        && axis_s_spindle_axis_magnitude(state->spindle_request0_speed)
-                        <= axis_s_spindle_axis_sample_limit
-                        && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
-                        <= axis_s_spindle_axis_position_limit)) {
-                    /* something has overwritten it */
-                    state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                    state->spindle_request0_speed = 0.0;
-                    state->spindle_request0_position = 0.0;
-                }
-                const bool spindle_is_fast =
-                    state->spindle_request0_speed > spindle_v_velocity_control_on
-                        || -state->spindle_request0_speed > spindle_v_velocity_control_on;
-                state->spindle_turns_fast =
-                    state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN && spindle_is_fast;
-                state->spindle_present_kind = state->spindle_request0_kind;
-                state->spindle_present_speed = state->spindle_request0_speed;
-                state->spindle_present_position = state->spindle_request0_position;
-                state->spindle_request0_kind = state->spindle_request1_kind;
-                state->spindle_request0_speed = state->spindle_request1_speed;
-                state->spindle_request0_position = state->spindle_request1_position;
-                state->spindle_request1_kind = state->spindle_request2_kind;
-                state->spindle_request1_speed = state->spindle_request2_speed;
-                state->spindle_request1_position = state->spindle_request2_position;
-                state->spindle_request2_kind = state->spindle_request3_kind;
-                state->spindle_request2_speed = state->spindle_request3_speed;
-                state->spindle_request2_position = state->spindle_request3_position;
-                state->spindle_queued = state->spindle_queued - 1u;
-                uint32_t spindle_jobs_next;
-                if (state->spindle_jobs < 4294967295u) {
-                    spindle_jobs_next = state->spindle_jobs + 1u;
-                } else {
-                    spindle_jobs_next = 0u;
-                }
-                state->spindle_jobs = spindle_jobs_next;
-            }
-        } else {
-            /* nothing else is to be done */
-        }
-        const int32_t spindle_job = state->spindle_present_kind;
-        const double spindle_job_speed = state->spindle_present_speed;
-        const double spindle_job_position = state->spindle_present_position;
-        const uint32_t spindle_job_number = state->spindle_jobs;
-        const uint32_t spindle_waiting = state->spindle_queued;
-        const bool spindle_is_quiet =
-            state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
-                && !state->spindle_before_any;
-        int32_t spindle_usual;
-        if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                && !state->spindle_takes_over && !state->spindle_turns_fast) {
-            spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_POSITION;
-        } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-                && !state->spindle_returns) {
-            spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY;
-        } else {
-            spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
-        }
-        state->spindle_usual = spindle_usual;
-        const bool is_led =
-            state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_missing == 0u
-                && inputs->drive_on;
-        const bool follows =
-            is_led
-                && (spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
-        if (follows) {
-            outputs->loop_closed = spindle_loop_closed;
-            outputs->waiting = spindle_waiting;
-            outputs->job_number = spindle_job_number;
-            outputs->job = spindle_job;
-            outputs->spindle_state = spindle_spindle_state;
-            outputs->job_position = spindle_job_position;
-            outputs->job_speed = spindle_job_speed;
-            outputs->v_spindle = spindle_v_spindle_last;
-            outputs->x_spindle = spindle_x_spindle_next;
-            const double distance_next = spindle_x_spindle_next - inputs->x_actual;
-            double shorter_next;
-            if (axis_s_spindle_axis_magnitude(distance_next) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns_next =
-                    axis_s_spindle_axis_nearest(distance_next * axis_s_spindle_axis_per_turn);
-                shorter_next = distance_next - (double)whole_turns_next * axis_s_spindle_axis_full_turn;
-            } else {
-                /* only what something else has overwritten comes here */
-                shorter_next = 0.0;
-            }
-            const double axis_inputs_x_actual_next = spindle_x_spindle_next - shorter_next;
-            double axis_feedforward_v_feedforward_next;
-            bool axis_feedforward_fault_next;
-            uint32_t axis_feedforward_error_id_next;
-            if (axis_s_spindle_axis_magnitude(spindle_v_spindle_last) <= axis_s_spindle_axis_sample_limit) {
-                double axis_feedforward_gain_now_next;
-                if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                    if (inputs->feedforward_percentage >= 100) {
-                        axis_feedforward_gain_now_next = axis_s_spindle_axis_axis_feedforward_weight;
-                    } else {
-                        axis_feedforward_gain_now_next =
-                            axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                    }
-                } else {
-                    axis_feedforward_gain_now_next = 0.0;
-                }
-                axis_feedforward_v_feedforward_next = axis_feedforward_gain_now_next * spindle_v_spindle_last;
-                axis_feedforward_fault_next = false;
-                axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                axis_feedforward_v_feedforward_next = 0.0;
-                axis_feedforward_fault_next = true;
-                axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            outputs->v_feedforward = axis_feedforward_v_feedforward_next;
-            uint32_t axis_error_id_last;
-            bool axis_fault_last;
-            if (axis_feedforward_fault_next) {
-                axis_error_id_last = axis_feedforward_error_id_next;
-                axis_fault_last = true;
-            } else {
-                axis_error_id_last = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                axis_fault_last = false;
-            }
-            const double axis_lag_next = spindle_x_spindle_next - axis_inputs_x_actual_next;
-            const double axis_v_lag_next = axis_s_spindle_axis_axis_position_control_kv * axis_lag_next;
-            const double axis_v_controller_next = axis_v_lag_next + axis_feedforward_v_feedforward_next;
-            outputs->v_command = axis_v_controller_next;
-            bool axis_ipc_runs_next;
-            uint32_t axis_ipc_reason_next;
-            if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_next = false;
-                axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
-            } else if (spindle_loop_closed && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
-                    && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                axis_ipc_runs_next = true;
-                axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_next = false;
-                axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
-                if (spindle_loop_closed) {
-                    if (state->axis_ipc_preset) {
-                        if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
-                            state->axis_ipc_fade = state->axis_ipc_fade + 1u;
-                        } else if (state->axis_ipc_fade > 1u) {
-                            state->axis_ipc_fade = state->axis_ipc_fade - 1u;
-                        } else {
-                            state->axis_ipc_fade = 0u;
-                            if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                                state->axis_ipc_preset = false;
-                            }
-                        }
-                        axis_ipc_runs_next = true;
-                    } else {
-                        if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                            const double axis_ipc_stage0_filter0_section0_s_next =
-                                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                            state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s_next;
-                            state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s_next;
-                            state->axis_ipc_preset = true;
-                        }
-                        axis_ipc_runs_next = false;
-                    }
-                } else {
-                    state->axis_ipc_preset = false;
-                    state->axis_ipc_fade = 0u;
-                    axis_ipc_runs_next = false;
-                }
-                axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_next = false;
-                axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
-            }
-            bool axis_ipc_limited_next;
-            double axis_ipc_v_add_next;
-            bool axis_ipc_fault_next;
-            uint32_t axis_ipc_error_id_next;
-            if (axis_ipc_runs_next) {
-                const uint32_t axis_ipc_fade_next = state->axis_ipc_fade;
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double axis_ipc_stage0_filter0_section0_t_next =
-                    axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                const double axis_ipc_stage0_filter0_section0_y_next =
-                    state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_next;
-                state->axis_ipc_stage0_filter0_section0_s1 =
-                    state->axis_ipc_stage0_filter0_section0_s2
-                        - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_next;
-                state->axis_ipc_stage0_filter0_section0_s2 =
-                    axis_ipc_stage0_filter0_section0_t_next + axis_s_spindle_axis_anti_denormal
-                        - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_next;
-                const double axis_ipc_v_stage0_next =
-                    axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_next;
-                double axis_ipc_v_limited_next;
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_limit) {
-                    if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_rest) {
-                        axis_ipc_v_limited_next = 0.0;
-                    } else {
-                        axis_ipc_v_limited_next = axis_ipc_v_stage0_next;
-                    }
-                    axis_ipc_limited_next = false;
-                } else {
-                    if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next)
-                            <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                        if (axis_ipc_v_stage0_next > 0.0) {
-                            axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_limit;
-                        } else {
-                            axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_lower_limit;
-                        }
-                    } else {
-                        /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                         * then everything starts anew */
-                        state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                        axis_ipc_v_limited_next = 0.0;
-                    }
-                    axis_ipc_limited_next = true;
-                }
-                if (axis_ipc_fade_next < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                    if (axis_ipc_fade_next > 0u) {
-                        axis_ipc_v_add_next =
-                            axis_ipc_v_limited_next * ((double)axis_ipc_fade_next * axis_s_spindle_axis_axis_ipc_fade_step);
-                    } else {
-                        axis_ipc_v_add_next = 0.0;
-                    }
-                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                        outputs->v_add_calculated = 0.0;
-                    } else {
-                        outputs->v_add_calculated = axis_ipc_v_limited_next;
-                    }
-                } else {
-                    axis_ipc_v_add_next = axis_ipc_v_limited_next;
-                    outputs->v_add_calculated = axis_ipc_v_limited_next;
-                }
-                axis_ipc_fault_next = false;
-                axis_ipc_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                axis_ipc_fault_next = axis_ipc_reason_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                axis_ipc_v_add_next = 0.0;
-                outputs->v_add_calculated = 0.0;
-                axis_ipc_limited_next = false;
-                axis_ipc_error_id_next = axis_ipc_reason_next;
-            }
-            outputs->v_add = axis_ipc_v_add_next;
-            uint32_t axis_error_id_then;
-            bool axis_fault_then;
-            if (axis_ipc_fault_next) {
-                axis_error_id_then = axis_ipc_error_id_next;
-                axis_fault_then = true;
-            } else {
-                axis_error_id_then = axis_error_id_last;
-                axis_fault_then = axis_fault_last;
-            }
-            bool axis_limited_next;
-            if (axis_ipc_limited_next) {
-                axis_limited_next = true;
-            } else {
-                axis_limited_next = false;
-            }
-            const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add_next;
-            const double axis_position_control_increments_next =
-                axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_next;
-            bool axis_position_control_limited_last;
-            if (axis_s_spindle_axis_magnitude(axis_position_control_increments_next)
-                    <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-                outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_next);
-                axis_position_control_limited_last = false;
-            } else if (axis_position_control_increments_next > 0.0) {
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-                axis_position_control_limited_last = true;
-            } else if (axis_position_control_increments_next < 0.0) {
-                axis_position_control_limited_last =
-                    axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-            } else {
-                /* only what is no number comes here, which no sample in range leads to: nothing is put out */
-                outputs->manipulated_variable = 0;
-                axis_position_control_limited_last = true;
-            }
-            bool axis_position_control_limited_then;
-            if (axis_position_control_limited_last) {
-                axis_position_control_limited_then = true;
-            } else {
-                axis_position_control_limited_then = false;
-            }
-            outputs->limited = axis_position_control_limited_then || axis_limited_next;
-            if (!(axis_s_spindle_axis_magnitude(shorter_next) <= axis_s_spindle_axis_lag_limit)) {
-                state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-                double spindle_v_magnitude_last;
-                if (state->spindle_v < 0.0) {
-                    spindle_v_magnitude_last = -state->spindle_v;
-                } else {
-                    spindle_v_magnitude_last = state->spindle_v;
-                }
-                if (axis_s_spindle_axis_magnitude(axis_v_controller_next) <= spindle_v_magnitude_last) {
-                    state->spindle_v = axis_v_controller_next;
-                }
-            }
-            uint32_t error_now_next;
-            if (axis_fault_then) {
-                error_now_next = axis_error_id_then;
-            } else {
-                error_now_next = spindle_error_now;
-            }
-            outputs->error_id = error_now_next;
-            outputs->fault = error_now_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            outputs->loop_closed = spindle_loop_closed;
-            outputs->fault = spindle_fault;
-            outputs->error_id = spindle_error_now;
-            outputs->waiting = spindle_waiting;
-            outputs->job_number = spindle_job_number;
-            outputs->job = spindle_job;
-            outputs->spindle_state = spindle_spindle_state;
-            outputs->v_add_calculated = 0.0;
-            outputs->v_add = 0.0;
-            outputs->v_feedforward = 0.0;
-            outputs->v_command = spindle_v_spindle_last;
-            outputs->job_position = spindle_job_position;
-            outputs->job_speed = spindle_job_speed;
-            outputs->v_spindle = spindle_v_spindle_last;
-            outputs->x_spindle = spindle_x_spindle_next;
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            const double open_increments_next =
-                axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_last;
-            if (axis_s_spindle_axis_magnitude(open_increments_next)
-                    <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-                outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_next);
-                outputs->limited = false;
-            } else if (open_increments_next > 0.0) {
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-                outputs->limited = true;
-            } else if (open_increments_next < 0.0) {
-                outputs->limited = open_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-            } else {
-                /* only what is no number comes here, which no sample in range leads to: nothing is put out */
-                outputs->manipulated_variable = 0;
-                outputs->limited = true;
-            }
         }
     }
 }
@@ -1789,19 +1703,20 @@ void axis_s_spindle_axis_step(
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)
 {
-    const int32_t kind = state->spindle_present_kind;
     const bool in_position =
         state->spindle_usual == AXIS_S_SPINDLE_AXIS_USUAL_POSITION
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
-            && (kind == AXIS_S_SPINDLE_AXIS_JOB_STOP || kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                || kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT || kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                || kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+            && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
             && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit
+            && inputs->x_command >= 0.0 && inputs->x_command < axis_s_spindle_axis_full_turn
             && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit
             && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
             && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles
@@ -1810,30 +1725,9 @@ void axis_s_spindle_axis_step(
         outputs->loop_closed = true;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-        state->spindle_v = inputs->v_interpolator;
         /* a usual cycle in POSITION */
-        double spindle_within_turn;
-        if (inputs->x_command >= 0.0 && inputs->x_command < axis_s_spindle_axis_full_turn) {
-            spindle_within_turn = inputs->x_command;
-        } else if (axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns = (int32_t)(inputs->x_command * axis_s_spindle_axis_per_turn);
-            const double spindle_rest = inputs->x_command - (double)spindle_turns * axis_s_spindle_axis_full_turn;
-            double spindle_above;
-            if (spindle_rest < 0.0) {
-                spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above = spindle_rest;
-            }
-            if (spindle_above >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn = spindle_above;
-            }
-        } else {
-            /* only what something else has overwritten comes here */
-            spindle_within_turn = 0.0;
-        }
-        state->spindle_x = spindle_within_turn;
+        state->spindle_x = inputs->x_command;
+        state->spindle_v = inputs->v_interpolator;
         const double spindle_x_spindle = state->spindle_x;
         outputs->x_spindle = spindle_x_spindle;
         const double spindle_v_spindle = state->spindle_v;
@@ -1842,16 +1736,23 @@ void axis_s_spindle_axis_step(
         outputs->job_speed = state->spindle_present_speed;
         outputs->job_position = state->spindle_present_position;
         outputs->job_number = state->spindle_jobs;
-        const double distance = spindle_x_spindle - inputs->x_actual;
-        double shorter;
-        if (axis_s_spindle_axis_magnitude(distance) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t whole_turns = axis_s_spindle_axis_nearest(distance * axis_s_spindle_axis_per_turn);
-            shorter = distance - (double)whole_turns * axis_s_spindle_axis_full_turn;
+        const double lag = spindle_x_spindle - inputs->x_actual;
+        bool gives_up;
+        double lag_next;
+        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_lag_limit) {
+            gives_up = false;
+            lag_next = lag;
         } else {
-            /* only what something else has overwritten comes here */
-            shorter = 0.0;
+            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
+                lag_next = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
+            } else {
+                /* only what something else has overwritten comes here */
+                lag_next = 0.0;
+            }
+            gives_up = !(axis_s_spindle_axis_magnitude(lag_next) <= axis_s_spindle_axis_lag_limit);
         }
-        const double axis_inputs_x_actual = spindle_x_spindle - shorter;
+        const double axis_inputs_x_actual = spindle_x_spindle - lag_next;
         double axis_feedforward_v_feedforward;
         bool axis_feedforward_fault;
         uint32_t axis_feedforward_error_id;
@@ -2051,7 +1952,7 @@ void axis_s_spindle_axis_step(
             axis_position_control_limited_next = false;
         }
         outputs->limited = axis_position_control_limited_next || axis_limited;
-        if (!(axis_s_spindle_axis_magnitude(shorter) <= axis_s_spindle_axis_lag_limit)) {
+        if (gives_up) {
             state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
             double spindle_v_magnitude;
@@ -2072,6 +1973,57 @@ void axis_s_spindle_axis_step(
         }
         outputs->error_id = error_now;
         outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    } else if (state->spindle_usual == AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY
+            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
+            && inputs->drive_on && !inputs->reset
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
+            && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
+            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
+            && inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_axis_full_turn) {
+        outputs->loop_closed = false;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->waiting = 0u;
+        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+        outputs->v_add_calculated = 0.0;
+        outputs->v_add = 0.0;
+        outputs->v_feedforward = 0.0;
+        /* a usual cycle in VELOCITY */
+        state->spindle_missing = 0u;
+        state->spindle_x = inputs->x_actual;
+        state->spindle_v = inputs->v_interpolator;
+        outputs->x_spindle = state->spindle_x;
+        const double spindle_v_spindle_next = state->spindle_v;
+        outputs->v_command = spindle_v_spindle_next;
+        outputs->v_spindle = spindle_v_spindle_next;
+        outputs->job = state->spindle_present_kind;
+        outputs->job_speed = state->spindle_present_speed;
+        outputs->job_position = state->spindle_present_position;
+        outputs->job_number = state->spindle_jobs;
+        state->axis_ipc_preset = false;
+        state->axis_ipc_fade = 0u;
+        const double open_increments =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_next;
+        if (axis_s_spindle_axis_magnitude(open_increments) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments);
+            outputs->limited = false;
+        } else if (open_increments > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            outputs->limited = true;
+        } else if (open_increments < 0.0) {
+            outputs->limited = open_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
+        }
     } else {
         axis_s_spindle_axis_any_cycle(state, inputs, outputs);
     }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   dda91cb42a0182122010cc4451186fde
- * checksum    e79811b0d6e0705f4a2ec628af2db2a7
+ * structure   1ec427122fe44b290793fb75c67daff8
+ * checksum    1f3cae7229f6f5aad755d838a2e0f68d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xdda91cb4u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x2a018212u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x2010cc44u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x51186fdeu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x1ec42712u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x2fe44b29u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x0793fb75u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xc67daff8u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
