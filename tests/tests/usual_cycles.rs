@@ -58,7 +58,7 @@ fn a_usual_cycle_of_the_changeover_is_like_any() {
         let all = history(seed, CYCLES, &p);
         let inputs = all.iter().enumerate().map(counted);
         let any = |state: &mut _, inputs: &_, outputs: &mut _| spindle::any_cycle(state, &coeffs, inputs, outputs);
-        assert_same::<spindle::Spindle>(inputs, &coeffs, any, |state| state.usual != spindle::Usual::None)
+        assert_same::<spindle::Spindle>(inputs, &coeffs, any, |state| state.usual != spindle::usual_none())
     };
     assert_many((0..HISTORIES).into_par_iter().map(usual).sum());
 }
@@ -145,7 +145,7 @@ lr_param.improved_position_control.v_add_max_fact = 100
             spindle_axis::any_cycle(state, &coeffs, inputs, &of_spindle, outputs);
         };
         assert_same::<spindle_axis::SpindleAxis>(inputs, &coeffs, any, |state| {
-            state.spindle.usual != spindle::Usual::None
+            state.spindle.usual != spindle::usual_none()
         })
     };
     assert_many((0..HISTORIES).into_par_iter().map(usual).sum());

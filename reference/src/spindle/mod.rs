@@ -27,7 +27,7 @@ mod usual;
 
 pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
-pub use state::{Coeffs, Cycle, Seen, SpindleState, State, Usual};
+pub use state::{Coeffs, Cycle, Seen, SpindleState, State, usual_none};
 pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
 use crate::angle::wrapped;
@@ -48,6 +48,7 @@ use usual::next_usual;
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.control = SpindleState::ToPosition;
+    state.control_copy = SpindleState::ToPosition;
     state.cycles = 0u32;
     state.settled = 0u32;
     state.missing = 0u32;
@@ -83,7 +84,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
-    state.usual = Usual::None;
+    state.usual = usual_none();
     call_rate::init(&mut state.call_rate);
 }
 

@@ -98,7 +98,7 @@ pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         state.lasting_error = error_state();
         state.queued = 0u32;
     }
-    if !is_state(state.control) {
+    if !is_state(state.control) || state.control_copy != state.control {
         state.lasting_error = error_state();
         enter(state, SpindleState::ToPosition);
     }

@@ -85,6 +85,8 @@ pub struct Coeffs<R> {
 pub struct State<R> {
     /// what controls the spindle
     pub control: SpindleState,
+    /// the same again: what has been overwritten differs
+    pub control_copy: SpindleState,
     /// cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included
     pub cycles: u32,
     /// cycles in which v_actual has been settled
@@ -124,22 +126,27 @@ pub struct State<R> {
     /// the request inputs of the last cycle
     pub before: Before,
     /// whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be a usual one
-    pub usual: Usual,
+    pub usual: u32,
     /// the rate of the calls
     pub call_rate: call_rate::State,
 }
 
-/// Which usual cycle may be next.
+/// no usual cycle is next
 #[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Usual {
-    /// none
-    #[default]
-    None,
-    /// of POSITION
-    Position,
-    /// of VELOCITY
-    Velocity,
+pub fn usual_none() -> u32 {
+    0u32
+}
+
+/// the usual cycle of POSITION may be next: no flipped bit makes one of these codes another
+#[portable]
+pub fn usual_position() -> u32 {
+    0x5555u32
+}
+
+/// the usual cycle of VELOCITY may be next
+#[portable]
+pub fn usual_velocity() -> u32 {
+    0xAAAAu32
 }
 
 /// The actual velocity of a spindle that the block does not move yet.
@@ -170,6 +177,7 @@ pub struct Cycle {
 #[portable]
 pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
     state.control = next;
+    state.control_copy = next;
     state.cycles = 0u32;
     state.settled = 0u32;
     state.missing = 0u32;

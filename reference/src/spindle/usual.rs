@@ -5,22 +5,22 @@ use super::change::is_displayed;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};
 use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
-use super::state::{Coeffs, SpindleState, State, Usual};
+use super::state::{Coeffs, SpindleState, State, usual_none, usual_position, usual_velocity};
 use crate::angle::{is_within_turn, position_limit};
 use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
 
-/// Which usual cycle may be next: the one of a state that asks for nothing but itself.
+/// The code of the usual cycle that may be next: the one of a state that asks for nothing but itself.
 #[portable]
-pub fn next_usual<R: Real>(state: &State<R>) -> Usual {
+pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
     let is_quiet = state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any;
     if is_quiet && state.control == SpindleState::Position && !state.takes_over && !state.turns_fast {
-        Usual::Position
+        usual_position()
     } else if is_quiet && state.control == SpindleState::Velocity && !state.returns {
-        Usual::Velocity
+        usual_velocity()
     } else {
-        Usual::None
+        usual_none()
     }
 }
 
@@ -37,7 +37,7 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
-    state.usual == Usual::Position
+    state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
@@ -50,7 +50,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
 /// Whether the spindle turns under velocity control, and goes on doing so.
 #[portable]
 pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    state.usual == Usual::Velocity
+    state.usual == usual_velocity()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)

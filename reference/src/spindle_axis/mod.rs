@@ -95,7 +95,7 @@ pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
         state.v = v_command;
     }
     state.lasting_error = error_lag();
-    state.usual = spindle::Usual::None;
+    state.usual = spindle::usual_none();
 }
 
 /// The axis follows the spindle's commands.

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   f87bfab75838978cff913fc6d65e1219
- * checksum    887ecabfb2ce7174307d1b941fed52e1
+ * structure   9ebf8fda6d0fee5f3b0225522176b1fe
+ * checksum    3759ea9905115dc7df1b1342501baa18
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -89,6 +89,8 @@ static const double axis_s_spindle_velocity_range_lower_limit = -2147483648.4999
 static const double axis_s_spindle_velocity_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
+/* the usual cycle of POSITION may be next: no flipped bit makes one of these codes another */
+static const uint32_t axis_s_spindle_usual_position = 21845u;
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double axis_s_spindle_sample_limit = 1000000000000000.0;
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
@@ -100,6 +102,7 @@ void axis_s_spindle_init(axis_s_spindle_state *fresh)
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_s_spindle_state *const state = fresh;
     state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+    state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
     state->cycles = 0u;
     state->settled = 0u;
     state->missing = 0u;
@@ -142,7 +145,7 @@ void axis_s_spindle_init(axis_s_spindle_state *fresh)
     state->before_putax = true;
     state->before_g74 = true;
     state->before_any = true;
-    state->usual = AXIS_S_SPINDLE_USUAL_NONE;
+    state->usual = usual_none;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -209,6 +212,8 @@ static void axis_s_spindle_any_cycle(
     static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 
     /* the same for every axis */
+    static const uint32_t usual_none = 0u; /* no usual cycle is next */
+    static const uint32_t usual_velocity = 43690u; /* the usual cycle of VELOCITY may be next */
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
     /* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
@@ -216,7 +221,7 @@ static void axis_s_spindle_any_cycle(
     static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 
     const bool in_velocity =
-        state->usual == AXIS_S_SPINDLE_USUAL_VELOCITY
+        state->usual == usual_velocity
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)
@@ -287,9 +292,10 @@ static void axis_s_spindle_any_cycle(
         const int32_t control = state->control;
         if (!(control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY
                 || control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY || control == AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE
-                || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION)) {
+                || control == AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION) || state->control_copy != state->control) {
             state->lasting_error = AXIS_S_SPINDLE_ERROR_STATE;
             state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+            state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
             state->cycles = 0u;
             state->settled = 0u;
             state->missing = 0u;
@@ -435,11 +441,13 @@ static void axis_s_spindle_any_cycle(
                     state->seen_samples = 0u;
                     state->seen_slow = 0u;
                     state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
+                    state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                     state->cycles = 0u;
                     state->settled = 0u;
                     state->missing = 0u;
                 } else if (inputs->drive_on) {
                     state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
+                    state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                     state->cycles = 0u;
                     state->settled = 0u;
                     state->missing = 0u;
@@ -468,6 +476,7 @@ static void axis_s_spindle_any_cycle(
             state->missing = 0u;
             state->settled = 0u;
             state->cycles = 0u;
+            state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
             if (state->control != AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION || state->is_moving) {
                 state->seen_samples = 0u;
                 state->seen_slow = 0u;
@@ -778,6 +787,7 @@ static void axis_s_spindle_any_cycle(
                         if (state->turns_fast && is_reached && !inputs->reset) {
                             /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
                             state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY;
+                            state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_VELOCITY;
                             state->cycles = 0u;
                             state->settled = 0u;
                             state->missing = 0u;
@@ -850,6 +860,7 @@ static void axis_s_spindle_any_cycle(
                             if (is_velocity_displayed) {
                                 /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
                                 state->control = AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY;
+                                state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY;
                                 state->cycles = 0u;
                                 state->settled = 0u;
                                 state->missing = 0u;
@@ -893,6 +904,7 @@ static void axis_s_spindle_any_cycle(
                         /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
                         state->returns = false;
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -969,6 +981,7 @@ static void axis_s_spindle_any_cycle(
                         state->missing = 0u;
                         state->settled = 0u;
                         state->cycles = 0u;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                         state->catches = false;
                         state->is_moving = true;
@@ -1032,6 +1045,7 @@ static void axis_s_spindle_any_cycle(
                         state->takes_over = true;
                         /* TO_POSITION -> POSITION: the drive displays position control */
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -1151,6 +1165,7 @@ static void axis_s_spindle_any_cycle(
                         state->catches = true;
                         state->is_moving = true;
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_BRAKE;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -1158,6 +1173,7 @@ static void axis_s_spindle_any_cycle(
                         state->missing = 0u;
                         state->settled = 0u;
                         state->cycles = 0u;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_TO_POSITION;
                         state->catches = false;
                         state->is_moving = true;
@@ -1196,6 +1212,7 @@ static void axis_s_spindle_any_cycle(
                         state->takes_over = true;
                         /* TO_POSITION -> POSITION: the drive displays position control */
                         state->control = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
+                        state->control_copy = AXIS_S_SPINDLE_SPINDLE_STATE_POSITION;
                         state->cycles = 0u;
                         state->settled = 0u;
                         state->missing = 0u;
@@ -1359,14 +1376,14 @@ static void axis_s_spindle_any_cycle(
         outputs->waiting = state->queued;
         const bool is_quiet =
             state->lasting_error == AXIS_S_SPINDLE_ERROR_NONE && state->queued == 0u && !state->before_any;
-        int32_t usual;
+        uint32_t usual;
         if (is_quiet && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_POSITION && !state->takes_over
                 && !state->turns_fast) {
-            usual = AXIS_S_SPINDLE_USUAL_POSITION;
+            usual = axis_s_spindle_usual_position;
         } else if (is_quiet && state->control == AXIS_S_SPINDLE_SPINDLE_STATE_VELOCITY && !state->returns) {
-            usual = AXIS_S_SPINDLE_USUAL_VELOCITY;
+            usual = usual_velocity;
         } else {
-            usual = AXIS_S_SPINDLE_USUAL_NONE;
+            usual = usual_none;
         }
         state->usual = usual;
     }
@@ -1378,7 +1395,7 @@ void axis_s_spindle_step(
     axis_s_spindle_outputs *restrict outputs)
 {
     const bool in_position =
-        state->usual == AXIS_S_SPINDLE_USUAL_POSITION
+        state->usual == axis_s_spindle_usual_position
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_cycle_time_ns)

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   f87bfab75838978cff913fc6d65e1219
- * checksum    a0ff70d8433108cd39070ca272733334
+ * structure   9ebf8fda6d0fee5f3b0225522176b1fe
+ * checksum    6f487a0dcadb66bd49228ae5e4179031
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0xf87bfab7u
-#define AXIS_S_SPINDLE_STRUCTURE_1 0x5838978cu
-#define AXIS_S_SPINDLE_STRUCTURE_2 0xff913fc6u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0xd65e1219u
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x9ebf8fdau
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x6d0fee5fu
+#define AXIS_S_SPINDLE_STRUCTURE_2 0x3b022552u
+#define AXIS_S_SPINDLE_STRUCTURE_3 0x2176b1feu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u
@@ -103,13 +103,6 @@ enum {
     AXIS_S_SPINDLE_ERROR_TAKEOVER = 46 /* spindle: x_command does not go on from x_spindle; stays until reset */
 };
 
-/* Which usual cycle may be next. */
-enum {
-    AXIS_S_SPINDLE_USUAL_NONE = 0, /* none */
-    AXIS_S_SPINDLE_USUAL_POSITION = 1, /* of POSITION */
-    AXIS_S_SPINDLE_USUAL_VELOCITY = 2 /* of VELOCITY */
-};
-
 /* Written by the caller. axis_s_spindle_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator [0.001 deg]; start 0.0 */
@@ -161,6 +154,7 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     int32_t control; /* what controls the spindle */
+    int32_t control_copy; /* the same again: what has been overwritten differs */
     uint32_t cycles; /* cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included */
     uint32_t settled; /* cycles in which v_actual has been settled */
     uint32_t missing; /* cycles in which a sample has been missing */
@@ -207,7 +201,7 @@ typedef struct {
     bool before_any; /* whether one of them was */
     /* whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be
      * a usual one */
-    int32_t usual;
+    uint32_t usual;
 } axis_s_spindle_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   1ec427122fe44b290793fb75c67daff8
- * checksum    85eebde2ea08ae5ddc1cbbefa5666a52
+ * structure   a1a6112421f0a517db731b82735960de
+ * checksum    744b91051d002c33013b22368637dccd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -126,8 +126,11 @@ static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483
 static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
+static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle is next */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
+/* the usual cycle of POSITION may be next: no flipped bit makes one of these codes another */
+static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
 /* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
 static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
@@ -138,12 +141,14 @@ static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
+static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle of VELOCITY may be next */
 
 void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
     /* volatile: each member is written as it stands here, so that no compiler calls memset */
     volatile axis_s_spindle_axis_state *const state = fresh;
     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
     state->spindle_cycles = 0u;
     state->spindle_settled = 0u;
     state->spindle_missing = 0u;
@@ -184,7 +189,7 @@ void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
     state->spindle_before_putax = true;
     state->spindle_before_g74 = true;
     state->spindle_before_any = true;
-    state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+    state->spindle_usual = axis_s_spindle_axis_usual_none;
     state->axis_ipc_preset = false;
     state->axis_ipc_fade = 0u;
     state->axis_ipc_stage0_filter0_section0_s1 = 0.0;
@@ -288,9 +293,11 @@ static void axis_s_spindle_axis_any_cycle(
             || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
             || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
             || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)) {
+            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
+            || state->spindle_control_copy != state->spindle_control) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
         state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
         state->spindle_cycles = 0u;
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
@@ -444,11 +451,13 @@ static void axis_s_spindle_axis_any_cycle(
                 state->spindle_seen_samples = 0u;
                 state->spindle_seen_slow = 0u;
                 state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                 state->spindle_cycles = 0u;
                 state->spindle_settled = 0u;
                 state->spindle_missing = 0u;
             } else if (inputs->drive_on) {
                 state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                 state->spindle_cycles = 0u;
                 state->spindle_settled = 0u;
                 state->spindle_missing = 0u;
@@ -477,6 +486,7 @@ static void axis_s_spindle_axis_any_cycle(
         state->spindle_missing = 0u;
         state->spindle_settled = 0u;
         state->spindle_cycles = 0u;
+        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
         if (state->spindle_control != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
             state->spindle_seen_samples = 0u;
             state->spindle_seen_slow = 0u;
@@ -813,6 +823,7 @@ static void axis_s_spindle_axis_any_cycle(
                     if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
                         /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
                         state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
                         state->spindle_cycles = 0u;
                         state->spindle_settled = 0u;
                         state->spindle_missing = 0u;
@@ -888,6 +899,7 @@ static void axis_s_spindle_axis_any_cycle(
                     state->spindle_v = inputs->v_interpolator;
                     /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
                     state->spindle_cycles = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_missing = 0u;
@@ -920,6 +932,7 @@ static void axis_s_spindle_axis_any_cycle(
                     /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
                     state->spindle_returns = false;
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                     state->spindle_cycles = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_missing = 0u;
@@ -993,6 +1006,7 @@ static void axis_s_spindle_axis_any_cycle(
                     state->spindle_missing = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_cycles = 0u;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     state->spindle_is_moving = true;
                     /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
@@ -1049,6 +1063,7 @@ static void axis_s_spindle_axis_any_cycle(
             if (state->spindle_is_moving) {
                 state->spindle_missing = 0u;
                 state->spindle_settled = 0u;
+                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                 state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                 state->spindle_takes_over = true;
                 if (state->spindle_cycles == 1u) {
@@ -1185,6 +1200,7 @@ static void axis_s_spindle_axis_any_cycle(
                     /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
                     state->spindle_is_moving = true;
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                     state->spindle_cycles = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_missing = 0u;
@@ -1192,6 +1208,7 @@ static void axis_s_spindle_axis_any_cycle(
                     state->spindle_missing = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_cycles = 0u;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     state->spindle_is_moving = true;
                     /* TO_POSITION: the spindle turns slowly, and goes on doing so */
@@ -1245,6 +1262,7 @@ static void axis_s_spindle_axis_any_cycle(
                     state->spindle_takes_over = true;
                     /* TO_POSITION -> POSITION: the drive displays position control */
                     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                     state->spindle_cycles = 0u;
                     state->spindle_settled = 0u;
                     state->spindle_missing = 0u;
@@ -1390,15 +1408,15 @@ static void axis_s_spindle_axis_any_cycle(
     const bool spindle_is_quiet =
         state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
             && !state->spindle_before_any;
-    int32_t spindle_usual;
+    uint32_t spindle_usual;
     if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
             && !state->spindle_takes_over && !state->spindle_turns_fast) {
-        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_POSITION;
+        spindle_usual = axis_s_spindle_axis_usual_position;
     } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
             && !state->spindle_returns) {
-        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY;
+        spindle_usual = axis_s_spindle_axis_usual_velocity;
     } else {
-        spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+        spindle_usual = axis_s_spindle_axis_usual_none;
     }
     state->spindle_usual = spindle_usual;
     const bool is_led =
@@ -1641,7 +1659,7 @@ static void axis_s_spindle_axis_any_cycle(
         }
         outputs->limited = axis_position_control_limited_then || axis_limited_next;
         if (gives_up_next) {
-            state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+            state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
             double spindle_v_magnitude_last;
             if (state->spindle_v < 0.0) {
@@ -1704,7 +1722,7 @@ void axis_s_spindle_axis_step(
     axis_s_spindle_axis_outputs *restrict outputs)
 {
     const bool in_position =
-        state->spindle_usual == AXIS_S_SPINDLE_AXIS_USUAL_POSITION
+        state->spindle_usual == axis_s_spindle_axis_usual_position
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
@@ -1953,7 +1971,7 @@ void axis_s_spindle_axis_step(
         }
         outputs->limited = axis_position_control_limited_next || axis_limited;
         if (gives_up) {
-            state->spindle_usual = AXIS_S_SPINDLE_AXIS_USUAL_NONE;
+            state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
             double spindle_v_magnitude;
             if (state->spindle_v < 0.0) {
@@ -1973,7 +1991,7 @@ void axis_s_spindle_axis_step(
         }
         outputs->error_id = error_now;
         outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-    } else if (state->spindle_usual == AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY
+    } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)

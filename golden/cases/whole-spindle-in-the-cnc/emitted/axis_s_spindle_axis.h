@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   1ec427122fe44b290793fb75c67daff8
- * checksum    1f3cae7229f6f5aad755d838a2e0f68d
+ * structure   a1a6112421f0a517db731b82735960de
+ * checksum    0ae25a3cfe2e01980e423304a6674533
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x1ec42712u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x2fe44b29u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x0793fb75u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xc67daff8u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xa1a61124u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x21f0a517u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xdb731b82u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x735960deu
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -106,13 +106,6 @@ enum {
     AXIS_S_SPINDLE_AXIS_ERROR_LAG = 48
 };
 
-/* Which usual cycle may be next. */
-enum {
-    AXIS_S_SPINDLE_AXIS_USUAL_NONE = 0, /* none */
-    AXIS_S_SPINDLE_AXIS_USUAL_POSITION = 1, /* of POSITION */
-    AXIS_S_SPINDLE_AXIS_USUAL_VELOCITY = 2 /* of VELOCITY */
-};
-
 /* Written by the caller. axis_s_spindle_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator [0.001 deg]; start 0.0 */
@@ -172,6 +165,7 @@ typedef struct {
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
     int32_t spindle_control; /* what controls the spindle */
+    int32_t spindle_control_copy; /* the same again: what has been overwritten differs */
     uint32_t spindle_cycles; /* cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included */
     uint32_t spindle_settled; /* cycles in which v_actual has been settled */
     uint32_t spindle_missing; /* cycles in which a sample has been missing */
@@ -216,7 +210,7 @@ typedef struct {
     bool spindle_before_any; /* whether one of them was */
     /* whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be
      * a usual one */
-    int32_t spindle_usual;
+    uint32_t spindle_usual;
     bool axis_ipc_preset; /* whether the sections have been preset to the steady state of an input */
     /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
      * state was overwritten */
