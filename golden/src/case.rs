@@ -150,7 +150,7 @@ pub fn read(folder: &Path) -> Result<Case, String> {
 }
 
 /// The events that offer the parameter set that a block is generated with.
-fn offered(block: &Block, window: Window) -> Vec<Event> {
+pub(crate) fn offered(block: &Block, window: Window) -> Vec<Event> {
     let parts = block.program.inputs.iter().filter(|input| block.program.in_set(input).is_some());
     let event = |input: &Variable| {
         let mut value = String::new();

@@ -79,11 +79,32 @@ impl Component {
     }
 }
 
+/// Who answers to a block: it sets inputs from what the block put out. Events overrule it, too.
+pub trait Partner {
+    /// Sets inputs of a sample.
+    fn lead(&mut self, inputs: &mut [Literal]);
+    /// Sees the inputs that the block gets in that sample.
+    fn see(&mut self, inputs: &[Literal]);
+}
+
 /// Makes a run of a block's inputs.
 ///
 /// # Errors
 /// What the stimulus says of a signal that the block does not have, or cannot have.
 pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Samples, String> {
+    answered(stimulus, shape, count, None)
+}
+
+/// The same with a partner.
+///
+/// # Errors
+/// What the stimulus says of a signal that the block does not have, or cannot have.
+pub fn answered(
+    stimulus: &Stimulus,
+    shape: &Shape,
+    count: usize,
+    mut partner: Option<&mut dyn Partner>,
+) -> Result<Samples, String> {
     let mut signals = Vec::new();
     for (name, components) in &stimulus.signal {
         signals.push((real_signal(name, components, shape)?, with_waveforms(components)));
@@ -100,10 +121,16 @@ pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Sampl
             // Not `sum()`: the sign of the zero that it begins with is not the same in all versions of Rust.
             values[*signal] = real(parts.fold(0.0, |sum, part| sum + part), shape.real);
         }
+        if let Some(partner) = &mut partner {
+            partner.lead(&mut values);
+        }
         for (signal, value, window) in &events {
             if window.contains(sample) {
                 values[*signal] = value.at(sample);
             }
+        }
+        if let Some(partner) = &mut partner {
+            partner.see(&values);
         }
         samples.push(&values);
     }

@@ -15,8 +15,8 @@ use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::compare::{FirstDifference, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
-use golden::samples::{Samples, Shape};
-use golden::{exercise, stimulus};
+use golden::exercise::{self, coverage::coverage};
+use golden::samples::Samples;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -48,12 +48,9 @@ pub fn run(
     let mut run = Run::start()?;
     let bar = progress(blocks * engines.len(), format);
     for designed in &set.axes {
-        let axis = &designed.axis;
         let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for block in &blocks {
-            let shape = Shape::of(&block.program.inputs, axis.real);
-            let inputs = stimulus::samples(&exercise::stimulus(axis, &block.program), &shape, samples)
-                .unwrap_or_else(|mistake| panic!("a defect of axgen: {mistake}"));
+            let inputs = exercise::inputs(designed, block, samples);
             run.every_engine(&engines, designed, block, &inputs, &bar)?;
         }
     }
@@ -180,6 +177,10 @@ impl Run {
             let row = format!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}");
             bar.suspend(|| output::line(row))?;
             bar.inc(1);
+        }
+        if let Some(outputs) = expected {
+            let reached = coverage(designed, block, inputs, &outputs);
+            bar.suspend(|| output::line(format!("{:<20} {:<16} reached: {reached}", axis.name, block.program.block)))?;
         }
         Ok(())
     }

@@ -277,7 +277,11 @@ fn verify_counts_no_differing_bit() {
     let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
-    assert_eq!(rows.len(), 3 * 8, "three axes, eight engines");
+    let (reached, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row[2] == "reached:");
+    assert_eq!((reached.len(), rows.len()), (3, 3 * 8), "three axes, eight engines");
+    for row in reached {
+        assert_eq!((row[4], row[6]), ("of", "inputs"), "{row:?}");
+    }
     for row in rows {
         assert_eq!(row[3], "5000");
         assert_eq!(row[4], if row[2] == "reference" { "(reference)" } else { "0" });
@@ -474,6 +478,7 @@ fn a_missing_compiler_is_the_environment() {
             let words: Vec<&str> = row.split_whitespace().collect();
             let expected = match words[2] {
                 "reference" => "(reference)",
+                "reached:" => continue,
                 missing if missing == engine => "- not run",
                 _ => "0",
             };
@@ -482,7 +487,7 @@ fn a_missing_compiler_is_the_environment() {
     }
     let (code, out, err) = verify("CC", &["--engine", "st", "--engine", "program"]);
     assert_eq!((code, err.as_str()), (Some(0), ""));
-    assert_eq!(out.lines().count(), 1 + 3 * 3, "{out}");
+    assert_eq!(out.lines().count(), 1 + 3 * 4, "{out}");
     let (code, _, err) = verify("CC", &["--engine", "pascal"]);
     assert_eq!(code, Some(2));
     assert!(err.contains("no engine `pascal`"), "{err}");

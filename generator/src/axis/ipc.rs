@@ -84,7 +84,7 @@ impl Stage {
     }
 
     /// weight = min(num / denom, 7).
-    pub(crate) fn weight(&self) -> f64 {
+    pub fn weight(&self) -> f64 {
         self.asked_weight().min(Self::MAX_WEIGHT)
     }
 

@@ -18,38 +18,38 @@ const MODE_CYCLES: u32 = 3;
 
 /// Numbers of a drive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Setup {
+pub(crate) struct Setup {
     /// [s]
-    pub(super) cycle: f64,
+    pub(crate) cycle: f64,
     /// cycles between a command and the actual value that it causes
-    pub(super) delay_cycles: u32,
+    pub(crate) delay_cycles: u32,
     /// gain of its position loop [1/s]
-    pub(super) kv: f64,
+    pub(crate) kv: f64,
     /// weight of its feedforward
-    pub(super) weight: f64,
+    pub(crate) weight: f64,
     /// the number of the mode in which it controls the position; none: it never does
-    pub(super) position_mode: Option<i32>,
+    pub(crate) position_mode: Option<i32>,
 }
 
 /// What a drive is told.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Command {
-    pub(super) x: f64,
-    pub(super) v: f64,
-    pub(super) mode: i32,
+pub(crate) struct Command {
+    pub(crate) x: f64,
+    pub(crate) v: f64,
+    pub(crate) mode: i32,
 }
 
 /// What a drive tells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Actual {
+pub(crate) struct Actual {
     /// 0 <= x < 360 000 [0.001 deg]
-    pub(super) x: f64,
-    pub(super) v: f64,
-    pub(super) mode: i32,
+    pub(crate) x: f64,
+    pub(crate) v: f64,
+    pub(crate) mode: i32,
 }
 
 /// A drive that turns.
-pub(super) struct Drive {
+pub(crate) struct Drive {
     setup: Setup,
     x: f64,
     v: f64,
@@ -64,21 +64,21 @@ pub(super) struct Drive {
 
 impl Drive {
     /// At rest.
-    pub(super) fn at(setup: Setup, x: f64) -> Self {
+    pub(crate) fn at(setup: Setup, x: f64) -> Self {
         let mode = setup.position_mode.unwrap_or(0);
         let sent = (0..setup.delay_cycles).map(|_| Actual { x: angle(x), v: 0.0, mode }).collect();
         Self { setup, x, v: 0.0, x_before: x, mode, asked: 0, sent }
     }
 
     /// What arrives in this cycle.
-    pub(super) fn actual(&mut self) -> Actual {
+    pub(crate) fn actual(&mut self) -> Actual {
         let now = Actual { x: angle(self.x), v: rate(self.v), mode: self.mode };
         self.sent.push_back(now);
         self.sent.pop_front().unwrap_or(now)
     }
 
     /// One cycle with a command.
-    pub(super) fn obey(&mut self, command: Command) {
+    pub(crate) fn obey(&mut self, command: Command) {
         let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
         self.asked = if command.mode == self.mode { 0 } else { self.asked + 1 };
         if self.asked > MODE_CYCLES {

@@ -1,26 +1,26 @@
 //! Numbers as controllers have them: angles within a turn, positions and velocities on a grid. No state.
 
 /// A full turn [0.001 deg].
-pub(super) const TURN: f64 = 360_000.0;
+pub(crate) const TURN: f64 = 360_000.0;
 
 /// A position on the grid of 0.0001 deg or 0.1 um.
-pub(super) fn position(x: f64) -> f64 {
+pub(crate) fn position(x: f64) -> f64 {
     (x * 10.0).round() / 10.0 + 0.0
 }
 
 /// A velocity, an acceleration or a jerk on the grid of its unit.
-pub(super) fn rate(v: f64) -> f64 {
+pub(crate) fn rate(v: f64) -> f64 {
     v.round() + 0.0
 }
 
 /// An angle within a turn, on the grid.
-pub(super) fn angle(x: f64) -> f64 {
+pub(crate) fn angle(x: f64) -> f64 {
     let x = position(x.rem_euclid(TURN));
     if x >= TURN { 0.0 } else { x }
 }
 
 /// A distance by the shortest way.
-pub(super) fn shortest(distance: f64) -> f64 {
+pub(crate) fn shortest(distance: f64) -> f64 {
     let within = distance.rem_euclid(TURN);
     if within > TURN / 2.0 { within - TURN } else { within }
 }

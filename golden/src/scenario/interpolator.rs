@@ -8,19 +8,19 @@ const HOMING: f64 = 300_000.0;
 
 /// What the block put out in the cycle before.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    pub(super) state: State,
-    pub(super) job: Job,
-    pub(super) job_number: f64,
-    pub(super) job_speed: f64,
-    pub(super) job_position: f64,
-    pub(super) x_spindle: f64,
-    pub(super) v_spindle: f64,
+pub(crate) struct Seen {
+    pub(crate) state: State,
+    pub(crate) job: Job,
+    pub(crate) job_number: f64,
+    pub(crate) job_speed: f64,
+    pub(crate) job_position: f64,
+    pub(crate) x_spindle: f64,
+    pub(crate) v_spindle: f64,
 }
 
 /// The output `state`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum State {
+pub(crate) enum State {
     Position,
     ToVelocity,
     Velocity,
@@ -30,7 +30,7 @@ pub(super) enum State {
 
 /// The output `job`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Job {
+pub(crate) enum Job {
     Stop,
     Turn,
     Orient,
@@ -40,15 +40,15 @@ pub(super) enum Job {
 
 /// What the block gets.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Commanded {
-    pub(super) x: f64,
-    pub(super) v: f64,
+pub(crate) struct Commanded {
+    pub(crate) x: f64,
+    pub(crate) v: f64,
     /// whether the motion of the job is over
-    pub(super) is_done: bool,
+    pub(crate) is_done: bool,
 }
 
 /// An interpolator.
-pub(super) struct Interpolator {
+pub(crate) struct Interpolator {
     limits: Limits,
     cycle: f64,
     mover: Mover,
@@ -61,14 +61,14 @@ pub(super) struct Interpolator {
 
 impl Interpolator {
     /// At rest.
-    pub(super) fn at(limits: Limits, cycle: f64, x: f64) -> Result<Self, Error> {
+    pub(crate) fn at(limits: Limits, cycle: f64, x: f64) -> Result<Self, Error> {
         let mover = Mover::at(limits, cycle, x, 0.0)?;
         Ok(Self { limits, cycle, mover, job: 0.0, after_stop: None, last: Commanded { x, v: 0.0, is_done: false } })
     }
 
     /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the block put out. In VELOCITY only the velocity
     /// counts: the position stays.
-    pub(super) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
+    pub(crate) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
         match seen.state {
             State::Brake => return Ok(self.last),
             State::ToPosition => {

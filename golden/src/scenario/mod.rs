@@ -11,12 +11,13 @@
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
-mod drive;
-mod grid;
-mod interpolator;
+pub(crate) mod drive;
+pub(crate) mod grid;
+pub(crate) mod interpolator;
+pub(crate) mod machine;
 mod path;
 pub mod picture;
-mod recorder;
+pub(crate) mod recorder;
 mod spindle;
 
 use crate::samples::Samples;

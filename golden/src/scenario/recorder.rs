@@ -41,21 +41,15 @@ impl Recorder {
         self.given[at] = literal(value, signals[at].ty, self.inputs.shape.real);
     }
 
-    /// Whether the block has an output.
-    pub(super) fn has(&self, name: &str) -> bool {
-        self.outputs.shape.signals.iter().any(|signal| signal.name == name)
+    /// What the block gave in the cycle before; none: it does not have the output.
+    pub(super) fn output(&self, name: &str) -> Option<f64> {
+        let at = self.outputs.shape.signals.iter().position(|signal| signal.name == name)?;
+        Some(number(self.answers[at]))
     }
 
     /// What the block gave in the cycle before; of an output that it does not have 0.
     pub(super) fn get(&self, name: &str) -> f64 {
-        let at = self.outputs.shape.signals.iter().position(|signal| signal.name == name);
-        at.map_or(0.0, |at| number(self.answers[at]))
-    }
-
-    /// The same of an output that is an integer.
-    #[expect(clippy::cast_possible_truncation, reason = "it is an integer of 32 bits")]
-    pub(super) fn integer(&self, name: &str) -> i32 {
-        self.get(name) as i32
+        self.output(name).unwrap_or(0.0)
     }
 
     /// One cycle.
@@ -77,7 +71,7 @@ impl Recorder {
 }
 
 /// A value of a signal as a number; every value of a signal is one exactly.
-pub(super) fn number(value: Literal) -> f64 {
+pub(crate) fn number(value: Literal) -> f64 {
     match value {
         Literal::Bool(value) => f64::from(u8::from(value)),
         Literal::I32(value) => f64::from(value),
@@ -89,7 +83,7 @@ pub(super) fn number(value: Literal) -> f64 {
 }
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates; reals are rounded once, here")]
-fn literal(value: f64, ty: Type, real: RealKind) -> Literal {
+pub(crate) fn literal(value: f64, ty: Type, real: RealKind) -> Literal {
     match (ty, real) {
         (Type::Bool, _) => Literal::Bool(value != 0.0),
         (Type::I32, _) => Literal::I32(value as i32),

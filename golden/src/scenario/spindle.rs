@@ -1,13 +1,13 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
-use super::drive::{Command as Sent, Drive, Setup};
 use super::grid::{angle, shortest};
-use super::interpolator::{Interpolator, Job, Seen, State};
+use super::interpolator::{Job, Seen, State};
+use super::machine::{self, Machine};
 use super::recorder::Recorder;
 use super::{Scenario, refused, steps};
-use generator::axis::{Axis, Changeover, Spindle};
+use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
-use nc::profile::{self, Limits};
+use nc::profile;
 use nc::{Command, Direction, Mistake, Program, Target};
 
 /// 0.001 deg/s in 1 rpm.
@@ -20,8 +20,6 @@ const POSITION_WINDOW: f64 = 100.0;
 const SPEED_WINDOW: f64 = 0.01;
 /// Speed of M19 without an S word, if the velocity of position control is 0 [0.001 deg/s].
 const SLOW: f64 = 300_000.0;
-/// Within which the acceleration is there [s].
-const JERK_TIME: f64 = 0.05;
 /// Cycles before the first block and behind the last one.
 const REST: usize = 20;
 
@@ -54,37 +52,21 @@ struct Closed<'a> {
     axis: &'a Axis,
     spindle: &'a Spindle,
     recorder: Recorder,
-    interpolator: Interpolator,
-    drive: Drive,
+    machine: Machine<'a>,
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
-    x_actual: f64,
-    v_actual: f64,
     is_done: bool,
 }
 
 impl<'a> Closed<'a> {
     fn start(axis: &'a Axis, spindle: &'a Spindle, mut recorder: Recorder) -> Result<Self, profile::Error> {
-        let (cycle, acceleration) = (axis.cycle_time(), spindle.deceleration);
-        let limits = Limits { velocity: axis.ipc.v_max, acceleration, jerk: acceleration / JERK_TIME };
-        let (position_mode, weight) = match spindle.drive {
-            Changeover::Cnc { .. } => (None, 0.0),
-            Changeover::Drive { position_mode, feed_forward_v_weighting, .. } => {
-                (Some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
-            }
-        };
-        let kv = f64::from(spindle.kv) / 100.0;
-        let setup = Setup { cycle, delay_cycles: spindle.delay_cycles, kv, weight, position_mode };
         recorder.set("drive_on", 1.0);
         Ok(Self {
+            machine: Machine::start(axis, spindle, START)?,
             axis,
             spindle,
             recorder,
-            interpolator: Interpolator::at(limits, cycle, START)?,
-            drive: Drive::at(setup, START),
             feedforward: [0.0, 100.0],
-            x_actual: START,
-            v_actual: 0.0,
             is_done: false,
         })
     }
@@ -159,7 +141,7 @@ impl<'a> Closed<'a> {
         let v = self.recorder.get("v_spindle");
         let is_negative = match direction {
             Some(direction) => direction == Direction::Negative,
-            None if v == 0.0 => shortest(target - self.x_actual) < 0.0,
+            None if v == 0.0 => shortest(target - self.machine.actual.x) < 0.0,
             None => v < 0.0,
         };
         self.request(if is_negative { &["m19", "m4"] } else { &["m19", "m3"] }, speed, target, Job::Orient, line)?;
@@ -214,7 +196,7 @@ impl<'a> Closed<'a> {
             _ => false,
         };
         let window = (v.abs() * SPEED_WINDOW).max(RPM);
-        is_there && (self.v_actual - v).abs() <= window && (self.recorder.get("v_spindle") - v).abs() < 1.0
+        is_there && (self.machine.actual.v - v).abs() <= window && (self.recorder.get("v_spindle") - v).abs() < 1.0
     }
 
     fn rest(&mut self, line: usize) -> Result<(), Mistake> {
@@ -223,9 +205,8 @@ impl<'a> Closed<'a> {
 
     /// One cycle: actual values, interpolator, block, drive.
     fn cycle(&mut self, line: usize) -> Result<(), Mistake> {
-        let actual = self.drive.actual();
-        (self.x_actual, self.v_actual) = (actual.x, actual.v);
-        let commanded = self.interpolator.next(&self.seen()).map_err(|error| no_motion(line, &error))?;
+        let commanded = self.machine.next(&self.seen()).map_err(|error| no_motion(line, &error))?;
+        let actual = self.machine.actual;
         let is_near = shortest(commanded.x - actual.x).abs() <= POSITION_WINDOW;
         self.is_done = commanded.is_done && is_near;
         let inputs = [
@@ -243,51 +224,11 @@ impl<'a> Closed<'a> {
             self.recorder.set(name, value);
         }
         self.recorder.cycle(line)?;
-        self.drive.obey(self.sent());
+        self.machine.obey(&|name| self.recorder.output(name), self.feedforward);
         Ok(())
     }
 
-    /// What the drive gets: with position control in the CNC a velocity, from its controller where the loop is closed. The block
-    /// `spindle_axis` is that controller.
-    fn sent(&self) -> Sent {
-        let [x, v] = ["x_spindle", "v_spindle"].map(|name| self.recorder.get(name));
-        let mode = self.recorder.integer("operation_mode");
-        let Changeover::Cnc { feedforward, default_active } = &self.spindle.drive else { return Sent { x, v, mode } };
-        if self.recorder.has("v_command") {
-            return Sent { x, v: self.recorder.get("v_command") + self.recorder.get("v_add"), mode };
-        }
-        if self.recorder.get("loop_closed") == 0.0 {
-            return Sent { x, v, mode };
-        }
-        let is_active = *default_active || self.feedforward[0] != 0.0;
-        let weight = feedforward.filter(|_| is_active).map_or(0.0, generator::axis::Ratio::value);
-        let weight = weight * self.feedforward[1].clamp(0.0, 100.0) / 100.0;
-        let v = f64::from(self.spindle.kv) / 100.0 * shortest(x - self.x_actual) + weight * v;
-        Sent { x, v, mode }
-    }
-
     fn seen(&self) -> Seen {
-        let get = |name| self.recorder.get(name);
-        Seen {
-            state: match self.recorder.integer("spindle_state") {
-                0 => State::Position,
-                1 => State::ToVelocity,
-                2 => State::Velocity,
-                3 => State::Brake,
-                _ => State::ToPosition,
-            },
-            job: match self.recorder.integer("job") {
-                1 => Job::Turn,
-                2 => Job::Orient,
-                3 => Job::Release,
-                4 => Job::Home,
-                _ => Job::Stop,
-            },
-            job_number: get("job_number"),
-            job_speed: get("job_speed"),
-            job_position: get("job_position"),
-            x_spindle: get("x_spindle"),
-            v_spindle: get("v_spindle"),
-        }
+        machine::seen(&|name| self.recorder.output(name))
     }
 }

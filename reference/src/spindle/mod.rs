@@ -84,7 +84,8 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
-    state.usual = usual_none();
+    // No usual cycle is next. The functions that begin a block have no named constants.
+    state.usual = 0u32;
     call_rate::init(&mut state.call_rate);
 }
 

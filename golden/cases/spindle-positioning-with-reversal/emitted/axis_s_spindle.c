@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   9ebf8fda6d0fee5f3b0225522176b1fe
- * checksum    3759ea9905115dc7df1b1342501baa18
+ * structure   98ce65752dd235e5dc9c6c4efdd8c126
+ * checksum    ccf26065cdc56dc76314988d713a5e61
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle.h"
@@ -145,7 +145,7 @@ void axis_s_spindle_init(axis_s_spindle_state *fresh)
     state->before_putax = true;
     state->before_g74 = true;
     state->before_any = true;
-    state->usual = usual_none;
+    state->usual = 0u;
 }
 
 void axis_s_spindle_inputs_init(axis_s_spindle_inputs *inputs)
@@ -212,13 +212,13 @@ static void axis_s_spindle_any_cycle(
     static const uint32_t brake_cycles = 975u; /* cycles within which the spindle has braked */
 
     /* the same for every axis */
-    static const uint32_t usual_none = 0u; /* no usual cycle is next */
     static const uint32_t usual_velocity = 43690u; /* the usual cycle of VELOCITY may be next */
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
     static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
     /* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
     static const double counted_limit = 710000000000000.0;
     static const double per_turn = 2.777777777777778e-6; /* 1 / full_turn */
+    static const uint32_t usual_none = 0u; /* no usual cycle is next */
 
     const bool in_velocity =
         state->usual == usual_velocity

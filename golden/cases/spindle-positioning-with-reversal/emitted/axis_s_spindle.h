@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  2000000 ns
  * parameters  0063bb6aa53fa542dcc19d3da5fde611
- * structure   9ebf8fda6d0fee5f3b0225522176b1fe
- * checksum    6f487a0dcadb66bd49228ae5e4179031
+ * structure   98ce65752dd235e5dc9c6c4efdd8c126
+ * checksum    afea99bde9dd430f0f54348e5cf52bbe
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_H
@@ -30,10 +30,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_PARAMETERS_2 0xdcc19d3du
 #define AXIS_S_SPINDLE_PARAMETERS_3 0xa5fde611u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_STRUCTURE_0 0x9ebf8fdau
-#define AXIS_S_SPINDLE_STRUCTURE_1 0x6d0fee5fu
-#define AXIS_S_SPINDLE_STRUCTURE_2 0x3b022552u
-#define AXIS_S_SPINDLE_STRUCTURE_3 0x2176b1feu
+#define AXIS_S_SPINDLE_STRUCTURE_0 0x98ce6575u
+#define AXIS_S_SPINDLE_STRUCTURE_1 0x2dd235e5u
+#define AXIS_S_SPINDLE_STRUCTURE_2 0xdc9c6c4eu
+#define AXIS_S_SPINDLE_STRUCTURE_3 0xfdd8c126u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_INPUTS_SIZE 72u
 #define AXIS_S_SPINDLE_OUTPUTS_SIZE 64u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   a1a6112421f0a517db731b82735960de
- * checksum    744b91051d002c33013b22368637dccd
+ * structure   88092532f202fe7776a7c5c650d9deca
+ * checksum    5872260109ce3fb29490855ffc9949c7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -126,7 +126,6 @@ static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483
 static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
 /* the same for every axis */
-static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle is next */
 /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
 static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
 /* the usual cycle of POSITION may be next: no flipped bit makes one of these codes another */
@@ -141,6 +140,7 @@ static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
+static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle is next */
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle of VELOCITY may be next */
 
 void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
@@ -189,7 +189,7 @@ void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
     state->spindle_before_putax = true;
     state->spindle_before_g74 = true;
     state->spindle_before_any = true;
-    state->spindle_usual = axis_s_spindle_axis_usual_none;
+    state->spindle_usual = 0u;
     state->axis_ipc_preset = false;
     state->axis_ipc_fade = 0u;
     state->axis_ipc_stage0_filter0_section0_s1 = 0.0;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  32e7cbbccf38ef1a1745a105e71d0668
- * structure   a1a6112421f0a517db731b82735960de
- * checksum    0ae25a3cfe2e01980e423304a6674533
+ * structure   88092532f202fe7776a7c5c650d9deca
+ * checksum    945b7e6c35f023c9989b3fae0a915689
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xa1a61124u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x21f0a517u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xdb731b82u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x735960deu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x88092532u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xf202fe77u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x76a7c5c6u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x50d9decau
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u

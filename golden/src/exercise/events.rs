@@ -1,4 +1,4 @@
-//! A stimulus for any axis: what `verify` runs a user's own blocks with.
+//! The part of an exercise that nothing answers to: moves, vibrations, noise, and events.
 
 use crate::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
@@ -12,8 +12,7 @@ const FIRST_BOUNDARY: u64 = 200;
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
 /// changes, resets, loss of position control, bad samples, wrong cycle times, rest, both boundaries of process data, and parameter
 /// sets that are late, absent or damaged. Of all this a block gets what it has a signal for.
-#[must_use]
-pub fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
+pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
@@ -68,6 +67,7 @@ fn reals(axis: &Axis) -> [(&'static str, f64); 13] {
     ]
 }
 
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of cycles within 8000")]
 fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
     let moving = Window { at: 0, length: 60_000, every: 80_000 };
     let part = |form, share: f64, window| Component { form, amplitude: share * v_max, window };
@@ -77,11 +77,19 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
         part(Form::Chirp { from: 2_000.0, to: 2.5, length: 20_000.0 }, 0.05, moving),
         part(Form::Constant, 0.5, Window { at: 31_000, length: 2_000, every: 40_000 }),
     ];
-    let filters = axis.ipc.stage.iter().flatten().flat_map(|stage| stage.filter);
-    components.extend(filters.filter_map(|filter| match filter {
-        Filter::Bandpass { f0, .. } => Some(part(Form::Sine { period: 1.0 / (f0 * axis.cycle_time()) }, 0.1, moving)),
-        _ => None,
-    }));
+    for stage in axis.ipc.stage.iter().flatten() {
+        // As large as it takes for the stage alone to reach the limit.
+        let large = (1.5 * axis.ipc.limit() / stage.weight() / axis.ipc.v_max).min(2.0);
+        for filter in stage.filter {
+            if let Filter::Bandpass { f0, .. } = filter {
+                let period = 1.0 / (f0 * axis.cycle_time());
+                let sine = Form::Sine { period };
+                let length = (8.0 * period).clamp(1_500.0, 8_000.0) as u64;
+                components.push(part(sine.clone(), 0.1, moving));
+                components.push(part(sine, large, Window { at: 42_000, length, every: 50_000 }));
+            }
+        }
+    }
     components
 }
 

@@ -1,0 +1,134 @@
+//! How much of a block an exercise reached: inputs that moved, outputs that changed, states and transitions of a spindle, parameter sets.
+
+use crate::samples::Samples;
+use generator::axis::Changeover;
+use generator::blocks::{Block, Designed};
+use portable::Literal;
+use std::collections::BTreeSet;
+use std::fmt;
+
+/// The states of a spindle, by their numbers.
+const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
+
+/// The transitions of a spindle that changes over (docs/spindle.md), by their ends: on the usual way, by an error and its reset, by a drive that is
+/// switched off.
+const TRANSITIONS: [[usize; 2]; 11] =
+    [[4, 0], [4, 3], [0, 1], [1, 2], [2, 3], [3, 4], [0, 3], [1, 3], [0, 4], [1, 4], [2, 4]];
+
+/// TO_VELOCITY takes one cycle where the CNC changes over: nothing comes between.
+const NOT_IN_THE_CNC: [[usize; 2]; 2] = [[1, 3], [1, 4]];
+
+/// What was reached of what there is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Coverage {
+    /// each kind with how many there are, and those that were not reached
+    pub rows: Vec<(&'static str, usize, Vec<String>)>,
+}
+
+impl Coverage {
+    /// Whether everything was reached.
+    #[must_use]
+    pub fn is_full(&self) -> bool {
+        self.rows.iter().all(|(_, _, missing)| missing.is_empty())
+    }
+}
+
+impl fmt::Display for Coverage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (row, (kind, count, missing)) in self.rows.iter().enumerate() {
+            let separator = if row == 0 { "" } else { ", " };
+            write!(f, "{separator}{} of {count} {kind}", count - missing.len())?;
+            if !missing.is_empty() {
+                write!(f, " (not {})", missing.join(", "))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Looks at a run: of the signals that the axis has.
+#[must_use]
+pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &Samples) -> Coverage {
+    let still = |run: &Samples, places: &[usize]| -> Vec<String> {
+        let moved = moved(run);
+        places.iter().filter(|place| !moved[**place]).map(|place| run.shape.signals[*place].name.clone()).collect()
+    };
+    // With a limit of 0 nothing is added.
+    let is_constant = |name: &str| designed.ipc.limit == 0.0 && ["v_add", "v_add_calculated"].contains(&name);
+    let can_change = |place: &&usize| !is_constant(&block.program.outputs[**place].path);
+    let changing: Vec<usize> = block.own.outputs.iter().filter(can_change).copied().collect();
+    let mut rows = vec![
+        ("inputs moved", block.own.inputs.len(), still(inputs, &block.own.inputs)),
+        ("outputs changed", changing.len(), still(outputs, &changing)),
+    ];
+    if let Some(spindle) = designed.axis.control.spindle.as_ref().filter(|_| place(outputs, "spindle_state").is_some())
+        && spindle.v_velocity_control_on > 0
+    {
+        let reached = transitions(outputs);
+        let states: BTreeSet<usize> = reached.iter().flatten().copied().collect();
+        let missing = (0..STATES.len()).filter(|state| !states.contains(state)).map(|state| STATES[state].to_owned());
+        rows.push(("states", STATES.len(), missing.collect()));
+        let in_cnc = matches!(spindle.drive, Changeover::Cnc { .. });
+        let there: Vec<_> = TRANSITIONS.iter().filter(|of| !(in_cnc && NOT_IN_THE_CNC.contains(of))).collect();
+        let missing = there.iter().filter(|of| !reached.contains(**of));
+        let missing = missing.map(|[from, to]| format!("{} to {}", STATES[*from], STATES[*to]));
+        rows.push(("transitions", there.len(), missing.collect()));
+    }
+    if let Some(at) = place(outputs, "active_set") {
+        rows.push(("events of parameter sets", 3, events_of_sets(outputs, at)));
+    }
+    Coverage { rows }
+}
+
+fn place(run: &Samples, name: &str) -> Option<usize> {
+    run.shape.signals.iter().position(|signal| signal.name == name)
+}
+
+/// Whether each signal has ever had another value than in the first sample.
+fn moved(run: &Samples) -> Vec<bool> {
+    let mut moved = vec![false; run.shape.signals.len()];
+    let (mut first, mut values) = (Vec::new(), Vec::new());
+    for sample in 0..run.len() {
+        run.read(sample, &mut values);
+        if sample == 0 {
+            first.clone_from(&values);
+        }
+        let differs = first.iter().zip(&values).map(|(first, value)| first != value);
+        moved.iter_mut().zip(differs).for_each(|(moved, differs)| *moved |= differs);
+    }
+    moved
+}
+
+/// The pairs of states, one directly behind the other.
+fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
+    let mut reached = BTreeSet::new();
+    let Some(at) = place(outputs, "spindle_state") else { return reached };
+    let (mut values, mut before) = (Vec::new(), None);
+    for sample in 0..outputs.len() {
+        outputs.read(sample, &mut values);
+        let Literal::I32(state) = values[at] else { continue };
+        let Some(state) = usize::try_from(state).ok().filter(|state| *state < STATES.len()) else { continue };
+        if let Some(before) = before.filter(|before| *before != state) {
+            reached.insert([before, state]);
+        }
+        before = Some(state);
+    }
+    reached
+}
+
+/// What has not become of parameter sets: one taken over, another one behind it, one refused.
+fn events_of_sets(outputs: &Samples, at: usize) -> Vec<String> {
+    let error_id = place(outputs, "error_id");
+    let (mut values, mut before, mut shown) = (Vec::new(), 0, [false; 3]);
+    for sample in 0..outputs.len() {
+        outputs.read(sample, &mut values);
+        if let Literal::U32(now) = values[at] {
+            shown[0] |= now != 0;
+            shown[1] |= before != 0 && now != 0 && now != before;
+            before = if now == 0 { before } else { now };
+        }
+        shown[2] |= error_id.is_some_and(|id| matches!(values[id], Literal::U32(6..=8)));
+    }
+    let words = ["a set taken over", "another set taken over", "a set refused"];
+    words.into_iter().zip(shown).filter(|(_, shown)| !shown).map(|(word, _)| word.to_owned()).collect()
+}

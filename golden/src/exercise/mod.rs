@@ -1,0 +1,31 @@
+//! The exercise of a block: what `verify` runs a user's own blocks with, and how much of the block it reached.
+//!
+//! ```text
+//! events     moves, vibrations, noise, disturbances: nothing answers to them
+//! spindle    the partner of a spindle: an operator, an interpolator, a drive
+//! sets       the supplier of parameter sets: another one, also damaged, late or absent
+//! coverage   what moved, what changed, which states, transitions and sets were reached
+//! ```
+
+pub mod coverage;
+mod events;
+mod sets;
+mod spindle;
+
+use crate::samples::{Samples, Shape};
+use crate::stimulus::{self, Partner};
+use generator::blocks::{Block, Designed};
+
+/// The inputs of a block, sample by sample.
+///
+/// # Panics
+/// If the stimulus does not fit the block: a defect of axgen.
+#[must_use]
+pub fn inputs(designed: &Designed, block: &Block, count: usize) -> Samples {
+    let mut stimulus = events::stimulus(&designed.axis, &block.program);
+    stimulus.event.splice(0..0, sets::events(designed, block));
+    let mut partner = spindle::Machinery::of(designed, block);
+    let partner = partner.as_mut().map(|partner| partner as &mut dyn Partner);
+    let shape = Shape::of(&block.program.inputs, designed.axis.real);
+    stimulus::answered(&stimulus, &shape, count, partner).unwrap_or_else(|mistake| panic!("exercise: {mistake}"))
+}

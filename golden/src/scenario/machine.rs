@@ -1,0 +1,105 @@
+//! The machine around a spindle's block: the interpolator, and the drive with what it gets. No program, no operator.
+
+use super::drive::{Actual, Command, Drive, Setup};
+use super::grid::shortest;
+use super::interpolator::{Commanded, Interpolator, Job, Seen, State};
+use generator::axis::{Axis, Changeover, Ratio, Spindle};
+use nc::profile::{Error, Limits};
+
+/// Within which the acceleration is there [s].
+const JERK_TIME: f64 = 0.05;
+
+/// What the block put out in the cycle before, by name; none: it has no such output.
+pub(crate) type Outputs<'o> = &'o dyn Fn(&str) -> Option<f64>;
+
+/// Interpolator and drive.
+pub(crate) struct Machine<'a> {
+    spindle: &'a Spindle,
+    limits: Limits,
+    cycle: f64,
+    interpolator: Interpolator,
+    drive: Drive,
+    /// what arrived in this cycle
+    pub(crate) actual: Actual,
+}
+
+impl<'a> Machine<'a> {
+    /// At rest.
+    pub(crate) fn start(axis: &Axis, spindle: &'a Spindle, x: f64) -> Result<Self, Error> {
+        let (cycle, acceleration) = (axis.cycle_time(), spindle.deceleration);
+        let limits = Limits { velocity: axis.ipc.v_max, acceleration, jerk: acceleration / JERK_TIME };
+        let (position_mode, weight) = match spindle.drive {
+            Changeover::Cnc { .. } => (None, 0.0),
+            Changeover::Drive { position_mode, feed_forward_v_weighting, .. } => {
+                (Some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
+            }
+        };
+        let kv = f64::from(spindle.kv) / 100.0;
+        let setup = Setup { cycle, delay_cycles: spindle.delay_cycles, kv, weight, position_mode };
+        let drive = Drive::at(setup, x);
+        let actual = Actual { x, v: 0.0, mode: position_mode.unwrap_or(0) };
+        Ok(Self { spindle, limits, cycle, interpolator: Interpolator::at(limits, cycle, x)?, drive, actual })
+    }
+
+    /// One cycle: actual values, then the interpolator.
+    pub(crate) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
+        self.actual = self.drive.actual();
+        self.interpolator.next(seen)
+    }
+
+    /// The interpolator begins anew at rest.
+    pub(crate) fn restart(&mut self, x: f64) -> Result<(), Error> {
+        self.interpolator = Interpolator::at(self.limits, self.cycle, x)?;
+        Ok(())
+    }
+
+    /// One cycle of the drive. With position control in the CNC it gets a velocity, from the CNC's controller where the loop is closed: the block
+    /// `spindle_axis` is that controller. `feedforward`: whether it is active, and its percentage.
+    pub(crate) fn obey(&mut self, outputs: Outputs<'_>, feedforward: [f64; 2]) {
+        let command = self.command(outputs, feedforward);
+        self.drive.obey(command);
+    }
+
+    /// One cycle of a drive that is off: the spindle coasts.
+    pub(crate) fn coast(&mut self) {
+        let Actual { x, v, mode } = self.actual;
+        self.drive.obey(Command { x, v, mode });
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "an operation mode is an integer of 32 bits")]
+    fn command(&self, outputs: Outputs<'_>, feedforward: [f64; 2]) -> Command {
+        let get = |name| outputs(name).unwrap_or(0.0);
+        let (x, v, mode) = (get("x_spindle"), get("v_spindle"), get("operation_mode") as i32);
+        let Changeover::Cnc { feedforward: of_velocity, default_active } = &self.spindle.drive else {
+            return Command { x, v, mode };
+        };
+        if let Some(v_command) = outputs("v_command") {
+            return Command { x, v: v_command + get("v_add"), mode };
+        }
+        if get("loop_closed") == 0.0 {
+            return Command { x, v, mode };
+        }
+        let is_active = *default_active || feedforward[0] != 0.0;
+        let weight = of_velocity.filter(|_| is_active).map_or(0.0, Ratio::value);
+        let weight = weight * feedforward[1].clamp(0.0, 100.0) / 100.0;
+        let v = f64::from(self.spindle.kv) / 100.0 * shortest(x - self.actual.x) + weight * v;
+        Command { x, v, mode }
+    }
+}
+
+/// What the interpolator sees of the outputs.
+pub(crate) fn seen(outputs: Outputs<'_>) -> Seen {
+    let get = |name| outputs(name).unwrap_or(0.0);
+    let states = [State::Position, State::ToVelocity, State::Velocity, State::Brake];
+    let jobs = [Job::Stop, Job::Turn, Job::Orient, Job::Release, Job::Home];
+    let number = |name| (0_u8..).take_while(|number| f64::from(*number) < get(name)).count();
+    Seen {
+        state: states.get(number("spindle_state")).copied().unwrap_or(State::ToPosition),
+        job: jobs.get(number("job")).copied().unwrap_or(Job::Stop),
+        job_number: get("job_number"),
+        job_speed: get("job_speed"),
+        job_position: get("job_position"),
+        x_spindle: get("x_spindle"),
+        v_spindle: get("v_spindle"),
+    }
+}
