@@ -9,11 +9,15 @@
 #![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 
 pub mod axis;
+// A new word or variant does not pass here unseen.
+#[deny(clippy::wildcard_enum_match_arm)]
 pub mod blocks;
+#[deny(clippy::wildcard_enum_match_arm)]
 mod check;
 pub mod codes;
 mod commissioning;
 pub mod config;
+#[deny(clippy::wildcard_enum_match_arm)]
 mod design;
 pub mod diagnostics;
 pub mod diff;
@@ -28,6 +32,7 @@ pub mod parameters;
 pub mod params_of;
 pub mod pipeline;
 pub mod reference_page;
+#[deny(clippy::wildcard_enum_match_arm)]
 mod rules;
 pub mod runner;
 pub mod schema;

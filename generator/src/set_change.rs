@@ -2,6 +2,7 @@
 //! printed here.
 
 use crate::axis::{Filter, Stage};
+use crate::blocks::ipc::filter;
 use crate::blocks::{self, Designed, IPC, Part, Value, differences};
 use crate::design::rounding::rounded;
 use crate::number::pair;
@@ -136,9 +137,9 @@ fn structure(of: &Designed) -> Vec<(String, Value)> {
 
 /// The source of a stage and its sections, without their numbers.
 fn parts(stage: &Stage) -> String {
-    let filter = |filter: &Filter| match filter {
-        Filter::Bandpass { order, .. } => format!(", {} order {order}", filter.kind().name()),
-        Filter::NoFilter | Filter::Allpass { .. } => format!(", {}", filter.kind().name()),
+    let filter = |of: &Filter| match filter::of(of) {
+        Some(kind) => format!(", {}", kind.structure()),
+        None => format!(", {}", of.kind().name()),
     };
     stage.mode.text() + &stage.filter.iter().map(filter).collect::<String>()
 }

@@ -180,7 +180,11 @@ impl Run {
         }
         if let Some(outputs) = expected {
             let reached = coverage(designed, block, inputs, &outputs);
-            bar.suspend(|| output::line(format!("{:<20} {:<16} reached: {reached}", axis.name, block.program.block)))?;
+            let line = format!("{:<20} {:<16} reached: {reached}", axis.name, block.program.block);
+            let missing = reached.missing().map(|line| format!("{:<20} {:<16}   {line}", "", ""));
+            for line in [line].into_iter().chain(missing) {
+                bar.suspend(|| output::line(line))?;
+            }
         }
         Ok(())
     }

@@ -277,7 +277,8 @@ fn verify_counts_no_differing_bit() {
     let run = axgen(folder.path(), &["verify", "machine.toml", "--samples", "5000"]);
     assert_eq!(run.code, 0, "{}", run.err);
     let rows: Vec<Vec<&str>> = run.out.lines().skip(1).map(|line| line.split_whitespace().collect()).collect();
-    let (reached, rows): (Vec<_>, Vec<_>) = rows.into_iter().partition(|row| row[2] == "reached:");
+    let rows = rows.into_iter().filter(|row| row[0] != "not");
+    let (reached, rows): (Vec<_>, Vec<_>) = rows.partition(|row| row[2] == "reached:");
     assert_eq!((reached.len(), rows.len()), (3, 3 * 8), "three axes, eight engines");
     for row in reached {
         assert_eq!((row[4], row[6]), ("of", "inputs"), "{row:?}");
@@ -476,6 +477,9 @@ fn a_missing_compiler_is_the_environment() {
         assert_eq!(err.matches("no-such-compiler").count(), 1, "{err}");
         for row in out.lines().skip(1) {
             let words: Vec<&str> = row.split_whitespace().collect();
+            if words[0] == "not" {
+                continue;
+            }
             let expected = match words[2] {
                 "reference" => "(reference)",
                 "reached:" => continue,
@@ -487,7 +491,7 @@ fn a_missing_compiler_is_the_environment() {
     }
     let (code, out, err) = verify("CC", &["--engine", "st", "--engine", "program"]);
     assert_eq!((code, err.as_str()), (Some(0), ""));
-    assert_eq!(out.lines().count(), 1 + 3 * 4, "{out}");
+    assert_eq!(out.lines().filter(|line| !line.starts_with(' ')).count(), 1 + 3 * 4, "{out}");
     let (code, _, err) = verify("CC", &["--engine", "pascal"]);
     assert_eq!(code, Some(2));
     assert!(err.contains("no engine `pascal`"), "{err}");

@@ -77,8 +77,11 @@ pub trait Part: Sync {
     }
 
     /// What is certain of its program.
-    fn certificate(&self, _: &Designed, _: &Program) -> Certified {
-        Certified::default()
+    ///
+    /// # Errors
+    /// The program does something else than what was designed.
+    fn certificate(&self, _: &Designed, _: &Program) -> Result<Certified, Defect> {
+        Ok(Certified::default())
     }
 }
 
@@ -245,7 +248,7 @@ fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
     let self_test = self_test::record::<R, P>(coeffs(), &own, &state_paths, ranges);
-    let certificate = part.certificate(designed, &program);
+    let certificate = part.certificate(designed, &program)?;
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
     let led = (&*drill, designed.axis.cycle_time_ns);

@@ -40,7 +40,9 @@ fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     number(all.into_iter().fold(String::new(), |text, leaf| match leaf {
         Literal::F64(value) => format!("{text} {:016x}", value.to_bits()),
         Literal::F32(value) => format!("{text} {:08x}", value.to_bits()),
-        other => format!("{text} {other:?}"),
+        Literal::Bool(_) | Literal::I32(_) | Literal::U32(_) | Literal::Usize(_) | Literal::Variant(_) => {
+            format!("{text} {leaf:?}")
+        }
     }))
 }
 

@@ -3,6 +3,7 @@
 use super::{Certified, Drill, Figure, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
 use crate::trial::Set;
+use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::axis::Axis;
 use reference::ipc::mode_off;
@@ -58,7 +59,7 @@ impl Part for SpindleAxis {
     }
 
     /// The limit of what it adds.
-    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() }
+    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
+        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }

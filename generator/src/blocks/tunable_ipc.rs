@@ -5,6 +5,7 @@ use super::values::{Value, Values};
 use super::{Certified, Figure, Kind, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
+use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::ipc::Ipc;
 use reference::tunable_ipc::{Coeffs, TunableIpc};
@@ -73,14 +74,13 @@ impl Part for TunableIpc {
         Ipc.limit(designed)
     }
 
-    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        let program = Kind::program(&Ipc, designed, Some("verified"))
-            .expect("tunable_ipc: the block with constants has no defect");
-        let mut certified = Ipc.certificate(designed, &program);
+    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
+        let program = Kind::program(&Ipc, designed, Some("verified"))?;
+        let mut certified = Ipc.certificate(designed, &program)?;
         certified.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
         for figure in certified.figures.iter_mut().filter(|figure| figure.name == "BOUND") {
             figure.doc.push_str(", with the set that the block was generated with");
         }
-        certified
+        Ok(certified)
     }
 }

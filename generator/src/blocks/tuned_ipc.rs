@@ -4,6 +4,7 @@ use super::ipc::is_there;
 use super::{Certified, Figure, Part, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
+use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 use reference::tuned_ipc::TunedIpc;
@@ -45,7 +46,7 @@ impl Part for TunedIpc {
         Ipc.limit(designed)
     }
 
-    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
+    fn certificate(&self, designed: &Designed, program: &Program) -> Result<Certified, Defect> {
         Ipc.certificate(designed, program)
     }
 }

@@ -182,8 +182,7 @@ fn control(
 /// Whether a list asks for more than improved position control.
 fn is_asked_for(e: &Effective<'_>) -> bool {
     let none = Value::Words(vec![FeedforwardWord::None.name()]);
-    e.all_given().any(|((name, _), setting)| match name {
-        Name::FeedforwardMode => setting.value.as_ref() != Some(&none),
-        _ => name == Name::Kv,
-    })
+    let feeds_forward = |value: &Option<Value>| value.as_ref() != Some(&none);
+    e.all_given()
+        .any(|((name, _), setting)| name == Name::Kv || name == Name::FeedforwardMode && feeds_forward(&setting.value))
 }

@@ -2,6 +2,7 @@
 
 use super::rows::{Row, rows};
 use crate::axis::{Filter, Mode};
+use crate::blocks::ipc::filter as kinds;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::design::band::warped;
 use crate::design::response::{self, magnitude};
@@ -101,7 +102,7 @@ fn left(design: &StageDesign, part: f64) -> f64 {
 fn quiet(design: &StageDesign) -> f64 {
     let stage = &design.stage;
     let of_filter = |filter: &Filter| {
-        let order = if let Filter::Bandpass { order, .. } = filter { *order as f64 } else { 1.0 };
+        let order = kinds::of(filter)?.order() as f64;
         filter.f0_and_q().map(|[f0, q_factor]| order * q_factor / (PI * f0))
     };
     let filters = stage.filter.iter().filter_map(of_filter);

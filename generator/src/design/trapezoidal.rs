@@ -24,6 +24,24 @@ pub(crate) enum Output {
     Oscillation,
 }
 
+impl Output {
+    /// How much of the band-pass part is in it. An oscillation is never the last section: the certificate measures none there.
+    pub(crate) fn of_bandpass(self) -> f64 {
+        match self {
+            Self::Bandpass | Self::Oscillation => 1.0,
+            Self::Allpass => -2.0,
+        }
+    }
+
+    /// Whether a constant input leaves nothing.
+    pub(crate) fn loses_the_offset(self) -> bool {
+        match self {
+            Self::Bandpass => true,
+            Self::Allpass | Self::Oscillation => false,
+        }
+    }
+}
+
 impl Trapezoidal {
     /// The matrix of its two states has the trace 2 - B - A C and the determinant 1 + A C - B.
     pub(crate) fn is_stable(&self) -> bool {

@@ -44,11 +44,7 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
         OperationMode::CncPositionControl => false,
         OperationMode::DriveDefault => controls_position(drive_type),
     };
-    let location = match drive_type {
-        _ if !in_drive => Location::Cnc,
-        DriveType::Profidrive => Location::Profidrive,
-        _ => Location::Drive,
-    };
+    let location = if in_drive { in_drive_of(drive_type) } else { Location::Cnc };
     let velocity = datum(e, Name::AdditiveVelocityData);
     Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
 }
@@ -65,6 +61,16 @@ fn controls_position(drive_type: DriveType) -> bool {
         DriveType::Sercos | DriveType::Profidrive | DriveType::CanOpen => true,
         DriveType::Conventional | DriveType::Simulation | DriveType::Lightbus | DriveType::Terminal => false,
         DriveType::RtEthernet | DriveType::Virtual | DriveType::CanBus => false,
+    }
+}
+
+/// The location of a position controller in a drive.
+fn in_drive_of(drive_type: DriveType) -> Location {
+    match drive_type {
+        DriveType::Profidrive => Location::Profidrive,
+        DriveType::Sercos | DriveType::CanOpen | DriveType::Conventional | DriveType::Simulation => Location::Drive,
+        DriveType::Lightbus | DriveType::Terminal | DriveType::RtEthernet | DriveType::Virtual => Location::Drive,
+        DriveType::CanBus => Location::Drive,
     }
 }
 

@@ -106,10 +106,9 @@ impl<'a> Effective<'a> {
     }
 
     pub(crate) fn validated_words<T: Words>(&mut self, key: Key) -> Option<Vec<T>> {
-        match self.validated(key)? {
-            Value::Words(words) => Some(words.into_iter().map(|word| word_of(key, &Value::Word(word))).collect()),
-            other => wrong_kind(key, &other),
-        }
+        let value = self.validated(key)?;
+        let Value::Words(words) = value else { wrong_kind(key, &value) };
+        Some(words.into_iter().map(|word| word_of(key, &Value::Word(word))).collect())
     }
 
     pub(crate) fn validated_integer(&mut self, key: Key) -> Option<u32> {
@@ -127,25 +126,22 @@ impl<'a> Effective<'a> {
 
     /// A whole number that may be below 0.
     pub(crate) fn signed(&mut self, key: Key) -> Option<i32> {
-        match self.used_value(key)? {
-            Value::Integer(n) => i32::try_from(n).ok(),
-            other => wrong_kind(key, &other),
-        }
+        let value = self.used_value(key)?;
+        let Value::Integer(n) = value else { wrong_kind(key, &value) };
+        i32::try_from(n).ok()
     }
 
     pub(crate) fn real(&mut self, key: Key) -> Option<f64> {
-        match self.used_value(key)? {
-            Value::Real(x) => Some(x),
-            other => wrong_kind(key, &other),
-        }
+        let value = self.used_value(key)?;
+        let Value::Real(x) = value else { wrong_kind(key, &value) };
+        Some(x)
     }
 
     /// The time that holds, in ns, validated and used.
     pub(crate) fn duration(&mut self, key: Key) -> Option<u64> {
-        match self.used_value(key)? {
-            Value::Duration(ns) => Some(ns),
-            other => wrong_kind(key, &other),
-        }
+        let value = self.used_value(key)?;
+        let Value::Duration(ns) = value else { wrong_kind(key, &value) };
+        Some(ns)
     }
 
     fn used_value(&mut self, key: Key) -> Option<Value> {
@@ -255,10 +251,8 @@ fn word_of<T: Words>(key: Key, value: &Value) -> T {
 }
 
 fn integer_of(key: Key, value: &Value) -> Option<u32> {
-    match value {
-        Value::Integer(n) => u32::try_from(*n).ok(),
-        other => wrong_kind(key, other),
-    }
+    let Value::Integer(n) = value else { wrong_kind(key, value) };
+    u32::try_from(*n).ok()
 }
 
 /// A rule asks for a value of another kind than the table declares.

@@ -38,11 +38,16 @@ impl fmt::Display for Coverage {
         for (row, (kind, count, missing)) in self.rows.iter().enumerate() {
             let separator = if row == 0 { "" } else { ", " };
             write!(f, "{separator}{} of {count} {kind}", count - missing.len())?;
-            if !missing.is_empty() {
-                write!(f, " (not {})", missing.join(", "))?;
-            }
         }
         Ok(())
+    }
+}
+
+impl Coverage {
+    /// What was not reached, a line for each kind.
+    pub fn missing(&self) -> impl Iterator<Item = String> {
+        let missing = self.rows.iter().filter(|(_, _, missing)| !missing.is_empty());
+        missing.map(|(kind, _, missing)| format!("not among the {kind}: {}", missing.join(", ")))
     }
 }
 

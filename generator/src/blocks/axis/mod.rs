@@ -5,6 +5,7 @@ use super::values::{Value, Values, of_part};
 use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control, spindle};
 use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
+use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::axis::{Axis, Coeffs};
 use reference::call_rate;
@@ -91,7 +92,7 @@ impl Part for Axis {
     }
 
     /// The limit of what it adds.
-    fn certificate(&self, designed: &Designed, _: &Program) -> Certified {
-        Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() }
+    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
+        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }

@@ -1,8 +1,8 @@
 //! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
 
 use super::check::{damping_given, master};
-use super::{phase, stage::StageDesign};
-use crate::axis::{Axis, Filter, Mode, Stage};
+use super::{filter as kinds, phase, stage::StageDesign};
+use crate::axis::{Axis, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
@@ -144,7 +144,8 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         let typed = e.given((Name::FilterType, [i, k])).is_some();
         if let Some(name) = described.filter(|_| !typed) {
             let found = format!("stage[{i}].filter[{k}] has parameters and no type: it is NO_FILTER (P-AXIS-00849)");
-            let words = [FilterType::Bandpass, FilterType::Allpass].map(Words::name);
+            let types = FilterType::ALL.iter().filter(|ty| **ty != FilterType::NoFilter);
+            let words: Vec<_> = types.map(|ty| ty.name()).collect();
             let instead = as_written(&e.place_of((name, [i, k])), (Name::FilterType, [i, k]), &words);
             e.warn(codes::NO_TYPE, (name, [i, k]), found, Some(instead));
         }
@@ -215,10 +216,7 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32
         let Some(f0) = filter.f0() else { continue };
         let f0_ts = f0 * f64::from(cycle_time_ns) / 1e9;
         if f0_ts > NEAR_NYQUIST {
-            let what = match filter {
-                Filter::Allpass { .. } => "phase above it",
-                Filter::Bandpass { .. } | Filter::NoFilter => "upper skirt",
-            };
+            let Some(what) = kinds::of(filter).map(|kind| kind.squeezed()) else { continue };
             let found = format!(
                 "stage[{i}].filter[{k}] lies at {} of the sampling frequency: its {what} is squeezed against one half",
                 rounded(f0_ts)
@@ -253,6 +251,6 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
 pub(super) fn band_of(design: &StageDesign) -> [f64; 2] {
-    let filters = design.filter.iter().flatten().filter(|of| of.filter.kind() == FilterType::Bandpass);
+    let filters = design.filter.iter().flatten().filter(|of| kinds::is_selective(&of.filter));
     filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
 }

@@ -1,5 +1,6 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
+use super::filter;
 use crate::axis::{Filter, Ipc, Mode, Stage, Tuning};
 use crate::parameters::words::{Boolean, Enable, FilterType, Prototype, StageMode, Tunable, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
@@ -129,9 +130,9 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Optio
     };
     let weight_fact_num = e.integer((Name::WeightFactNum, [i, 0]));
     let weight_fact_denom = e.integer((Name::WeightFactDenom, [i, 0]));
-    let [first, second] = [0, 1].map(|k| filter(e, [i, k], cycle_time));
+    let [first, second] = [0, 1].map(|k| filter::read(e, [i, k], cycle_time));
     let filter = [first?, second?];
-    if filter.iter().all(|filter| filter.kind() != FilterType::Bandpass) {
+    if !filter.iter().any(filter::is_selective) {
         let key = (Name::FilterType, [i, 0]);
         let found = format!("stage[{i}] is {} and has no band-pass", word.name());
         let allowed = "at least one BANDPASS in every active stage (P-AXIS-00849)".to_owned();
@@ -168,10 +169,7 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
     let value = e.validated(keys[usize::from(is_old)])?;
     // Which of the two it came from changes nothing in the block.
     e.note(keys[0], &value);
-    match value {
-        Value::Real(damping) => Some(damping),
-        _ => None,
-    }
+    if let Value::Real(damping) = value { Some(damping) } else { None }
 }
 
 /// Which of the two parameters the damping of a stage comes from.
@@ -180,27 +178,8 @@ pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
     if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
 }
 
-fn filter(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
-    match e.word((Name::FilterType, index))? {
-        FilterType::NoFilter => Some(Filter::NoFilter),
-        FilterType::Bandpass => {
-            let prototype = prototype(e, index);
-            let order = e.integer((Name::FilterOrder, index));
-            let f0 = f0(e, index, cycle_time);
-            let q_factor = e.real((Name::FilterQ, index));
-            let order = usize::try_from(order?).ok()?;
-            Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
-        }
-        FilterType::Allpass => {
-            let f0 = f0(e, index, cycle_time);
-            let q_factor = e.real((Name::FilterQ, index));
-            Some(Filter::Allpass { f0: f0?, q_factor: q_factor? })
-        }
-    }
-}
-
 /// The prototype; behind the first filter it has no default.
-fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
+pub(super) fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     let key = (Name::FilterPrototype, index);
     let parameter = key.0.parameter();
     if index[1] > 0 && e.given(key).is_none() {
@@ -218,7 +197,7 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
 }
 
 /// The frequency, which the cycle time bounds from above.
-fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
+pub(super) fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
     let key = (Name::FilterF0, index);
     let f0 = e.real(key)?;
     let Some(ns) = cycle_time else { return Some(f0) };

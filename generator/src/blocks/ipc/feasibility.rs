@@ -24,9 +24,9 @@ pub(crate) const MAX_CENTRE_ERROR: f64 = 1e-3;
 pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
     for Refusal { element, found, allowed, instead } in refusals(designed) {
         let stage = as_index(element.stage);
-        let key = match element.filter {
+        let key = match &element.filter {
             None => (damping_given(e, stage), [stage, 0]),
-            Some(filter) => (Name::FilterF0, [stage, as_index(filter)]),
+            Some(place) => (Name::FilterF0, [stage, as_index(place.filter)]),
         };
         e.refuse(codes::ROUNDING, key, format!("{element}: {found}"), [Some(allowed), Some(instead)]);
     }
@@ -63,7 +63,7 @@ fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal
     let damping = if section.element.filter.is_none() { "a larger osc_damping (P-AXIS-00850), " } else { "" };
     let double = if real == RealKind::F32 { "double precision, " } else { "" };
     let instead = format!("{damping}{double}a higher fg_f0 (P-AXIS-00751) or a longer cycle time");
-    Some(Refusal { element: section.element, found, allowed, instead })
+    Some(Refusal { element: section.element.clone(), found, allowed, instead })
 }
 
 /// A section as its rounded coefficients realise it.

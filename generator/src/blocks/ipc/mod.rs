@@ -6,7 +6,7 @@ pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod feasibility;
-mod filter;
+pub(crate) mod filter;
 pub(crate) mod notes;
 mod phase;
 pub(crate) mod stage;
@@ -18,6 +18,7 @@ use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
 use crate::parameters::words::{StageMode, Words};
+use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
 
@@ -87,14 +88,15 @@ impl Part for Ipc {
         Some(figure(designed, designed.axis.ipc.limit()))
     }
 
-    fn certificate(&self, designed: &Designed, program: &Program) -> Certified {
+    fn certificate(&self, designed: &Designed, program: &Program) -> Result<Certified, Defect> {
         // A gantry slave's block never acts: there is nothing to measure.
         if designed.axis.control.master.is_some() {
-            return Certified::default();
+            return Ok(Certified::default());
         }
         let certificate = certificate::certify(designed, program);
+        certificate.refuse(designed)?;
         let figures = limit(designed).into_iter().chain(certificate::figure(&certificate));
-        Certified { lines: certificate::lines(&certificate), figures: figures.collect() }
+        Ok(Certified { lines: certificate::lines(&certificate), figures: figures.collect() })
     }
 }
 

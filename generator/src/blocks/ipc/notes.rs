@@ -2,8 +2,8 @@
 
 use super::design::rest_exponent;
 use super::filter;
-use super::stage::{Section, StageDesign};
-use crate::axis::{Axis, Filter, Mode, Stage};
+use super::stage::{Place, Section, StageDesign};
+use crate::axis::{Axis, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
 use crate::design::{response, section::Shape};
@@ -50,7 +50,10 @@ fn of_stage(design: &StageDesign) -> Vec<(String, String)> {
     let path = format!("stage[{}]", design.index);
     let mut notes = vec![note(&path, format!("{}, {}", of_mode(stage.mode), of_weight(stage)))];
     let sections = |of: Option<usize>| {
-        let of_filter = design.section.iter().filter(move |section| section.element.filter == of);
+        let of_filter = design
+            .section
+            .iter()
+            .filter(move |section| section.element.filter.as_ref().map(|place| place.filter) == of);
         of_filter.filter_map(|section| Some((section.element.to_string(), of_section(section, design)?)))
     };
     notes.extend(sections(None));
@@ -88,16 +91,12 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
 /// An all-pass says all in the note of its filter.
 fn of_section(section: &Section, design: &StageDesign) -> Option<String> {
     let stage = &design.stage;
-    let Some(filter) = section.element.filter else {
+    let Some(Place { filter, section: index, .. }) = &section.element.filter else {
         return Some(of_oscillation(stage.f0(), stage.mode.osc_damping()?));
     };
-    let Filter::Bandpass { order, f0, .. } = stage.filter[filter] else { return None };
     let Shape { g, k, c } = section.shape;
     let [centre, quality, gain] = [frequency(g, design.cycle_time), 1.0 / k, c].map(digits);
-    Some(format!(
-        "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
-        section.element.section? + 1
-    ))
+    filter::of(&stage.filter[*filter])?.note_of_section(*index, [centre, quality, gain])
 }
 
 fn of_gain(design: &StageDesign) -> String {

@@ -1,8 +1,9 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
+use super::filter as kinds;
 use super::stage::{FilterDesign, StageDesign};
-use crate::axis::{Filter, Mode, Stage};
-use crate::design::band::{Band, warped};
+use crate::axis::{Mode, Stage};
+use crate::design::band::warped;
 use crate::parameters::words::{DirectSource, FilterType};
 use crate::parameters::{FILTERS, Name, real_text};
 use crate::{codes, number::rounded, rules::effective::Effective};
@@ -69,8 +70,9 @@ fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &
 /// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
 fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_time, .. }: &StageDesign) {
     for (k, filter) in (0..FILTERS).zip(filter) {
-        let Some(FilterDesign { filter: Filter::Allpass { f0, .. }, band, .. }) = filter else { continue };
-        let turn = turn(band, warped(stage.f0(), *cycle_time));
+        let Some(FilterDesign { filter, band, .. }) = filter else { continue };
+        let phase = kinds::of(filter).and_then(|kind| kind.phase(band, warped(stage.f0(), *cycle_time)));
+        let (Some(turn), Some(f0)) = (phase, filter.f0()) else { continue };
         if (turn + 180.0).abs() > NEARLY_INVERTED {
             continue;
         }
@@ -82,12 +84,6 @@ fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_ti
         let instead = Some("an fg_f0 farther from it, unless the inversion is meant".to_owned());
         e.warn(codes::POLARITY, (Name::FilterF0, [i, k]), found, instead);
     }
-}
-
-/// Phase of an all-pass in degrees at a point t = tan(pi f Ts) of the warped axis, 0 to -360:
-/// H(j t) = (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
-fn turn(band: &Band, t: f64) -> f64 {
-    -2.0 * libm::atan2(band.bandwidth * t, (band.omega0 - t) * (band.omega0 + t)).to_degrees()
 }
 
 pub(super) fn has_allpass(stage: &Stage) -> bool {

@@ -1,13 +1,13 @@
 //! A stage as it is designed: its bands, its sections with their places, its coefficients. No limit, no fade.
 
+use super::filter as kinds;
 use crate::axis::{DirectSource, Filter, Mode, Stage};
 use crate::design::band::{Band, band, edges, frequency, warped};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
-use crate::design::{bandpass::sections, section, section::Shape};
-use crate::parameters::words::FilterType;
+use crate::design::{section, section::Shape};
 use portable::RealKind;
-use reference::{allpass, bandpass, filter, stage, stage::FILTERS};
+use reference::{filter, stage, stage::FILTERS};
 use std::fmt;
 
 /// An active stage.
@@ -35,7 +35,7 @@ pub(crate) struct FilterDesign {
 }
 
 /// A second-order section.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Section {
     pub element: Element,
     pub shape: Shape,
@@ -46,32 +46,39 @@ pub(crate) struct Section {
 }
 
 /// Where a section is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Element {
     pub stage: usize,
     /// none: the simulated oscillation
-    pub filter: Option<usize>,
-    /// its place in a band-pass; none: all else is one section
-    pub section: Option<usize>,
+    pub filter: Option<Place>,
+}
+
+/// Where a section of a filter is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Place {
+    pub filter: usize,
+    /// in the order of their execution
+    pub section: usize,
+    /// among the coefficients of the filter
+    pub name: String,
 }
 
 /// Among the coefficients: `stage[0].filter[1].bandpass[2]`.
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let stage = self.stage;
-        match (self.filter, self.section) {
-            (None, _) => write!(f, "stage[{stage}].oscillation"),
-            (Some(filter), Some(section)) => write!(f, "stage[{stage}].filter[{filter}].bandpass[{section}]"),
-            (Some(filter), None) => write!(f, "stage[{stage}].filter[{filter}].allpass"),
+        match &self.filter {
+            None => write!(f, "stage[{stage}].oscillation"),
+            Some(Place { filter, name, .. }) => write!(f, "stage[{stage}].filter[{filter}].{name}"),
         }
     }
 }
 
 impl Element {
     /// Among the state: `stage[0].filter[1].section[2]`.
-    pub(crate) fn in_state(self) -> String {
-        let Some(filter) = self.filter else { return self.to_string() };
-        format!("stage[{}].filter[{filter}].section[{}]", self.stage, self.section.unwrap_or(0))
+    pub(crate) fn in_state(&self) -> String {
+        let Some(Place { filter, section, .. }) = &self.filter else { return self.to_string() };
+        format!("stage[{}].filter[{filter}].section[{section}]", self.stage)
     }
 }
 
@@ -97,7 +104,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
     if let Some(damping) = of.mode.osc_damping() {
         let shape = Shape { g: warped(of.f0(), cycle_time), k: 2.0 * damping, c: 1.0 };
         let coeffs = section::oscillation(&shape);
-        let element = Element { stage: index, filter: None, section: None };
+        let element = Element { stage: index, filter: None };
         let [h, r, g, c] = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2].map(single);
         let trapezoidal = Trapezoidal { a: g * h, b: g * r, c, output: Output::Oscillation, is_by_change: true };
         design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal });
@@ -113,34 +120,25 @@ impl StageDesign {
     /// Designs a filter (P-AXIS-00849); the coefficients that its type does not use stay 0.
     fn design_filter(&mut self, index: usize) {
         let filter = self.stage.filter[index];
-        let Some([f0, q_factor]) = filter.f0_and_q() else { return };
+        let (Some([f0, q_factor]), Some(kind)) = (filter.f0_and_q(), kinds::of(&filter)) else { return };
         let band = band(f0, q_factor, self.cycle_time);
         let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
         self.filter[index] = Some(FilterDesign { index, filter, band, edges });
         let coeffs = &mut self.coeffs.filter[index];
-        let is_bandpass = |filter: &Filter| filter.kind() == FilterType::Bandpass;
-        let is_behind = self.stage.filter[..index].iter().any(is_bandpass);
-        let mut push = |section: Option<usize>, shape, denominator, abc: [f64; 3]| {
-            let element = Element { stage: self.index, filter: Some(index), section };
-            let [a, b, c] = abc.map(single);
-            let output = if section.is_some() { Output::Bandpass } else { Output::Allpass };
-            let is_by_change = section.is_none_or(|section| section == 0 && !is_behind);
-            let trapezoidal = Trapezoidal { a, b, c, output, is_by_change };
-            self.section.push(Section { element, shape, denominator, trapezoidal });
-        };
-        if let Filter::Bandpass { prototype, order, .. } = filter {
-            (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, order);
-            for (i, shape) in sections(prototype, order, &band).into_iter().enumerate() {
-                let of_section = section::bandpass(&shape);
-                let bandpass::Coeffs { a1, a2, a, b, c, .. } = of_section;
-                push(Some(i), shape, [a1, a2], [a, b, c]);
-                coeffs.bandpass[i] = of_section;
-            }
-        } else {
-            let shape = Shape { g: band.omega0, k: band.bandwidth / band.omega0, c: 1.0 };
-            (coeffs.kind, coeffs.allpass) = (filter::Type::Allpass, section::allpass(&shape));
-            let allpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.allpass;
-            push(None, shape, [a1, a2], [a, b, c]);
+        let is_behind = self.stage.filter[..index].iter().any(kinds::is_selective) && kind.is_selective();
+        let shapes = kind.shapes(&band);
+        for (i, (numbers, shape)) in kind.design(&shapes, coeffs).into_iter().zip(shapes).enumerate() {
+            let [a, b, c] = numbers.trapezoidal.map(single);
+            let is_by_change = i == 0 && !is_behind;
+            self.section.push(Section {
+                element: Element {
+                    stage: self.index,
+                    filter: Some(Place { filter: index, section: i, name: kind.place(i) }),
+                },
+                shape,
+                denominator: numbers.denominator,
+                trapezoidal: Trapezoidal { a, b, c, output: kind.output(), is_by_change },
+            });
         }
     }
 }

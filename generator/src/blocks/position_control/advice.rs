@@ -30,9 +30,9 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
 fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective<'_>) {
     let in_drive = control.location != Location::Cnc;
     let weights = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting];
-    let drives = weights.into_iter().find_map(|name| match e.given(key(name))?.value.as_ref()? {
-        Value::Integer(weight) if *weight > 0 => Some((name, *weight)),
-        _ => None,
+    let drives = weights.into_iter().find_map(|name| {
+        let Value::Integer(weight) = *e.given(key(name))?.value.as_ref()? else { return None };
+        (weight > 0).then_some((name, weight))
     });
     let has_velocity = feedforward.conventional.velocity || feedforward.additive.velocity;
     if let Some((name, weight)) = drives.filter(|_| in_drive && has_velocity) {

@@ -9,6 +9,16 @@ use crate::rules::drive;
 use crate::rules::effective::{Effective, as_written, number_as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
+/// The bus of a drive whose mode the CNC changes; none: there is no such drive of the type.
+fn bus_of(drive_type: DriveType) -> Option<Bus> {
+    match drive_type {
+        DriveType::Sercos => Some(Bus::Sercos),
+        DriveType::CanOpen => Some(Bus::CanOpen),
+        DriveType::Conventional | DriveType::Profidrive | DriveType::Simulation | DriveType::Lightbus => None,
+        DriveType::Terminal | DriveType::RtEthernet | DriveType::Virtual | DriveType::CanBus => None,
+    }
+}
+
 /// The changeover of a drive that controls the position, or has velocity control alone; none: an error, which has been said.
 pub(super) fn check(
     e: &mut Effective<'_>,
@@ -16,13 +26,9 @@ pub(super) fn check(
     feedforward: Option<&Feedforward>,
     is_alone: bool,
 ) -> Option<Changeover> {
-    let bus = match e.validated_word(key(Name::DriveType))? {
-        DriveType::Sercos if location == Location::Drive => Bus::Sercos,
-        DriveType::CanOpen if location == Location::Drive => Bus::CanOpen,
-        _ => {
-            no_changeover(e);
-            return None;
-        }
+    let Some(bus) = bus_of(e.validated_word(key(Name::DriveType))?).filter(|_| location == Location::Drive) else {
+        no_changeover(e);
+        return None;
     };
     if feedforward.is_some_and(|of| of.conventional.any() && !of.global_disable) {
         leads(e);

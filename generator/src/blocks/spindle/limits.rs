@@ -243,8 +243,10 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let place = e.place_of(if is_given { at } else { key(Name::SpindleDeceleration) });
     let said = Diagnostic::error(codes::TOO_LONG, place, found);
     let allowed = format!("{MOST_CYCLES} cycles: {} at a cycle time of {}", time_text(longest), time_text(cycle));
-    e.report.push(said.allowed(allowed).instead(match name {
-        Name::SpindleBrakeTimeout => "a shorter time, or a larger spindle.deceleration",
-        _ => "a shorter time",
-    }));
+    let instead = if name == Name::SpindleBrakeTimeout {
+        "a shorter time, or a larger spindle.deceleration"
+    } else {
+        "a shorter time"
+    };
+    e.report.push(said.allowed(allowed).instead(instead));
 }

@@ -4,7 +4,7 @@ use super::super::stage::{self, StageDesign};
 use super::probe::{Probe, Source};
 use super::section::{Biquad, Section};
 use super::widened::widened;
-use crate::design::trapezoidal::{Output, Trapezoidal};
+use crate::design::trapezoidal::Trapezoidal;
 use compiler::program::{Program, Type};
 use portable::RealKind;
 
@@ -103,6 +103,6 @@ fn trapezoidal(probe: &mut Probe<'_>, places: &[Place], stage: &StageDesign, inp
     let (last, place) = (section.last(), places.last());
     let (last, place) = last.zip(place).expect("certificate: a stage has a section");
     let output = probe.output(&Source::State(place.s[0]));
-    let gain = output / (2.0 - last.b) / if last.output == Output::Allpass { -2.0 } else { 1.0 };
+    let gain = output / (2.0 - last.b) / last.output.of_bandpass();
     Chain { input, section: section.into_iter().map(Section::Trapezoidal).collect(), gain }
 }

@@ -9,7 +9,8 @@ use crate::number::digits;
 /// The lines: the range, the response of each stage at each of its band-passes, the largest deviation.
 pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
     let mut lines = vec![range(certificate)];
-    lines.extend(certificate.response.iter().map(|(stage, points)| response(*stage, points)));
+    let shown = certificate.response.iter().filter(|band| band.is_shown);
+    lines.extend(shown.map(|band| response(band.stage, &band.points)));
     lines.push(certificate.deviation().map_or_else(
         || "response: not measured, a limit of 0 mutes the block (P-AXIS-00757)".to_owned(),
         |deviation| format!("largest deviation of measured from designed: {deviation:.1e}"),

@@ -23,14 +23,18 @@ mod response;
 pub(crate) mod section;
 mod widened;
 
-use super::stage::StageDesign;
+use super::filter;
+use super::stage::{FilterDesign, StageDesign};
+use crate::design::band::warped;
 use crate::design::rounding::{largest, sample_limit};
+use crate::number::digits;
 use crate::{axis::Axis, blocks::designed::Designed};
+use compiler::pass::Defect;
 use compiler::program::Program;
 pub(crate) use lines::{figure, lines};
 use portable::RealKind;
-use response::Point;
 pub(crate) use response::designed;
+use response::{Band, Point};
 
 /// What is certain of a block.
 pub(crate) struct Certificate {
@@ -41,9 +45,9 @@ pub(crate) struct Certificate {
     pub limit: f64,
     /// for inputs within +-1: every bound is proportional to the inputs
     pub bound: norm::Bound,
-    /// the response of a stage, by its index, at centre and edges of a band-pass; none where a limit of 0 mutes the block, since
+    /// the response of each stage, at centre and edges of each filter; none where a limit of 0 mutes the block, since
     /// nothing can be measured there
-    pub response: Vec<(usize, [Point; 3])>,
+    pub response: Vec<Band>,
     /// signal-to-noise ratio [dB] of a stage, by its index, in single precision
     pub noise: Vec<(usize, f64)>,
 }
@@ -74,9 +78,31 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
 }
 
 impl Certificate {
-    /// The largest |measured - designed| / |designed| of all points; none where nothing was measured.
+    /// The largest |measured - designed| / |designed| of the points that are shown; none where nothing was measured.
     pub(crate) fn deviation(&self) -> Option<f64> {
-        self.response.iter().flat_map(|(_, points)| points).map(Point::deviation).max_by(f64::total_cmp)
+        let shown = self.response.iter().filter(|band| band.is_shown);
+        shown.flat_map(|band| &band.points).map(Point::deviation).max_by(f64::total_cmp)
+    }
+
+    /// Refuses a block whose response is another than the designed one.
+    ///
+    /// # Errors
+    /// The stage, its frequency, both responses: a defect of the design, of the reference or of a pass.
+    pub(crate) fn refuse(&self, designed: &Designed) -> Result<(), Defect> {
+        for Band { stage, points, .. } in &self.response {
+            let Some(design) = &designed.stage[*stage] else { continue };
+            for point in points {
+                let (found, allowed) = (point.deviation(), largest_deviation(design, self.real, point.frequency));
+                if found.is_nan() || found > allowed {
+                    let at = digits(point.frequency);
+                    let message = format!(
+                        "stage[{stage}] at {at} Hz deviates by {found:.1e} from what was designed, by more than {allowed:.1e}"
+                    );
+                    return Err(Defect { pass: "certificate", message });
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Whether no value inside the block overflows for any sample in range.
@@ -85,4 +111,24 @@ impl Certificate {
         // whose C may be larger, each product is a sum of up to four states.
         self.bound.state.max(self.bound.v_sum).max(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
+}
+
+/// How far a response may deviate: by 1e-6, and by what the rounding of the coefficients costs. That moves a centre, in single precision by a part of
+/// 2^-24, in double precision, whose biquads have 1 + a1 + a2 = 4 g^2, by a part of 2^-52 / g^2. At the edge of a band of quality Q the phase
+/// then moves by Q times that, in each of its sections. An oscillation far above its f0 is 1 less a rounded 1.
+pub(crate) fn largest_deviation(design: &StageDesign, real: RealKind, frequency: f64) -> f64 {
+    let moved = |g: f64| match real {
+        RealKind::F64 => 4.0 * f64::EPSILON / (g * g),
+        RealKind::F32 => 40.0 * f64::from(f32::EPSILON),
+    };
+    let of_filter = |of: &FilterDesign| {
+        let [_, q_factor] = of.filter.f0_and_q().unwrap_or_default();
+        filter::of(&of.filter).map_or(0.0, |kind| kind.order() as f64) * (1.0 + q_factor) * moved(of.band.omega0)
+    };
+    let filters: f64 = design.filter.iter().flatten().map(of_filter).sum();
+    let of_oscillation = |damping: f64| {
+        let f0 = design.stage.f0();
+        moved(warped(f0, design.cycle_time)) * (1.0 + frequency / f0 + 1.0 / damping)
+    };
+    1e-6 + filters + design.stage.mode.osc_damping().map_or(0.0, of_oscillation)
 }

@@ -57,7 +57,7 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
         let largest = behind.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::max);
         noise += of_section(section, t, offset, vibration) * largest * largest;
         vibration *= magnitude(section.response(t));
-        if section.output == Output::Bandpass {
+        if section.output.loses_the_offset() {
             offset = 0.0;
         }
     }
@@ -88,8 +88,8 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
     let next = Complex { re: p.re - c * bp.re, im: p.im - c * bp.im };
     let low = Complex { re: vibration - next.re, im: -next.im };
     let gain = Gain::of(section);
-    let noise = match (output, is_by_change) {
-        (Output::Oscillation, _) => {
+    let noise = match output {
+        Output::Oscillation => {
             let (h, g) = (2.0 * a / c, c / 2.0);
             let q = Complex { re: u.re / g, im: u.im / g };
             let into_p = square(change) + square(p);
@@ -101,7 +101,7 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
                 + square(bp) * gain.oscillation([0.0, -c], 0.0)
                 + (c * c * square(bp) + square(next)) * gain.oscillation([0.0, 1.0], 0.0)
         }
-        _ => {
+        Output::Bandpass | Output::Allpass => {
             let (into_p, kept, last) = if is_by_change {
                 (square(change) + square(p), 1.0 - a * c, c * c * square(bp) + square(next))
             } else {
@@ -112,11 +112,12 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
                 + into_s1 * gain.bandpass([1.0, -c], 1.0)
                 + square(bp) * gain.bandpass([0.0, -c], 1.0)
                 + last * gain.bandpass([0.0, 1.0], 0.0);
-            if output == Output::Allpass { 4.0 * own } else { own }
+            let by = output.of_bandpass();
+            by * by * own
         }
     };
     // What has the offset of its input is rounded with it.
-    let sum = if output == Output::Bandpass { 0.0 } else { offset * offset + vibration * vibration / 2.0 };
+    let sum = if output.loses_the_offset() { 0.0 } else { offset * offset + vibration * vibration / 2.0 };
     UNIT * UNIT / 3.0 * (noise + sum)
 }
 

@@ -118,6 +118,6 @@ fn number(value: Literal) -> f64 {
     match value {
         Literal::F64(value) => value,
         Literal::F32(value) => f64::from(value),
-        _ => 0.0,
+        Literal::Bool(_) | Literal::I32(_) | Literal::U32(_) | Literal::Usize(_) | Literal::Variant(_) => 0.0,
     }
 }

@@ -1,12 +1,11 @@
 //! Gain and phase of a stage: as its compiled sections have it, and as the formulas of its filters do. No rounding of
 //! a coefficient is in the designed values.
 
+use super::super::filter as kinds;
 use super::super::stage::{FilterDesign, StageDesign};
 use super::chain::Chain;
 use super::section::{Biquad, Section};
-use crate::axis::{Filter, Prototype};
 use crate::design::band::{edges, frequency, warped};
-use crate::design::bandpass::{Pole, poles};
 use crate::design::response::{Complex, magnitude, product, quotient};
 
 /// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
@@ -27,24 +26,34 @@ impl Point {
     }
 }
 
-/// The index of a stage with centre, lower and upper -3 dB edge, for each of its band-passes.
-pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<(usize, [Point; 3])> {
+/// The response of a stage about one of its filters.
+pub(crate) struct Band {
+    /// the index of the stage
+    pub stage: usize,
+    /// whether the filter lets a band pass alone: its points are shown
+    pub is_shown: bool,
+    /// centre, lower and upper edge
+    pub points: [Point; 3],
+}
+
+/// The response of a stage about each of its filters.
+pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<Band> {
     let point = |frequency, t| Point { frequency, designed: designed(of, t), measured: measured(chain, t) };
     let edge = |t| point(frequency(t, of.cycle_time), t);
     let band = |filter: &FilterDesign| {
-        let Filter::Bandpass { f0, .. } = filter.filter else { return None };
+        let f0 = filter.filter.f0()?;
         let [lower, upper] = edges(&filter.band).map(edge);
-        Some((of.index, [point(f0, warped(f0, of.cycle_time)), lower, upper]))
+        let centre = point(f0, warped(f0, of.cycle_time));
+        let is_shown = kinds::is_selective(&filter.filter);
+        Some(Band { stage: of.index, is_shown, points: [centre, lower, upper] })
     };
     of.filter.iter().flatten().filter_map(band).collect()
 }
 
 /// The designed response at t = tan(pi f Ts): -weight, the simulated oscillation, the filters.
 ///
-/// - oscillation: (g^2 + j k g t) / (g^2 - t^2 + j k g t), g the warped f0 of the first band-pass, k = 2 D;
-/// - band-pass: its low-pass prototype at w = (t^2 - Omega0^2) / (B t): the product of sigma / (sigma + j w) and of
-///   (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w);
-/// - all-pass: (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t).
+/// The oscillation is (g^2 + j k g t) / (g^2 - t^2 + j k g t), g the warped f0 of the first band-pass, k = 2 D. What a filter is stands in its
+/// file ([`kinds`]).
 pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     let stage = &of.stage;
     let mut h = Complex::real(-stage.weight());
@@ -54,31 +63,10 @@ pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
         h = product(h, quotient(Complex { re: g * g, im }, Complex { re: (g - t) * (g + t), im }));
     }
     for FilterDesign { filter, band, .. } in of.filter.iter().flatten() {
-        let (omega0, im) = (band.omega0, band.bandwidth * t);
-        h = match *filter {
-            Filter::Bandpass { prototype, order, .. } => {
-                product(h, low_pass(prototype, order, (t - omega0) * (t + omega0) / im))
-            }
-            _ => {
-                let re = (omega0 - t) * (omega0 + t);
-                product(h, quotient(Complex { re, im: -im }, Complex { re, im }))
-            }
-        };
+        let kind = kinds::of(filter).expect("certificate: a designed filter has a type");
+        h = product(h, kind.response(band, t));
     }
     h
-}
-
-fn low_pass(prototype: Prototype, order: usize, w: f64) -> Complex {
-    poles(prototype, order).iter().fold(Complex::ONE, |h, pole| {
-        let (dc, denominator) = match *pole {
-            Pole::Real { sigma } => (sigma, Complex { re: sigma, im: w }),
-            Pole::Pair { sigma, omega } => {
-                let square = sigma * sigma + omega * omega;
-                (square, Complex { re: square - w * w, im: 2.0 * sigma * w })
-            }
-        };
-        product(h, quotient(Complex::real(dc), denominator))
-    })
 }
 
 /// The response of the compiled sections at t = tan(pi f Ts).

@@ -1,0 +1,142 @@
+//! A band-pass of order 1 to 3: all that the generator knows of it.
+
+use super::super::check::{f0, prototype};
+use super::{Kind, Numbers, range};
+use crate::axis::{Filter, Prototype};
+use crate::design::band::Band;
+use crate::design::bandpass::{Pole, poles, sections};
+use crate::design::response::{Complex, product, quotient};
+use crate::design::section::{self, Shape};
+use crate::design::trapezoidal::Output;
+use crate::parameters::Name;
+use crate::parameters::words::{FilterType, Words};
+use crate::rules::effective::Effective;
+use reference::{bandpass, filter};
+
+/// A band-pass.
+pub(crate) struct Bandpass {
+    pub prototype: Prototype,
+    /// how many sections
+    pub order: usize,
+    pub f0: f64,
+    pub q_factor: f64,
+}
+
+/// The band-pass that the parameters describe; none: an error, which has been said.
+pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
+    let prototype = prototype(e, index);
+    let order = e.integer((Name::FilterOrder, index));
+    let f0 = f0(e, index, cycle_time);
+    let q_factor = e.real((Name::FilterQ, index));
+    let order = usize::try_from(order?).ok()?;
+    Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
+}
+
+impl Kind for Bandpass {
+    fn words(&self) -> String {
+        format!("{} {} order {}", FilterType::Bandpass.name(), self.prototype.name(), self.order)
+    }
+
+    /// The table has frequency and quality factor in columns of their own.
+    fn in_table(&self) -> String {
+        self.words()
+    }
+
+    fn structure(&self) -> String {
+        format!("{} order {}", FilterType::Bandpass.name(), self.order)
+    }
+
+    fn note(&self, [lower, upper]: [String; 2]) -> String {
+        let Self { f0, q_factor, .. } = self;
+        format!(
+            "{} (P-AXIS-00849, 00848, 00750): centre frequency {f0} Hz (P-AXIS-00751), quality factor {q_factor} \
+             (P-AXIS-00752), -3 dB at {lower} and {upper} Hz",
+            self.words()
+        )
+    }
+
+    fn note_of_section(&self, section: usize, [centre, quality, gain]: [String; 3]) -> Option<String> {
+        let Self { order, f0, .. } = self;
+        Some(format!(
+            "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
+            section + 1
+        ))
+    }
+
+    fn description(&self, edges: [f64; 2]) -> String {
+        format!("{} at {} Hz, edges {} Hz", self.words(), self.f0, range(edges, 4))
+    }
+
+    fn differences(&self, new: &Filter) -> Vec<String> {
+        let Filter::Bandpass { prototype, order, .. } = *new else { return Vec::new() };
+        let mut parts = Vec::new();
+        if order != self.order {
+            parts.push(format!("order {} -> {order}", self.order));
+        }
+        // All prototypes of order 1 are the same filter.
+        if prototype != self.prototype && order.max(self.order) > 1 {
+            parts.push(format!("{} -> {}", self.prototype.name(), prototype.name()));
+        }
+        parts
+    }
+
+    fn named_in_a_difference(&self) -> bool {
+        false
+    }
+
+    fn squeezed(&self) -> &'static str {
+        "upper skirt"
+    }
+
+    fn order(&self) -> usize {
+        self.order
+    }
+
+    fn is_selective(&self) -> bool {
+        true
+    }
+
+    fn phase(&self, _: &Band, _: f64) -> Option<f64> {
+        None
+    }
+
+    fn shapes(&self, band: &Band) -> Vec<Shape> {
+        sections(self.prototype, self.order, band)
+    }
+
+    fn design(&self, shapes: &[Shape], coeffs: &mut filter::Coeffs<f64>) -> Vec<Numbers> {
+        (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, self.order);
+        let places = shapes.iter().zip(&mut coeffs.bandpass);
+        places
+            .map(|(shape, place)| {
+                *place = section::bandpass(shape);
+                let bandpass::Coeffs { a1, a2, a, b, c, .. } = *place;
+                Numbers { denominator: [a1, a2], trapezoidal: [a, b, c] }
+            })
+            .collect()
+    }
+
+    fn place(&self, section: usize) -> String {
+        format!("bandpass[{section}]")
+    }
+
+    fn output(&self) -> Output {
+        Output::Bandpass
+    }
+
+    /// Its low-pass prototype at w = (t^2 - Omega0^2) / (B t): the product of sigma / (sigma + j w) and of
+    /// (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w).
+    fn response(&self, Band { omega0, bandwidth }: &Band, t: f64) -> Complex {
+        let w = (t - omega0) * (t + omega0) / (bandwidth * t);
+        poles(self.prototype, self.order).iter().fold(Complex::ONE, |h, pole| {
+            let (dc, denominator) = match *pole {
+                Pole::Real { sigma } => (sigma, Complex { re: sigma, im: w }),
+                Pole::Pair { sigma, omega } => {
+                    let square = sigma * sigma + omega * omega;
+                    (square, Complex { re: square - w * w, im: 2.0 * sigma * w })
+                }
+            };
+            product(h, quotient(Complex::real(dc), denominator))
+        })
+    }
+}
