@@ -31,8 +31,10 @@ use generator::write;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// Samples that stand in `inputs.csv` and `outputs.csv`.
+/// Samples of a stimulus in which the case must show what it says.
 pub const VECTOR_SAMPLES: usize = 2_000;
+/// Samples of a stimulus that stand in `inputs.csv` and `outputs.csv`.
+pub const KEPT_SAMPLES: usize = 200;
 /// Samples that the digests cover.
 pub const DIGEST_SAMPLES: usize = 1_000_000;
 
@@ -185,7 +187,7 @@ pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
     }
 }
 
-/// The inputs that stand in `inputs.csv`.
+/// The inputs in which the case shows what it says: of a scenario all, which stand in `inputs.csv`.
 ///
 /// # Errors
 /// As [`inputs`].
@@ -207,12 +209,12 @@ struct Recording {
 fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
     let outputs =
         engine::run(Engine::Reference, &case.axis, &case.block, inputs).map_err(|failure| failure.to_string())?;
-    let (count, reals) = match case.source {
-        Source::Stimulus(_) => (VECTOR_SAMPLES, Reals::Hexadecimal),
-        Source::Scenario(_) => (inputs.len(), Reals::Decimal),
+    let (count, kept, reals) = match case.source {
+        Source::Stimulus(_) => (VECTOR_SAMPLES, KEPT_SAMPLES, Reals::Hexadecimal),
+        Source::Scenario(_) => (inputs.len(), inputs.len(), Reals::Decimal),
     };
-    let (first, answers) = (inputs.first(count), outputs.first(count));
-    let shown = shown(&case.axis.axis, &first, &answers);
+    let shown = shown(&case.axis.axis, &inputs.first(count), &outputs.first(count));
+    let (first, answers) = (inputs.first(kept), outputs.first(kept));
     let mut digests =
         format!("samples {}\ninputs {}\noutputs {}\n", inputs.len(), digest(&inputs.bytes), digest(&outputs.bytes));
     if let Source::Scenario(program) = &case.source {

@@ -117,7 +117,7 @@ fn recorded_inputs_leave_out_what_keeps_its_start() {
     let text = std::fs::read_to_string(folder.path().join("inputs.csv")).unwrap();
     assert!(text.starts_with("v_command,v_motor\n0x0000000000000000,"), "the first signal stays, and what changes");
     let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
-    let inputs = case::inputs(&case, case::VECTOR_SAMPLES).unwrap();
+    let inputs = case::inputs(&case, case::KEPT_SAMPLES).unwrap();
     assert_eq!(csv::read(&text, &shape).unwrap(), inputs);
     assert_eq!(csv::write(&[&inputs.without_constant()], Reals::Hexadecimal), text);
 }

@@ -56,6 +56,7 @@ fn twin(case: &Case) -> Option<Case> {
     if !refusals(&axis).is_empty() {
         return None;
     }
-    let block = case::named_block(&axis, case.block.program.block).unwrap_or_else(|error| panic!("{error}"));
+    let block = case::named_block(&axis, case.block.program.block);
+    let block = block.unwrap_or_else(|error| panic!("{}: {error}", title(case)));
     Some(Case { axis, block, ..case.clone() })
 }

@@ -3,7 +3,7 @@
 use super::{block, certified, one_band_pass, rack_and_pinion};
 use crate::axis::{Axis, Prototype};
 use crate::blocks::Designed;
-use crate::blocks::ipc::certificate::{Certificate, certify, largest_deviation};
+use crate::blocks::ipc::certificate::{Certificate, certify, largest_defect};
 use crate::design::response::Complex;
 use crate::unit::sets;
 use portable::{Literal, RealKind};
@@ -75,7 +75,7 @@ fn what_rounding_costs_is_a_fifth_of_what_is_refused_at_most() {
             for band in &certificate.response {
                 let design = designed.stage[band.stage].as_ref().unwrap();
                 for point in &band.points {
-                    let part = point.deviation() / largest_deviation(design, real, point.frequency);
+                    let part = point.defect() / largest_defect(design, real);
                     largest = largest.max(part);
                 }
             }

@@ -2,15 +2,12 @@
 
 use super::filter;
 use crate::axis::{Filter, Ipc, Mode, Stage, Tuning};
-use crate::parameters::words::{Boolean, Enable, FilterType, Prototype, StageMode, Tunable, Words};
+use crate::parameters::words::{Boolean, Enable, FilterType, StageMode, Tunable, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
-use crate::{codes, config::values::key, number::rounded};
+use crate::{codes, config::values::key};
 use portable::{Real, RealKind};
 use reference::signal::sample_limit;
-
-/// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
-const MAX_F0_TS: f64 = 0.45;
 
 /// Improved position control of one axis; none: an error, which has been said.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Ipc> {
@@ -176,43 +173,6 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
 pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
     let is_new = e.given((Name::OscDamping, [i, 0])).is_some();
     if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
-}
-
-/// The prototype; behind the first filter it has no default.
-pub(super) fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
-    let key = (Name::FilterPrototype, index);
-    let parameter = key.0.parameter();
-    if index[1] > 0 && e.given(key).is_none() {
-        let found = format!(
-            "{} is missing: the band-pass in filter[{}] needs it in writing",
-            parameter.title(parameter.path, index),
-            index[1]
-        );
-        let of_type = (Name::FilterType, index);
-        let instead = as_written(&e.place_of(of_type), key, &[Prototype::CritDamping.name()]);
-        e.refuse(codes::PROTOTYPE, of_type, found, [Some(parameter.allowed()), Some(instead)]);
-        return None;
-    }
-    e.word(key)
-}
-
-/// The frequency, which the cycle time bounds from above.
-pub(super) fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
-    let key = (Name::FilterF0, index);
-    let f0 = e.real(key)?;
-    let Some(ns) = cycle_time else { return Some(f0) };
-    // In nanoseconds, where 450 Hz and 1 ms make exactly 0.45.
-    let f0_ts = f0 * f64::from(ns) / 1e9;
-    let time = time_text(u64::from(ns));
-    if f0_ts > MAX_F0_TS {
-        let highest = (MAX_F0_TS * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
-        let found = format!("{} is {} Hz, {} of the sampling frequency", e.title(key), real_text(f0), rounded(f0_ts));
-        let allowed =
-            format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
-        e.refuse(codes::NYQUIST, key, found, [Some(allowed), None]);
-        return None;
-    }
-    Some(f0)
 }
 
 /// The fade is counted in cycles, which single precision must count too.

@@ -1,7 +1,8 @@
 //! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
 
 use super::filter as kinds;
-use super::stage::{FilterDesign, StageDesign};
+use super::filter::FilterDesign;
+use super::stage::StageDesign;
 use crate::axis::{Mode, Stage};
 use crate::design::band::warped;
 use crate::parameters::words::{DirectSource, FilterType};

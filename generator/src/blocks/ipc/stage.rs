@@ -1,8 +1,8 @@
 //! A stage as it is designed: its bands, its sections with their places, its coefficients. No limit, no fade.
 
-use super::filter as kinds;
-use crate::axis::{DirectSource, Filter, Mode, Stage};
-use crate::design::band::{Band, band, edges, frequency, warped};
+use super::filter::{self as kinds, FilterDesign};
+use crate::axis::{DirectSource, Mode, Stage};
+use crate::design::band::{band, edges, frequency, warped};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use crate::design::{section, section::Shape};
@@ -24,16 +24,6 @@ pub(crate) struct StageDesign {
     pub coeffs: stage::Coeffs<f64>,
 }
 
-/// A filter and where it lies.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct FilterDesign {
-    pub index: usize,
-    pub filter: Filter,
-    pub band: Band,
-    /// lower and upper edge [Hz]: -3 dB of a band-pass, -90 and -270 degrees of an all-pass
-    pub edges: [f64; 2],
-}
-
 /// A second-order section.
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
@@ -43,6 +33,8 @@ pub(crate) struct Section {
     pub denominator: [f64; 2],
     /// as single precision has it, its coefficients rounded
     pub trapezoidal: Trapezoidal,
+    /// the same before the rounding
+    pub unrounded: Trapezoidal,
 }
 
 /// Where a section is.
@@ -105,9 +97,16 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         let shape = Shape { g: warped(of.f0(), cycle_time), k: 2.0 * damping, c: 1.0 };
         let coeffs = section::oscillation(&shape);
         let element = Element { stage: index, filter: None };
-        let [h, r, g, c] = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2].map(single);
-        let trapezoidal = Trapezoidal { a: g * h, b: g * r, c, output: Output::Oscillation, is_by_change: true };
-        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal });
+        let numbers = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2];
+        let section = |[h, r, g, c]: [f64; 4]| Trapezoidal {
+            a: g * h,
+            b: g * r,
+            c,
+            output: Output::Oscillation,
+            is_by_change: true,
+        };
+        let (unrounded, trapezoidal) = (section(numbers), section(numbers.map(single)));
+        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal, unrounded });
         design.coeffs.oscillation = coeffs;
     }
     for k in 0..FILTERS {
@@ -128,8 +127,8 @@ impl StageDesign {
         let is_behind = self.stage.filter[..index].iter().any(kinds::is_selective) && kind.is_selective();
         let shapes = kind.shapes(&band);
         for (i, (numbers, shape)) in kind.design(&shapes, coeffs).into_iter().zip(shapes).enumerate() {
-            let [a, b, c] = numbers.trapezoidal.map(single);
             let is_by_change = i == 0 && !is_behind;
+            let section = |[a, b, c]: [f64; 3]| Trapezoidal { a, b, c, output: kind.output(), is_by_change };
             self.section.push(Section {
                 element: Element {
                     stage: self.index,
@@ -137,7 +136,8 @@ impl StageDesign {
                 },
                 shape,
                 denominator: numbers.denominator,
-                trapezoidal: Trapezoidal { a, b, c, output: kind.output(), is_by_change },
+                trapezoidal: section(numbers.trapezoidal.map(single)),
+                unrounded: section(numbers.trapezoidal),
             });
         }
     }

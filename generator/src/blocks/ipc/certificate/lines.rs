@@ -55,7 +55,7 @@ fn range(certificate: &Certificate) -> String {
 }
 
 fn response(stage: usize, points: &[Point]) -> String {
-    let points = points.iter().map(|Point { frequency, designed, measured }| {
+    let points = points.iter().map(|Point { frequency, designed, measured, .. }| {
         format!("at {} Hz: designed {}, measured {}", digits(*frequency), polar(*designed), polar(*measured))
     });
     format!("stage[{stage}] {}", points.collect::<Vec<_>>().join("; "))

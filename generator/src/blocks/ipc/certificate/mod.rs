@@ -24,7 +24,8 @@ pub(crate) mod section;
 mod widened;
 
 use super::filter;
-use super::stage::{FilterDesign, StageDesign};
+use super::filter::FilterDesign;
+use super::stage::StageDesign;
 use crate::design::band::warped;
 use crate::design::rounding::{largest, sample_limit};
 use crate::number::digits;
@@ -64,7 +65,7 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
     let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
     let chains = chain::measure(program, &stages, ipc.limit());
     let measured = stages.iter().zip(&chains).filter(|_| ipc.limit() > 0.0);
-    let response = measured.flat_map(|(stage, chain)| response::bands(stage, chain)).collect();
+    let response = measured.flat_map(|(stage, chain)| response::bands(stage, chain, *real)).collect();
     let noise = stages.iter().zip(&chains);
     let noise = noise.filter_map(|(stage, chain)| Some((stage.index, noise::of_chain(chain, stage)?))).collect();
     Certificate {
@@ -87,12 +88,12 @@ impl Certificate {
     /// Refuses a block whose response is another than the designed one.
     ///
     /// # Errors
-    /// The stage, its frequency, both responses: a defect of the design, of the reference or of a pass.
+    /// The stage, its frequency, how far it deviates: a defect of the design, of the reference or of a pass.
     pub(crate) fn refuse(&self, designed: &Designed) -> Result<(), Defect> {
         for Band { stage, points, .. } in &self.response {
             let Some(design) = &designed.stage[*stage] else { continue };
             for point in points {
-                let (found, allowed) = (point.deviation(), largest_deviation(design, self.real, point.frequency));
+                let (found, allowed) = (point.defect(), largest_defect(design, self.real));
                 if found.is_nan() || found > allowed {
                     let at = digits(point.frequency);
                     let message = format!(
@@ -113,22 +114,20 @@ impl Certificate {
     }
 }
 
-/// How far a response may deviate: by 1e-6, and by what the rounding of the coefficients costs. That moves a centre, in single precision by a part of
-/// 2^-24, in double precision, whose biquads have 1 + a1 + a2 = 4 g^2, by a part of 2^-52 / g^2. At the edge of a band of quality Q the phase
-/// then moves by Q times that, in each of its sections. An oscillation far above its f0 is 1 less a rounded 1.
-pub(crate) fn largest_deviation(design: &StageDesign, real: RealKind, frequency: f64) -> f64 {
+/// How far a response may deviate, but for the rounding of coefficients to single precision: by 1e-6. In double precision that rounding is in it, for
+/// biquads have 1 + a1 + a2 = 4 g^2: a centre moves by a part of 2^-52 / g^2, and at the edge of a band of quality Q the phase by Q times that, in
+/// each of its sections.
+pub(crate) fn largest_defect(design: &StageDesign, real: RealKind) -> f64 {
     let moved = |g: f64| match real {
         RealKind::F64 => 4.0 * f64::EPSILON / (g * g),
-        RealKind::F32 => 40.0 * f64::from(f32::EPSILON),
+        RealKind::F32 => 0.0,
     };
     let of_filter = |of: &FilterDesign| {
         let [_, q_factor] = of.filter.f0_and_q().unwrap_or_default();
         filter::of(&of.filter).map_or(0.0, |kind| kind.order() as f64) * (1.0 + q_factor) * moved(of.band.omega0)
     };
     let filters: f64 = design.filter.iter().flatten().map(of_filter).sum();
-    let of_oscillation = |damping: f64| {
-        let f0 = design.stage.f0();
-        moved(warped(f0, design.cycle_time)) * (1.0 + frequency / f0 + 1.0 / damping)
-    };
-    1e-6 + filters + design.stage.mode.osc_damping().map_or(0.0, of_oscillation)
+    let g = warped(design.stage.f0(), design.cycle_time);
+    let oscillation = design.stage.mode.osc_damping().map_or(0.0, |damping| moved(g) * (1.0 + 1.0 / damping) / g);
+    1e-6 + filters + oscillation
 }

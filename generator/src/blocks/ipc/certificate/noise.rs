@@ -70,7 +70,7 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
 fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
     let gain = Complex::real(in_precision(design.coeffs.gain, RealKind::F32));
     let measured = sections.iter().fold(gain, |h, section| product(h, section.response(t)));
-    Point { frequency: design.stage.f0(), designed: designed(design, t), measured }.deviation()
+    Point { frequency: design.stage.f0(), designed: designed(design, t), measured, single: None }.deviation()
 }
 
 /// Variance of what a section's own roundings add to its output, for an input with this offset and this amplitude at t.

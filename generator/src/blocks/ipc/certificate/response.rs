@@ -2,11 +2,15 @@
 //! a coefficient is in the designed values.
 
 use super::super::filter as kinds;
-use super::super::stage::{FilterDesign, StageDesign};
+use super::super::filter::FilterDesign;
+use super::super::stage::StageDesign;
 use super::chain::Chain;
 use super::section::{Biquad, Section};
 use crate::design::band::{edges, frequency, warped};
 use crate::design::response::{Complex, magnitude, product, quotient};
+use crate::design::rounding::in_precision;
+use crate::design::trapezoidal::Trapezoidal;
+use portable::RealKind;
 
 /// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
 pub(crate) struct Point {
@@ -16,13 +20,22 @@ pub(crate) struct Point {
     pub designed: Complex,
     /// by the compiled block
     pub measured: Complex,
+    /// by the coefficients of single precision before and after their rounding; none: the block has double precision
+    pub single: Option<[Complex; 2]>,
 }
 
 impl Point {
     /// |measured - designed| / |designed|
     pub(crate) fn deviation(&self) -> f64 {
-        let Self { designed, measured, .. } = self;
-        magnitude(Complex { re: measured.re - designed.re, im: measured.im - designed.im }) / magnitude(*designed)
+        relative(self.measured, self.designed)
+    }
+
+    /// The same without what the rounding to single precision costs: from the formulas to the coefficients, and from the rounded ones to the block.
+    pub(crate) fn defect(&self) -> f64 {
+        match self.single {
+            None => self.deviation(),
+            Some([exact, rounded]) => relative(exact, self.designed).max(relative(self.measured, rounded)),
+        }
     }
 }
 
@@ -37,8 +50,13 @@ pub(crate) struct Band {
 }
 
 /// The response of a stage about each of its filters.
-pub(super) fn bands(of: &StageDesign, chain: &Chain) -> Vec<Band> {
-    let point = |frequency, t| Point { frequency, designed: designed(of, t), measured: measured(chain, t) };
+pub(super) fn bands(of: &StageDesign, chain: &Chain, real: RealKind) -> Vec<Band> {
+    let point = |frequency, t| Point {
+        frequency,
+        designed: designed(of, t),
+        measured: measured(chain, t),
+        single: (real == RealKind::F32).then(|| single(of, t)),
+    };
     let edge = |t| point(frequency(t, of.cycle_time), t);
     let band = |filter: &FilterDesign| {
         let f0 = filter.filter.f0()?;
@@ -67,6 +85,20 @@ pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
         h = product(h, kind.response(band, t));
     }
     h
+}
+
+/// The response by the coefficients of single precision, before and after their rounding.
+fn single(of: &StageDesign, t: f64) -> [Complex; 2] {
+    let gain = of.coeffs.gain;
+    let by = |gain: f64, section: fn(&super::super::stage::Section) -> &Trapezoidal| {
+        of.section.iter().fold(Complex::real(gain), |h, of| product(h, section(of).response(t)))
+    };
+    [by(gain, |of| &of.unrounded), by(in_precision(gain, RealKind::F32), |of| &of.trapezoidal)]
+}
+
+/// |a - b| / |b|
+fn relative(a: Complex, b: Complex) -> f64 {
+    magnitude(Complex { re: a.re - b.re, im: a.im - b.im }) / magnitude(b)
 }
 
 /// The response of the compiled sections at t = tan(pi f Ts).

@@ -1,7 +1,7 @@
 //! An all-pass: all that the generator knows of it.
 
-use super::super::check::f0;
-use super::{Kind, Numbers};
+use super::kind::{Kind, Numbers};
+use super::rules::f0;
 use crate::axis::Filter;
 use crate::design::band::Band;
 use crate::design::response::{Complex, quotient};

@@ -1,8 +1,9 @@
 //! A band-pass of order 1 to 3: all that the generator knows of it.
 
-use super::super::check::{f0, prototype};
-use super::{Kind, Numbers, range};
+use super::kind::{Kind, Numbers, range};
+use super::rules::f0;
 use crate::axis::{Filter, Prototype};
+use crate::codes;
 use crate::design::band::Band;
 use crate::design::bandpass::{Pole, poles, sections};
 use crate::design::response::{Complex, product, quotient};
@@ -10,7 +11,7 @@ use crate::design::section::{self, Shape};
 use crate::design::trapezoidal::Output;
 use crate::parameters::Name;
 use crate::parameters::words::{FilterType, Words};
-use crate::rules::effective::Effective;
+use crate::rules::effective::{Effective, as_written};
 use reference::{bandpass, filter};
 
 /// A band-pass.
@@ -30,6 +31,24 @@ pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u3
     let q_factor = e.real((Name::FilterQ, index));
     let order = usize::try_from(order?).ok()?;
     Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
+}
+
+/// The prototype; behind the first filter it has no default.
+fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
+    let key = (Name::FilterPrototype, index);
+    let parameter = key.0.parameter();
+    if index[1] > 0 && e.given(key).is_none() {
+        let found = format!(
+            "{} is missing: the band-pass in filter[{}] needs it in writing",
+            parameter.title(parameter.path, index),
+            index[1]
+        );
+        let of_type = (Name::FilterType, index);
+        let instead = as_written(&e.place_of(of_type), key, &[Prototype::CritDamping.name()]);
+        e.refuse(codes::PROTOTYPE, of_type, found, [Some(parameter.allowed()), Some(instead)]);
+        return None;
+    }
+    e.word(key)
 }
 
 impl Kind for Bandpass {

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  9014b604dd12f8224fb4d7d97b6b93de
- * structure   ad5f551c763bd7c49e387f68e2064689
- * checksum    b0c14786081b1d1356e59d96a7e8ac5a
+ * parameters  273adca5418a624708310e0a2b0a0c19
+ * structure   806ca9fc8cc7c36597682a5b0d865575
+ * checksum    8813c63892d11c4f772b9d51e37779f9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -25,21 +25,21 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_X_AXIS_REAL_BITS 64
 /* the largest |v_add| [um/s] */
-#define AXIS_X_AXIS_LIMIT 50000.0
+#define AXIS_X_AXIS_LIMIT 530000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0x9014b604u
-#define AXIS_X_AXIS_PARAMETERS_1 0xdd12f822u
-#define AXIS_X_AXIS_PARAMETERS_2 0x4fb4d7d9u
-#define AXIS_X_AXIS_PARAMETERS_3 0x7b6b93deu
+#define AXIS_X_AXIS_PARAMETERS_0 0x273adca5u
+#define AXIS_X_AXIS_PARAMETERS_1 0x418a6247u
+#define AXIS_X_AXIS_PARAMETERS_2 0x08310e0au
+#define AXIS_X_AXIS_PARAMETERS_3 0x2b0a0c19u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_X_AXIS_STRUCTURE_0 0xad5f551cu
-#define AXIS_X_AXIS_STRUCTURE_1 0x763bd7c4u
-#define AXIS_X_AXIS_STRUCTURE_2 0x9e387f68u
-#define AXIS_X_AXIS_STRUCTURE_3 0xe2064689u
+#define AXIS_X_AXIS_STRUCTURE_0 0x806ca9fcu
+#define AXIS_X_AXIS_STRUCTURE_1 0x8cc7c365u
+#define AXIS_X_AXIS_STRUCTURE_2 0x97682a5bu
+#define AXIS_X_AXIS_STRUCTURE_3 0x0d865575u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
-#define AXIS_X_AXIS_INPUTS_SIZE 48u
-#define AXIS_X_AXIS_OUTPUTS_SIZE 40u
-#define AXIS_X_AXIS_STATE_SIZE 176u
+#define AXIS_X_AXIS_INPUTS_SIZE 64u
+#define AXIS_X_AXIS_OUTPUTS_SIZE 48u
+#define AXIS_X_AXIS_STATE_SIZE 56u
 
 /* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
  * Nothing else is asserted: the alignment of members is the ABI's own affair. */
@@ -65,17 +65,20 @@ enum {
     AXIS_X_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
     /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
     AXIS_X_AXIS_ERROR_STATE = 3,
-    AXIS_X_AXIS_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
+    AXIS_X_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_X_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
     AXIS_X_AXIS_ERROR_A_INTERPOLATOR = 15, /* a_interpolator is not within the sample limit */
-    AXIS_X_AXIS_ERROR_X_COMMAND = 17 /* x_command is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
+    AXIS_X_AXIS_ERROR_X_ACTUAL = 18 /* x_actual is not within the sample limit */
 };
 
 /* Written by the caller. axis_x_axis_inputs_init fills in what is said to be the start. */
 typedef struct {
     double x_command; /* command position of the interpolator, on the same turn as x_actual [um]; start 0.0 */
+    double x_actual; /* actual position, on the same turn as x_command [um]; start 0.0 */
     double v_interpolator; /* velocity of the interpolator [um/s]; start 0.0 */
     double a_interpolator; /* acceleration of the interpolator [um/s^2]; start 0.0 */
+    double v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; start 0.0 */
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
@@ -88,14 +91,15 @@ typedef struct {
 
 /* Written by axis_x_axis_step. */
 typedef struct {
+    double v_command; /* output of the position controller with feedforward, before v_add is added [um/s] */
+    double v_feedforward; /* conventional feedforward [um/s] */
     double v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s] */
     double v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
-    double x_drive; /* position control in the drive: the position command of the drive [um] */
-    int32_t additive_torque; /* additive torque command of the drive (P-AXIS-00325/00326) [increments] */
-    int32_t additive_velocity; /* additive velocity command of the drive (P-AXIS-00205 to 00207) [increments] */
+    /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
+    int32_t manipulated_variable;
     /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 14 v_interpolator, 15 a_interpolator, 17
-     * x_command */
+     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17
+     * x_command, 18 x_actual */
     uint32_t error_id;
     bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
     bool fault; /* a part of the block cannot act in this cycle, the id says why */
@@ -103,31 +107,16 @@ typedef struct {
 
 /* Kept from cycle to cycle; only the functions below look inside. */
 typedef struct {
-    bool feedforward_preset; /* whether the delays have been filled */
-    double feedforward_velocity_delay_x0; /* the samples before the present one, the latest first */
-    double feedforward_velocity_delay_copy0; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_x0; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_x1; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_x2; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_x3; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_x4; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_x5; /* the samples before the present one, the latest first */
-    double feedforward_acceleration_delay_copy0; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_copy1; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_copy2; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_copy3; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_copy4; /* the same again: what has been overwritten differs */
-    double feedforward_acceleration_delay_copy5; /* the same again: what has been overwritten differs */
     bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
     /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
      * state was overwritten */
     uint32_t ipc_fade;
-    double ipc_stage0_oscillation_s1; /* what the next output takes over */
-    double ipc_stage0_oscillation_s2; /* what `s1` takes over */
     double ipc_stage0_filter0_section0_s1; /* what the next output takes over */
     double ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
-    double position_control_x_held; /* the last position command of the drive */
-    double position_control_x_held_copy; /* the same again: what has been overwritten differs */
+    double ipc_stage1_oscillation_s1; /* what the next output takes over */
+    double ipc_stage1_oscillation_s2; /* what `s1` takes over */
+    double ipc_stage1_filter0_section0_s1; /* what the next output takes over */
+    double ipc_stage1_filter0_section0_s2; /* what `s1` takes over */
 } axis_x_axis_state;
 
 /* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
@@ -150,7 +139,7 @@ void axis_x_axis_step(
     axis_x_axis_outputs *outputs);
 
 /* In a file of its own, axis_x_axis_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+ * Compares a run of 47 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
  * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
  * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
  * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
