@@ -25,6 +25,7 @@ pub(crate) struct Effective<'a> {
 #[derive(Debug, Default)]
 struct Used {
     text: String,
+    is_default: bool,
     by: BTreeSet<Option<&'static str>>,
 }
 
@@ -84,11 +85,11 @@ impl<'a> Effective<'a> {
                 if let Some(adopted) = self.adopted.get(&key) {
                     return Some(adopted.clone());
                 }
-                let text = parameter.default_at(key.1).unwrap_or_default();
-                let default = value::of_text(parameter, text).ok().filter(|value| parameter.contains(value));
+                let default = default(key);
                 if default.is_some() {
                     return default;
                 }
+                let text = parameter.default_at(key.1).unwrap_or_default();
                 let found = format!("{} is missing; its default {text} is outside of its range", self.title(key));
                 let diagnostic = Diagnostic::error(codes::MISSING, self.place_of(key), found);
                 let instead = format!("{} with a value", path_with(parameter.path, key.1));
@@ -194,17 +195,18 @@ impl<'a> Effective<'a> {
 
     /// Takes a value that the block uses into the canonical form.
     pub(crate) fn note(&mut self, key: Key, value: &Value) {
+        let is_default = default(key).is_some_and(|default| default == *value);
         let used = self.used.entry(key).or_default();
-        used.text = value.text();
+        (used.text, used.is_default) = (value.text(), is_default);
         used.by.insert(self.block);
     }
 
-    /// What all blocks use: one `path value` a line, in the order of the table, independent of how it was written; and what each of
-    /// some blocks uses.
+    /// What all blocks use and no default has: one `path value` a line, in the order of the table, independent of how it was written; and what
+    /// each of some blocks uses. A parameter that is new in this program changes nothing of a set that does not use it.
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
         let mut all = String::new();
         let mut own = [const { String::new() }; N];
-        for (key, used) in &self.used {
+        for (key, used) in self.used.iter().filter(|(_, used)| !used.is_default) {
             let line = line(*key, used);
             for (own, block) in own.iter_mut().zip(blocks) {
                 if used.by.contains(&None) || used.by.contains(&Some(block)) {
@@ -215,6 +217,13 @@ impl<'a> Effective<'a> {
         }
         (all, own)
     }
+}
+
+/// The default of a parameter; none: it has none, or none within its range.
+fn default((name, index): Key) -> Option<Value> {
+    let parameter = name.parameter();
+    let text = parameter.default_at(index).unwrap_or_default();
+    value::of_text(parameter, text).ok().filter(|value| parameter.contains(value))
 }
 
 fn line((name, index): Key, used: &Used) -> String {

@@ -8,8 +8,9 @@ fn canonical(list: &str) -> String {
     set.unwrap_or_else(|| panic!("{report}")).axes.remove(0).axis.canonical
 }
 
+/// A default is not in it: a parameter that is new changes no digest of a set that does not use it.
 #[test]
-fn every_effective_parameter_in_the_order_of_the_table() {
+fn every_effective_parameter_that_is_no_default_in_the_order_of_the_table() {
     let list = indirect(
         "ipc.enable TRUE\nipc.stage[0].osc_damping 0.8\nipc.stage[2].mode DIRECT\nipc.stage[2].filter.type ALLPASS\n\
          ipc.stage[2].filter.order 77\nipc.stage[2].filter.fg_f0 1e-1\nipc.stage[2].filter.q_factor 2.50\n\
@@ -17,28 +18,13 @@ fn every_effective_parameter_in_the_order_of_the_table() {
          ipc.stage[2].filter[1].fg_f0 200\nipc.stage[2].filter[1].q_factor 10",
     );
     let expected = "cycle_time 1ms
-real f64
-fade 100ms
-ride_through 0
-tunable nothing
-kenngr.achs_typ ACHSTYP_TRANSLATOR
-getriebe[0].dynamik.vb_max 200000
 ipc.enable ON
 ipc.v_add_max_fact 1000
 ipc.stage[0].mode INDIRECT
-ipc.stage[1].mode NOT_ACTIVE
 ipc.stage[2].mode DIRECT
-ipc.stage[2].direct_source v_motor
-ipc.stage[0].weight_fact_num 1
-ipc.stage[2].weight_fact_num 1
-ipc.stage[0].weight_fact_denom 1
-ipc.stage[2].weight_fact_denom 1
 ipc.stage[0].osc_damping 0.8
-ipc.stage[0].filter[0].type BANDPASS
-ipc.stage[0].filter[1].type NO_FILTER
 ipc.stage[2].filter[0].type ALLPASS
 ipc.stage[2].filter[1].type BANDPASS
-ipc.stage[0].filter[0].prototype CRIT_DAMPING
 ipc.stage[2].filter[1].prototype BESSEL
 ipc.stage[0].filter[0].order 1
 ipc.stage[2].filter[1].order 2
@@ -113,7 +99,7 @@ fn moving_an_axis_or_writing_it_as_toml_changes_nothing() {
 #[test]
 fn durations() {
     for (text, canonical) in
-        [("100ms", "100ms"), ("0.25s", "250ms"), ("1500ms", "1.5s"), ("1us", "1us"), ("999ns", "999ns"), ("0s", "0s")]
+        [("101ms", "101ms"), ("0.25s", "250ms"), ("1500ms", "1.5s"), ("1us", "1us"), ("999ns", "999ns"), ("0s", "0s")]
     {
         let (set, _) = read_set(format!("cycle_time = \"1ms\"\n[axis.X]\nfade = \"{text}\""));
         assert!(set.unwrap().axes[0].axis.canonical.contains(&format!("\nfade {canonical}\n")), "{text}");

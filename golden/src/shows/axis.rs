@@ -51,11 +51,11 @@ pub fn shown(axis: &Axis) -> BTreeSet<String> {
 }
 
 fn of_filter(filter: &Filter, axis: &Axis) -> Vec<String> {
-    let (f0, mut shown) = match *filter {
-        Filter::NoFilter => return Vec::new(),
-        Filter::Allpass { f0, .. } => (f0, Vec::new()),
-        Filter::Bandpass { prototype, order, f0, .. } => (f0, vec![format!("{} order {order}", prototype.name())]),
-    };
+    let Some(f0) = filter.f0() else { return Vec::new() };
+    let mut shown = Vec::new();
+    if let Filter::Bandpass { prototype, order, .. } = filter {
+        shown.push(format!("{} order {order}", prototype.name()));
+    }
     let cycles = f0 * f64::from(axis.cycle_time_ns) / 1e9;
     let lowest = if axis.real == RealKind::F64 { LOWEST_DOUBLE } else { LOWEST_SINGLE };
     for (limit, end) in [(lowest, "lowest"), (HIGHEST, "highest")] {

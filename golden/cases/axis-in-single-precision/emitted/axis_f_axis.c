@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  a7946ea0b07c6e724bf5e648d7f9875f
+ * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    b5e3597d941cb5ea4d81b5d3e3127caa
+ * checksum    3857732253f06c368be9594953d2f038
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"

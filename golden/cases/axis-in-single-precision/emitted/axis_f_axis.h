@@ -4,9 +4,9 @@
  * block       axis
  * real type   float
  * cycle time  2000000 ns
- * parameters  a7946ea0b07c6e724bf5e648d7f9875f
+ * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    5be1043f552ff2fa965937f64efb8738
+ * checksum    e046c17cbb16eca99ae084d86d3f25f5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -27,10 +27,10 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_F_AXIS_LIMIT 60000.0f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_F_AXIS_PARAMETERS_0 0xa7946ea0u
-#define AXIS_F_AXIS_PARAMETERS_1 0xb07c6e72u
-#define AXIS_F_AXIS_PARAMETERS_2 0x4bf5e648u
-#define AXIS_F_AXIS_PARAMETERS_3 0xd7f9875fu
+#define AXIS_F_AXIS_PARAMETERS_0 0x729469a6u
+#define AXIS_F_AXIS_PARAMETERS_1 0x8c1da346u
+#define AXIS_F_AXIS_PARAMETERS_2 0xc7ec146fu
+#define AXIS_F_AXIS_PARAMETERS_3 0x131f7f79u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_F_AXIS_STRUCTURE_0 0x3ac15a77u
 #define AXIS_F_AXIS_STRUCTURE_1 0x1f94c293u

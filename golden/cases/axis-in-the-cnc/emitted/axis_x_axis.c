@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  273adca5418a624708310e0a2b0a0c19
+ * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    ea52329d0eb6e77e37f5e4597f4482b7
+ * checksum    7e24ea1cb0ca38d31d1a3f1f450b7c06
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"

@@ -4,9 +4,9 @@
  * block       axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  273adca5418a624708310e0a2b0a0c19
+ * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    8813c63892d11c4f772b9d51e37779f9
+ * checksum    3a5aefcec85b30ec2937cd069996969e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -27,10 +27,10 @@ extern "C" {
 /* the largest |v_add| [um/s] */
 #define AXIS_X_AXIS_LIMIT 530000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_AXIS_PARAMETERS_0 0x273adca5u
-#define AXIS_X_AXIS_PARAMETERS_1 0x418a6247u
-#define AXIS_X_AXIS_PARAMETERS_2 0x08310e0au
-#define AXIS_X_AXIS_PARAMETERS_3 0x2b0a0c19u
+#define AXIS_X_AXIS_PARAMETERS_0 0x37d81c96u
+#define AXIS_X_AXIS_PARAMETERS_1 0x6bdf5725u
+#define AXIS_X_AXIS_PARAMETERS_2 0x8faadd5au
+#define AXIS_X_AXIS_PARAMETERS_3 0xe9237741u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_X_AXIS_STRUCTURE_0 0x806ca9fcu
 #define AXIS_X_AXIS_STRUCTURE_1 0x8cc7c365u

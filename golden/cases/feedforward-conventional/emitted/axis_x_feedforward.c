@@ -4,9 +4,9 @@
  * block       feedforward
  * real type   double
  * cycle time  1000000 ns
- * parameters  b3ed5792d9f8226b8fcc93505e5e2511
+ * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    f979fa13e17bbb17cd07579f5636066c
+ * checksum    0f7f2f22ca5a11ecc22ba5b3c4852d50
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"

@@ -4,9 +4,9 @@
  * block       feedforward
  * real type   double
  * cycle time  1000000 ns
- * parameters  b3ed5792d9f8226b8fcc93505e5e2511
+ * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    6091ac56594943fbb3dfe5df28090704
+ * checksum    b843c612b256ff07f1f4bce286b12bcd
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -25,10 +25,10 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_X_FEEDFORWARD_REAL_BITS 64
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_FEEDFORWARD_PARAMETERS_0 0xb3ed5792u
-#define AXIS_X_FEEDFORWARD_PARAMETERS_1 0xd9f8226bu
-#define AXIS_X_FEEDFORWARD_PARAMETERS_2 0x8fcc9350u
-#define AXIS_X_FEEDFORWARD_PARAMETERS_3 0x5e5e2511u
+#define AXIS_X_FEEDFORWARD_PARAMETERS_0 0x43173c9au
+#define AXIS_X_FEEDFORWARD_PARAMETERS_1 0xbf2e1de7u
+#define AXIS_X_FEEDFORWARD_PARAMETERS_2 0x6d5853ceu
+#define AXIS_X_FEEDFORWARD_PARAMETERS_3 0x7539dd7du
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x492cb455u
 #define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x9603e904u

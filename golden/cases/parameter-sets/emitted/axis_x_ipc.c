@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  7f08797ecda99a95b4447d554f36617a
+ * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    51b0bf5268f421aed7c30300033c07a4
+ * checksum    aad1af98541b05bb536d04c6cb4dd7e8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"

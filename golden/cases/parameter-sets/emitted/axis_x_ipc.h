@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  7f08797ecda99a95b4447d554f36617a
+ * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    90819724d92f59435caf77f84b2e8cc7
+ * checksum    b910f8980dd108b142c8674694619aae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -39,10 +39,10 @@ extern "C" {
  * was generated with */
 #define AXIS_X_IPC_BOUND 1528678.3f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_IPC_PARAMETERS_0 0x7f08797eu
-#define AXIS_X_IPC_PARAMETERS_1 0xcda99a95u
-#define AXIS_X_IPC_PARAMETERS_2 0xb4447d55u
-#define AXIS_X_IPC_PARAMETERS_3 0x4f36617au
+#define AXIS_X_IPC_PARAMETERS_0 0x5f654803u
+#define AXIS_X_IPC_PARAMETERS_1 0x41441c4bu
+#define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
+#define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_X_IPC_STRUCTURE_0 0x6e374858u
 #define AXIS_X_IPC_STRUCTURE_1 0xb5fe7a14u

@@ -4,9 +4,9 @@
  * block       position_control
  * real type   double
  * cycle time  1000000 ns
- * parameters  e6579a5fd4ee7e91a79841af8c74adc1
+ * parameters  2159609bf42e0b1bc9c5f51b280bdecb
  * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
- * checksum    3d5b95a3421d13ad3a6c1ee41036f8b1
+ * checksum    2f99b9fb2ae36b3e9c8bd5a55825006a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"

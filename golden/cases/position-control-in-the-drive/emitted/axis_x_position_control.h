@@ -4,9 +4,9 @@
  * block       position_control
  * real type   double
  * cycle time  1000000 ns
- * parameters  e6579a5fd4ee7e91a79841af8c74adc1
+ * parameters  2159609bf42e0b1bc9c5f51b280bdecb
  * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
- * checksum    196fb4a92d12033c91ee3bae941536c7
+ * checksum    e766507a6b5d5eece3d95d0a468ee376
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
@@ -25,10 +25,10 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_X_POSITION_CONTROL_REAL_BITS 64
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_X_POSITION_CONTROL_PARAMETERS_0 0xe6579a5fu
-#define AXIS_X_POSITION_CONTROL_PARAMETERS_1 0xd4ee7e91u
-#define AXIS_X_POSITION_CONTROL_PARAMETERS_2 0xa79841afu
-#define AXIS_X_POSITION_CONTROL_PARAMETERS_3 0x8c74adc1u
+#define AXIS_X_POSITION_CONTROL_PARAMETERS_0 0x2159609bu
+#define AXIS_X_POSITION_CONTROL_PARAMETERS_1 0xf42e0b1bu
+#define AXIS_X_POSITION_CONTROL_PARAMETERS_2 0xc9c5f51bu
+#define AXIS_X_POSITION_CONTROL_PARAMETERS_3 0x280bdecbu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_X_POSITION_CONTROL_STRUCTURE_0 0xf98b5ab3u
 #define AXIS_X_POSITION_CONTROL_STRUCTURE_1 0xc8b5c3b7u

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  097a836f6fa98f8ecb4119133f3f1eb0
+ * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    39ebd0804f23a4e1f957a0d72f4e74c6
+ * checksum    b648b9acb06b9126105693f7766a21c5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   double
  * cycle time  1000000 ns
- * parameters  097a836f6fa98f8ecb4119133f3f1eb0
+ * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    20b43d54d1fa576e26cf1a4ddd58c845
+ * checksum    313f9cf8170974d94fd44b51b4ca7ad0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -38,10 +38,10 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 530000 [um/s] */
 #define AXIS_RACK_AND_PINION_IPC_BOUND 2308249.013526049
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0x097a836fu
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x6fa98f8eu
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xcb411913u
-#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0x3f3f1eb0u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_0 0xadd15062u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_1 0x3ccfc280u
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xdfd3932cu
+#define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xa6046864u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xab1fc7d6u
 #define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xae031da8u

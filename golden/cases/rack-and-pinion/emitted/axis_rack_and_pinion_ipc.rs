@@ -4,8 +4,8 @@
 // block       ipc
 // real type   f64
 // cycle time  1000000 ns
-// parameters  097a836f6fa98f8ecb4119133f3f1eb0
-// checksum    5fceff941a51e544fc52114c75394833
+// parameters  add150623ccfc280dfd3932ca6046864
+// checksum    253339ba47d376a8f72a1a376dc8f5c5
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:

@@ -4,9 +4,9 @@
  * block       position_control
  * real type   float
  * cycle time  2000000 ns
- * parameters  91c6f1b05179a6542c9db8978950cedf
+ * parameters  3a154cd186faf36d5b7438ab27a47ecf
  * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
- * checksum    9f60cf77446e720976ccc8226605841c
+ * checksum    aab0c75a1f7a5c2c314970ca86f416d5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"

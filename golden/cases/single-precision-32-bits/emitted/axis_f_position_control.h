@@ -4,9 +4,9 @@
  * block       position_control
  * real type   float
  * cycle time  2000000 ns
- * parameters  91c6f1b05179a6542c9db8978950cedf
+ * parameters  3a154cd186faf36d5b7438ab27a47ecf
  * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
- * checksum    b6034e801b352563e9f66a80479a69aa
+ * checksum    f873a0440d3ed1a610979e2bfb08105b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
@@ -25,10 +25,10 @@ extern "C" {
 /* the bits of its real type */
 #define AXIS_F_POSITION_CONTROL_REAL_BITS 32
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_F_POSITION_CONTROL_PARAMETERS_0 0x91c6f1b0u
-#define AXIS_F_POSITION_CONTROL_PARAMETERS_1 0x5179a654u
-#define AXIS_F_POSITION_CONTROL_PARAMETERS_2 0x2c9db897u
-#define AXIS_F_POSITION_CONTROL_PARAMETERS_3 0x8950cedfu
+#define AXIS_F_POSITION_CONTROL_PARAMETERS_0 0x3a154cd1u
+#define AXIS_F_POSITION_CONTROL_PARAMETERS_1 0x86faf36du
+#define AXIS_F_POSITION_CONTROL_PARAMETERS_2 0x5b7438abu
+#define AXIS_F_POSITION_CONTROL_PARAMETERS_3 0x27a47ecfu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x7a6d81ecu
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0x8a8cbd34u

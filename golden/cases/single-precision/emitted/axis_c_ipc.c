@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  e2453a0975306551d54cce9dca887813
+ * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    c1a215925886dc5a5ebe5d92ee6d29d8
+ * checksum    6c6d1334eb2c2209502d0eba50bb0b58
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"

@@ -4,9 +4,9 @@
  * block       ipc
  * real type   float
  * cycle time  1000000 ns
- * parameters  e2453a0975306551d54cce9dca887813
+ * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    83d44fee567dadd1cdd2f33c873d0d63
+ * checksum    006eb6d290fa3fd7bbff02262cfe8c45
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 /* the bound of |v_add| before the limit that is certain for |v| <= 180000 [0.001 deg/s] */
 #define AXIS_C_IPC_BOUND 1090500.8f
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_C_IPC_PARAMETERS_0 0xe2453a09u
-#define AXIS_C_IPC_PARAMETERS_1 0x75306551u
-#define AXIS_C_IPC_PARAMETERS_2 0xd54cce9du
-#define AXIS_C_IPC_PARAMETERS_3 0xca887813u
+#define AXIS_C_IPC_PARAMETERS_0 0x66f0269bu
+#define AXIS_C_IPC_PARAMETERS_1 0x36f88be0u
+#define AXIS_C_IPC_PARAMETERS_2 0x89736648u
+#define AXIS_C_IPC_PARAMETERS_3 0xcbf9f148u
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_C_IPC_STRUCTURE_0 0x3e99e516u
 #define AXIS_C_IPC_STRUCTURE_1 0xdbb85b62u

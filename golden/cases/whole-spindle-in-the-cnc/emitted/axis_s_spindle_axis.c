@@ -4,9 +4,9 @@
  * block       spindle_axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  32e7cbbccf38ef1a1745a105e71d0668
+ * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    5872260109ce3fb29490855ffc9949c7
+ * checksum    b98e7939bc21832beb82006027edb71b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"

@@ -4,9 +4,9 @@
  * block       spindle_axis
  * real type   double
  * cycle time  1000000 ns
- * parameters  32e7cbbccf38ef1a1745a105e71d0668
+ * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    945b7e6c35f023c9989b3fae0a915689
+ * checksum    4e06ebd2180d112860da8e0da76e15b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -27,10 +27,10 @@ extern "C" {
 /* the largest |v_add| [0.001 deg/s] */
 #define AXIS_S_SPINDLE_AXIS_LIMIT 450000.0
 /* the digest of its parameters, as in the head of this file */
-#define AXIS_S_SPINDLE_AXIS_PARAMETERS_0 0x32e7cbbcu
-#define AXIS_S_SPINDLE_AXIS_PARAMETERS_1 0xcf38ef1au
-#define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x1745a105u
-#define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0xe71d0668u
+#define AXIS_S_SPINDLE_AXIS_PARAMETERS_0 0xbc62a8c6u
+#define AXIS_S_SPINDLE_AXIS_PARAMETERS_1 0xd749e751u
+#define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
+#define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x88092532u
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xf202fe77u
