@@ -125,7 +125,7 @@ pub(crate) fn signals(
     shape: &Shape,
     map: &[(String, String)],
 ) -> Result<Vec<Option<usize>>, Vec<Mistake>> {
-    let position = |name: &str| shape.signals.iter().position(|signal| signal.name == name);
+    let position = |name: &str| shape.place(name);
     let names = || shape.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
     let (mut signals, mut mistakes) = (Vec::new(), Vec::new());
     for column in &table.columns {

@@ -33,6 +33,12 @@ impl Shape {
         Self { real, signals: variables.iter().map(signal).collect() }
     }
 
+    /// The position of a signal.
+    #[must_use]
+    pub fn place(&self, name: &str) -> Option<usize> {
+        self.signals.iter().position(|signal| signal.name == name)
+    }
+
     /// Bytes of a signal's value.
     #[must_use]
     pub fn size(&self, ty: Type) -> usize {

@@ -193,7 +193,7 @@ fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Written, Window), 
 }
 
 fn position(name: &str, shape: &Shape) -> Result<usize, String> {
-    let found = shape.signals.iter().position(|signal| signal.name == name);
+    let found = shape.place(name);
     found.ok_or_else(|| format!("the block has no input `{name}`"))
 }
 

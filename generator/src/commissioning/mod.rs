@@ -49,6 +49,8 @@ struct Page {
     unit: &'static str,
     cycle: String,
     cycle_ns: u32,
+    /// whether the block counts its calls
+    counts_calls: bool,
     /// [ms]
     fade: String,
     limit: String,
@@ -107,6 +109,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
         unit: axis.control.velocity_unit(),
         cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),
         cycle_ns: axis.cycle_time_ns,
+        counts_calls: axis.counts_calls,
         fade: digits(f64::from(designed.ipc.fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6),
         limit: digits(axis.ipc.limit()),
         limit_path: Name::VAddMaxFact.parameter().path,

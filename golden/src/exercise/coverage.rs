@@ -1,14 +1,12 @@
 //! How much of a block an exercise reached: inputs that moved, outputs that changed, states and transitions of a spindle, parameter sets.
 
 use crate::samples::Samples;
+use crate::shows::spindle::STATES;
 use generator::axis::Changeover;
 use generator::blocks::{Block, Designed};
 use portable::Literal;
 use std::collections::BTreeSet;
 use std::fmt;
-
-/// The states of a spindle, by their numbers.
-const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
 
 /// The transitions of a spindle that changes over (docs/spindle.md), by their ends: on the usual way, by an error and its reset, by a drive that is
 /// switched off.
@@ -66,7 +64,8 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
         ("inputs moved", block.own.inputs.len(), still(inputs, &block.own.inputs)),
         ("outputs changed", changing.len(), still(outputs, &changing)),
     ];
-    if let Some(spindle) = designed.axis.control.spindle.as_ref().filter(|_| place(outputs, "spindle_state").is_some())
+    if let Some(spindle) =
+        designed.axis.control.spindle.as_ref().filter(|_| outputs.shape.place("spindle_state").is_some())
         && spindle.v_velocity_control_on > 0
     {
         let reached = transitions(outputs);
@@ -79,14 +78,10 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
         let missing = missing.map(|[from, to]| format!("{} to {}", STATES[*from], STATES[*to]));
         rows.push(("transitions", there.len(), missing.collect()));
     }
-    if let Some(at) = place(outputs, "active_set") {
+    if let Some(at) = outputs.shape.place("active_set") {
         rows.push(("events of parameter sets", 3, events_of_sets(outputs, at)));
     }
     Coverage { rows }
-}
-
-fn place(run: &Samples, name: &str) -> Option<usize> {
-    run.shape.signals.iter().position(|signal| signal.name == name)
 }
 
 /// Whether each signal has ever had another value than in the first sample.
@@ -107,7 +102,7 @@ fn moved(run: &Samples) -> Vec<bool> {
 /// The pairs of states, one directly behind the other.
 fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
     let mut reached = BTreeSet::new();
-    let Some(at) = place(outputs, "spindle_state") else { return reached };
+    let Some(at) = outputs.shape.place("spindle_state") else { return reached };
     let (mut values, mut before) = (Vec::new(), None);
     for sample in 0..outputs.len() {
         outputs.read(sample, &mut values);
@@ -123,7 +118,7 @@ fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
 
 /// What has not become of parameter sets: one taken over, another one behind it, one refused.
 fn events_of_sets(outputs: &Samples, at: usize) -> Vec<String> {
-    let error_id = place(outputs, "error_id");
+    let error_id = outputs.shape.place("error_id");
     let (mut values, mut before, mut shown) = (Vec::new(), 0, [false; 3]);
     for sample in 0..outputs.len() {
         outputs.read(sample, &mut values);

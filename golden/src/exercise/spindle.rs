@@ -2,7 +2,7 @@
 //! samples now and then. What it does depends on what the block puts out, and on nothing else.
 
 use crate::engine::{self, Cycle};
-use crate::samples::{Shape, Signal};
+use crate::samples::Shape;
 use crate::scenario::interpolator::State;
 use crate::scenario::machine::{self, Machine};
 use crate::scenario::recorder::{literal, number};
@@ -35,30 +35,24 @@ pub(super) struct Machinery<'a> {
 
 /// The signals of the block by name.
 struct Signals {
-    inputs: Vec<Signal>,
-    outputs: Vec<Signal>,
-    real: RealKind,
+    inputs: Shape,
+    outputs: Shape,
 }
 
 impl Signals {
     fn output(&self, answers: &[Literal], name: &str) -> Option<f64> {
-        let at = self.outputs.iter().position(|signal| signal.name == name)?;
-        Some(number(answers[at]))
-    }
-
-    fn place(&self, name: &str) -> Option<usize> {
-        self.inputs.iter().position(|signal| signal.name == name)
+        Some(number(answers[self.outputs.place(name)?]))
     }
 
     /// Sets an input; one that the block does not have is passed over.
     fn set(&self, inputs: &mut [Literal], name: &str, value: f64) {
-        if let Some(at) = self.place(name) {
-            inputs[at] = literal(value, self.inputs[at].ty, self.real);
+        if let Some(at) = self.inputs.place(name) {
+            inputs[at] = literal(value, self.inputs.signals[at].ty, self.inputs.real);
         }
     }
 
     fn input(&self, inputs: &[Literal], name: &str) -> f64 {
-        self.place(name).map_or(0.0, |at| number(inputs[at]))
+        self.inputs.place(name).map_or(0.0, |at| number(inputs[at]))
     }
 }
 
@@ -74,17 +68,13 @@ impl<'a> Machinery<'a> {
     /// None, if the block is none of a spindle.
     pub(super) fn of(designed: &'a Designed, block: &Block) -> Option<Self> {
         let spindle = designed.axis.control.spindle.as_ref()?;
-        let shape = |variables| Shape::of(variables, designed.axis.real).signals;
-        let signals = Signals {
-            inputs: shape(&block.program.inputs),
-            outputs: shape(&block.program.outputs),
-            real: designed.axis.real,
-        };
-        signals.place("drive_on")?;
+        let shape = |variables| Shape::of(variables, designed.axis.real);
+        let signals = Signals { inputs: shape(&block.program.inputs), outputs: shape(&block.program.outputs) };
+        signals.inputs.place("drive_on")?;
         Some(Self {
             machine: Machine::start(&designed.axis, spindle, START).ok()?,
             step: engine::start(designed, block),
-            answers: signals.outputs.iter().map(|signal| signal.start).collect(),
+            answers: signals.outputs.signals.iter().map(|signal| signal.start).collect(),
             signals,
             operator: Operator::of(&designed.axis, spindle),
             is_on: false,
@@ -118,7 +108,8 @@ impl Partner for Machinery<'_> {
         operator.display = display;
         let is_bad = |of: Bad| operator.bad_for > 0 && operator.bad == of;
         let real = |of: Bad, value: f64| if is_bad(of) { f64::NAN } else { value };
-        let v_interpolator = if is_bad(Bad::Huge) { huge(signals.real) } else { real(Bad::Interpolator, commanded.v) };
+        let v_interpolator =
+            if is_bad(Bad::Huge) { huge(signals.inputs.real) } else { real(Bad::Interpolator, commanded.v) };
         let (x_actual, v_actual) = (real(Bad::Position, actual.x), real(Bad::Velocity, actual.v));
         let mut set = |name: &str, value: f64| signals.set(inputs, name, value);
         set("x_command", commanded.x);

@@ -136,7 +136,7 @@ impl Run<'_> {
     /// All values of a signal; none: the block does not have it.
     fn values(&self, name: &str) -> Vec<f64> {
         let of = |run: &Samples| {
-            let at = run.shape.signals.iter().position(|signal| signal.name == name)?;
+            let at = run.shape.place(name)?;
             let mut values = Vec::new();
             let value = |sample| {
                 run.read(sample, &mut values);

@@ -36,14 +36,13 @@ impl Recorder {
 
     /// Sets an input from this cycle on; one that the block does not have is passed over.
     pub(super) fn set(&mut self, name: &str, value: f64) {
-        let signals = &self.inputs.shape.signals;
-        let Some(at) = signals.iter().position(|signal| signal.name == name) else { return };
-        self.given[at] = literal(value, signals[at].ty, self.inputs.shape.real);
+        let Some(at) = self.inputs.shape.place(name) else { return };
+        self.given[at] = literal(value, self.inputs.shape.signals[at].ty, self.inputs.shape.real);
     }
 
     /// What the block gave in the cycle before; none: it does not have the output.
     pub(super) fn output(&self, name: &str) -> Option<f64> {
-        let at = self.outputs.shape.signals.iter().position(|signal| signal.name == name)?;
+        let at = self.outputs.shape.place(name)?;
         Some(number(self.answers[at]))
     }
 

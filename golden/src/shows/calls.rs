@@ -18,7 +18,7 @@ struct Call {
 
 /// The events of a run.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
-    let place = |run: &Samples, name: &str| run.shape.signals.iter().position(|signal| signal.name == name);
+    let place = |run: &Samples, name: &str| run.shape.place(name);
     let (Some(counter), Some(error_id)) = (place(inputs, "cycle_counter"), place(outputs, "error_id")) else {
         return BTreeSet::new();
     };

@@ -6,7 +6,7 @@ mod calls;
 mod control;
 mod run;
 mod sets;
-mod spindle;
+pub(crate) mod spindle;
 
 use crate::samples::Samples;
 use generator::axis::Axis;

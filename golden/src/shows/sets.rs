@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 /// The events of a run.
 pub fn events(outputs: &Samples) -> BTreeSet<String> {
     let mut shown = BTreeSet::new();
-    let Some(place) = outputs.shape.signals.iter().position(|signal| signal.name == "active_set") else { return shown };
+    let Some(place) = outputs.shape.place("active_set") else { return shown };
     let (mut answers, mut before) = (Vec::new(), 0);
     for sample in 0..outputs.len() {
         outputs.read(sample, &mut answers);

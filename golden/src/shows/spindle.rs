@@ -6,7 +6,7 @@ use portable::Literal;
 use std::collections::BTreeSet;
 
 /// Its states, by their numbers.
-const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
+pub(crate) const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_POSITION"];
 
 /// Its requests: the input of each, and the word.
 const REQUESTS: [(&str, &str); 6] =
@@ -27,11 +27,11 @@ pub fn constructs(axis: &Axis) -> BTreeSet<String> {
 
 /// The events of a run; none: it is of another block.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
-    let place = |run: &Samples, name: &str| run.shape.signals.iter().position(|signal| signal.name == name);
-    let (Some(state), Some(v)) = (place(outputs, "spindle_state"), place(outputs, "v_spindle")) else {
+    let place = |name| outputs.shape.place(name);
+    let (Some(state), Some(v)) = (place("spindle_state"), place("v_spindle")) else {
         return BTreeSet::new();
     };
-    let requests = REQUESTS.map(|(name, word)| (place(inputs, name), word));
+    let requests = REQUESTS.map(|(name, word)| (inputs.shape.place(name), word));
     let mut shown = BTreeSet::new();
     let (mut given, mut answers, mut states) = (Vec::new(), Vec::new(), Vec::new());
     let mut turned = 0.0;
