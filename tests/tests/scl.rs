@@ -37,7 +37,7 @@ fn zeros<'t>(text: &'t str, outputs: &[String]) -> Vec<(usize, &'t str)> {
     lines
 }
 
-/// Lines that only an overwritten position reaches: no inputs do. Their value is judged by `flipped_bits`.
+/// Lines that only an overwritten position reaches: no inputs do. `flipped_bits` judges them.
 const OVERWRITTEN_ALONE: [&str; 2] = ["axis:         #x_drive := 0.0;", "position_control:         #x_drive := 0.0;"];
 
 #[test]

@@ -140,6 +140,35 @@ impl<'b> Bench<'b> {
         table
     }
 
+    /// The bits of the position that a drive holds while `x_command` is no number, and of its copy.
+    pub fn flips_of_the_held_position(&self) -> Vec<(usize, usize)> {
+        let is_held = |at: usize| self.program.state[at].path.contains("x_held");
+        self.flips(1).into_iter().filter(|(at, _)| is_held(*at)).collect()
+    }
+
+    /// A cycle without `x_command`, with a flipped bit or none: `x_drive` and `error_id`.
+    pub fn hold(&self, flip: Option<(usize, usize)>) -> (f64, f64) {
+        let mut state = self.states.clone();
+        if let Some((at, bit)) = flip {
+            state[at] = flipped(state[at], bit);
+        }
+        let mut inputs = self.inputs[FLIP].clone();
+        let x_command = self.program.inputs.iter().position(|input| input.path == "x_command").expect("it holds one");
+        inputs[x_command] = match self.program.real {
+            RealKind::F64 => Literal::F64(f64::NAN),
+            RealKind::F32 => Literal::F32(f32::NAN),
+        };
+        let mut machine = Machine::start(self.program);
+        machine.set_state(&state);
+        let mut answers = Vec::new();
+        machine.step(&inputs, &mut answers);
+        let output = |path: &str| {
+            let place = self.program.outputs.iter().position(|output| output.path == path);
+            number(answers[place.expect("the block has it")])
+        };
+        (output("x_drive"), output("error_id"))
+    }
+
     /// Whether a value is a number in use, or its copy.
     fn is_compared(&self, at: usize) -> bool {
         let path = &self.program.state[at].path;

@@ -50,6 +50,28 @@ fn subjects() -> Vec<(String, Designed, Block)> {
     subjects
 }
 
+/// A drive is not sent to a position that was overwritten: that is fault 3. The present one is held with 17.
+#[test]
+fn an_overwritten_position_is_not_held() {
+    let mut flipped = 0;
+    for (name, designed, block) in subjects() {
+        let bench = Bench::of(&designed, &block);
+        let flips = bench.flips_of_the_held_position();
+        if flips.is_empty() {
+            continue;
+        }
+        let (held, error_id) = bench.hold(None);
+        assert!(held != 0.0 && (error_id - 17.0).abs() < 0.5, "{name}: {held}, {error_id}");
+        for flip in flips {
+            // The sign of a 0 is no other position.
+            let (x_drive, error_id) = bench.hold(Some(flip));
+            assert!(x_drive == 0.0 && (error_id - 3.0).abs() < 0.5, "{name}, {flip:?}: {x_drive}, {error_id}");
+            flipped += 1;
+        }
+    }
+    assert!(flipped > 300, "{flipped}");
+}
+
 /// Each how many bits flip.
 fn every() -> usize {
     match (is_every_level(), is_exhaustive()) {
