@@ -22,10 +22,9 @@ pub(crate) struct Effective<'a> {
 }
 
 /// A value that blocks use.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Used {
-    text: String,
-    is_default: bool,
+    value: Value,
     by: BTreeSet<Option<&'static str>>,
 }
 
@@ -186,18 +185,18 @@ impl<'a> Effective<'a> {
     /// What a block uses and nobody gave: `vb_max 200000 (P-AXIS-00212)`.
     pub(crate) fn assumed(&self, is_told: impl Fn(Name) -> bool) -> Vec<String> {
         let used = self.used.iter().filter(|(key, _)| is_told(key.0) && self.given(**key).is_none());
-        let text = |((name, _), Used { text, .. }): (&Key, &Used)| {
+        let text = |((name, _), Used { value, .. }): (&Key, &Used)| {
             let parameter = name.parameter();
-            format!("{} {text} ({})", parameter.short(), parameter.id.unwrap_or_default())
+            format!("{} {} ({})", parameter.short(), value.text(), parameter.id.unwrap_or_default())
         };
         used.map(text).collect()
     }
 
     /// Takes a value that the block uses into the canonical form.
     pub(crate) fn note(&mut self, key: Key, value: &Value) {
-        let is_default = default(key).is_some_and(|default| default == *value);
-        let used = self.used.entry(key).or_default();
-        (used.text, used.is_default) = (value.text(), is_default);
+        let unused = || Used { value: value.clone(), by: BTreeSet::new() };
+        let used = self.used.entry(key).or_insert_with(unused);
+        used.value.clone_from(value);
         used.by.insert(self.block);
     }
 
@@ -206,7 +205,8 @@ impl<'a> Effective<'a> {
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
         let mut all = String::new();
         let mut own = [const { String::new() }; N];
-        for (key, used) in self.used.iter().filter(|(_, used)| !used.is_default) {
+        let is_default = |key, used: &Used| default(key).is_some_and(|default| default == used.value);
+        for (key, used) in self.used.iter().filter(|(key, used)| !is_default(**key, used)) {
             let line = line(*key, used);
             for (own, block) in own.iter_mut().zip(blocks) {
                 if used.by.contains(&None) || used.by.contains(&Some(block)) {
@@ -227,7 +227,7 @@ fn default((name, index): Key) -> Option<Value> {
 }
 
 fn line((name, index): Key, used: &Used) -> String {
-    format!("{} {}\n", path_with(name.parameter().path, index), used.text)
+    format!("{} {}\n", path_with(name.parameter().path, index), used.value.text())
 }
 
 /// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.

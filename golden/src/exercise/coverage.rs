@@ -29,6 +29,12 @@ impl Coverage {
     pub fn is_full(&self) -> bool {
         self.rows.iter().all(|(_, _, missing)| missing.is_empty())
     }
+
+    /// What was not reached, a line for each kind.
+    pub fn missing(&self) -> impl Iterator<Item = String> {
+        let missing = self.rows.iter().filter(|(_, _, missing)| !missing.is_empty());
+        missing.map(|(kind, _, missing)| format!("not among the {kind}: {}", missing.join(", ")))
+    }
 }
 
 impl fmt::Display for Coverage {
@@ -38,14 +44,6 @@ impl fmt::Display for Coverage {
             write!(f, "{separator}{} of {count} {kind}", count - missing.len())?;
         }
         Ok(())
-    }
-}
-
-impl Coverage {
-    /// What was not reached, a line for each kind.
-    pub fn missing(&self) -> impl Iterator<Item = String> {
-        let missing = self.rows.iter().filter(|(_, _, missing)| !missing.is_empty());
-        missing.map(|(kind, _, missing)| format!("not among the {kind}: {}", missing.join(", ")))
     }
 }
 
@@ -99,7 +97,7 @@ fn moved(run: &Samples) -> Vec<bool> {
     moved
 }
 
-/// The pairs of states, one directly behind the other.
+/// The pairs of states of which one directly follows the other.
 fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
     let mut reached = BTreeSet::new();
     let Some(at) = outputs.shape.place("spindle_state") else { return reached };
@@ -116,7 +114,7 @@ fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
     reached
 }
 
-/// What has not become of parameter sets: one taken over, another one behind it, one refused.
+/// What has not become of parameter sets: one taken over, another one after it, one refused.
 fn events_of_sets(outputs: &Samples, at: usize) -> Vec<String> {
     let error_id = outputs.shape.place("error_id");
     let (mut values, mut before, mut shown) = (Vec::new(), 0, [false; 3]);

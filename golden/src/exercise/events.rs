@@ -10,41 +10,14 @@ use generator::axis::{Axis, Filter};
 const FIRST_BOUNDARY: u64 = 200;
 
 /// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, both boundaries of process data, and parameter
-/// sets that are late, absent or damaged. Of all this a block gets what it has a signal for.
+/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both boundaries of process data. Of all this a block gets what it has a signal for.
 pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
     let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
     event.extend(boundaries::events(block, axis.real, FIRST_BOUNDARY));
-    event.extend(sets(block));
     Stimulus { signal, event }
-}
-
-/// Parameter sets that are not the one that the block was generated with: memory that is zero up to the fifth cycle and again later, a
-/// set without a number, another number before its contents, a number that is none.
-fn sets(block: &Program) -> Vec<Event> {
-    let parts = block.inputs.iter().filter_map(|input| Some((input, block.in_set(input)?)));
-    let event = |signal: &str, value: &str, at, length, every| Event {
-        signal: signal.to_owned(),
-        value: value.to_owned(),
-        window: Window { at, length, every },
-    };
-    let mut events = Vec::new();
-    for (input, part) in parts {
-        events.push(event(&input.path, "0", 0, 5, 45_000));
-        match part {
-            "set_id" => {
-                events.push(event(&input.path, "0", 3_000, 2, 26_000));
-                events.push(event(&input.path, "1", 6_500, 300, 24_000));
-                events.push(event(&input.path, "7", 30_000, 700, 34_000));
-            }
-            "limit" => events.push(event(&input.path, "nan", 30_000, 700, 34_000)),
-            _ => {}
-        }
-    }
-    events
 }
 
 /// The real inputs of all blocks, each with the size that it has at the largest velocity of the axis.

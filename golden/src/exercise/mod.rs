@@ -23,7 +23,9 @@ use generator::blocks::{Block, Designed};
 #[must_use]
 pub fn inputs(designed: &Designed, block: &Block, count: usize) -> Samples {
     let mut stimulus = events::stimulus(&designed.axis, &block.program);
-    stimulus.event.splice(0..0, sets::events(designed, block));
+    // The later events are the stronger ones.
+    stimulus.event.splice(0..0, sets::other(designed, block));
+    stimulus.event.extend(sets::damaged(&block.program));
     let mut partner = spindle::Machinery::of(designed, block);
     let partner = partner.as_mut().map(|partner| partner as &mut dyn Partner);
     let shape = Shape::of(&block.program.inputs, designed.axis.real);

@@ -1,7 +1,8 @@
-//! The supplier of parameter sets: another set of the same axis, with half the limit. What is damaged, late or absent is among the events.
+//! The supplier of parameter sets: another set of the same axis, with half the limit, and damaged, late or absent ones.
 
 use crate::case::{named_block, offered};
 use crate::stimulus::{Event, Window};
+use compiler::program::Program;
 use generator::blocks::{Block, Designed};
 
 /// When the other set is offered.
@@ -12,7 +13,7 @@ const OTHER: [Window; 2] =
 ///
 /// # Panics
 /// If the axis with half the limit cannot be designed: a defect of axgen.
-pub(super) fn events(designed: &Designed, block: &Block) -> Vec<Event> {
+pub(super) fn other(designed: &Designed, block: &Block) -> Vec<Event> {
     if !block.program.inputs.iter().any(|input| block.program.in_set(input).is_some()) {
         return Vec::new();
     }
@@ -21,4 +22,29 @@ pub(super) fn events(designed: &Designed, block: &Block) -> Vec<Event> {
     let other =
         named_block(&Designed::from(other), block.program.block).unwrap_or_else(|text| panic!("exercise: {text}"));
     OTHER.into_iter().flat_map(|window| offered(&other, window)).collect()
+}
+
+/// Parameter sets that are not the one that the block was generated with: memory that is zero up to the fifth cycle and again later, a
+/// set without a number, another number before its contents, a number that is none.
+pub(super) fn damaged(block: &Program) -> Vec<Event> {
+    let parts = block.inputs.iter().filter_map(|input| Some((input, block.in_set(input)?)));
+    let event = |signal: &str, value: &str, at, length, every| Event {
+        signal: signal.to_owned(),
+        value: value.to_owned(),
+        window: Window { at, length, every },
+    };
+    let mut events = Vec::new();
+    for (input, part) in parts {
+        events.push(event(&input.path, "0", 0, 5, 45_000));
+        match part {
+            "set_id" => {
+                events.push(event(&input.path, "0", 3_000, 2, 26_000));
+                events.push(event(&input.path, "1", 6_500, 300, 24_000));
+                events.push(event(&input.path, "7", 30_000, 700, 34_000));
+            }
+            "limit" => events.push(event(&input.path, "nan", 30_000, 700, 34_000)),
+            _ => {}
+        }
+    }
+    events
 }

@@ -3,6 +3,7 @@
 
 use crate::engine::{self, Cycle};
 use crate::samples::Shape;
+use crate::scenario::grid::shortest;
 use crate::scenario::interpolator::State;
 use crate::scenario::machine::{self, Machine};
 use crate::scenario::recorder::{literal, number};
@@ -93,16 +94,16 @@ impl Partner for Machinery<'_> {
             machine.coast();
         }
         let mut seen = machine::seen(&outputs);
-        let done = operator.next(&seen.state, outputs("waiting") == Some(0.0), outputs("fault") == Some(1.0));
+        let resets = operator.next(seen.state, outputs("waiting") == Some(0.0), outputs("fault") == Some(1.0));
         let commanded = machine.next(&seen).or_else(|_| {
-            // Behind a fault the spindle may be faster than any profile begins.
+            // After a fault the spindle may be faster than any profile begins.
             machine.restart(seen.x_spindle)?;
             seen.v_spindle = 0.0;
             machine.next(&seen)
         });
         let Ok(commanded) = commanded else { return };
         let actual = machine.actual;
-        let is_near = crate::scenario::grid::shortest(commanded.x - actual.x).abs() <= WINDOW;
+        let is_near = shortest(commanded.x - actual.x).abs() <= WINDOW;
         let is_stuck = operator.stuck > 0;
         let display = if is_stuck { operator.display } else { actual.mode };
         operator.display = display;
@@ -121,7 +122,7 @@ impl Partner for Machinery<'_> {
         set("v_direct", actual.v + operator.noise(3000.0));
         set("operation_mode_display", f64::from(display));
         set("drive_on", f64::from(u8::from(operator.off == 0)));
-        set("reset", f64::from(u8::from(done.resets)));
+        set("reset", f64::from(u8::from(resets)));
         for request in REQUESTS {
             set(request, f64::from(u8::from(operator.asks.contains(&request) && operator.asked > 0)));
         }
@@ -171,17 +172,12 @@ struct Operator {
 enum Bad {
     /// the interpolator's velocity is far too large
     Huge,
-    /// it is no number
+    /// it is not a number
     Interpolator,
-    /// the actual position is no number
+    /// the actual position is not a number
     Position,
-    /// the actual velocity is no number
+    /// the actual velocity is not a number
     Velocity,
-}
-
-/// What the operator does in a cycle.
-struct Done {
-    resets: bool,
 }
 
 impl Operator {
@@ -224,12 +220,12 @@ impl Operator {
         (f64::from(self.below(65_536)) / 32_768.0 - 1.0) * range
     }
 
-    /// One cycle: what goes on counts down; a state that has just begun may be disturbed.
-    fn next(&mut self, state: &State, nothing_waits: bool, has_fault: bool) -> Done {
+    /// One cycle: what goes on counts down; a state that has just begun may be disturbed. Whether the operator resets.
+    fn next(&mut self, state: State, nothing_waits: bool, has_fault: bool) -> bool {
         for left in [&mut self.off, &mut self.stuck, &mut self.asked, &mut self.bad_for] {
             *left = left.saturating_sub(1);
         }
-        self.disturb(*state);
+        self.disturb(state);
         self.fault = if has_fault { self.fault + 1 } else { 0 };
         let resets = self.fault > 50 && self.below(100) == 0;
         self.pause = self.pause.saturating_sub(1);
@@ -237,8 +233,8 @@ impl Operator {
             self.ask();
             self.pause = 40 + self.below(self.ramp + 400);
         }
-        self.before = *state;
-        Done { resets }
+        self.before = state;
+        resets
     }
 
     /// What goes wrong: each thing in each state, one after the other, where the state begins; now and then within it.

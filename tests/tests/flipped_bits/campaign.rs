@@ -52,6 +52,17 @@ impl Table {
     }
 }
 
+/// Every `every`th bit of a state, from the first on: the place of its value, and the bit.
+pub fn flips(state: &[Literal], every: usize) -> Vec<(usize, usize)> {
+    let bits = |value: &Literal| match value {
+        Literal::Bool(_) => 1,
+        Literal::F64(_) => 64,
+        _ => 32,
+    };
+    let all = state.iter().enumerate().flat_map(|(at, value)| (0..bits(value)).map(move |bit| (at, bit)));
+    all.step_by(every).collect()
+}
+
 /// A block with its inputs, and what it does undisturbed.
 pub struct Bench<'b> {
     program: &'b Program,
@@ -82,13 +93,7 @@ impl<'b> Bench<'b> {
 
     /// Every `every`th bit of the state, from the first on.
     pub fn flips(&self, every: usize) -> Vec<(usize, usize)> {
-        let bits = |value: &Literal| match value {
-            Literal::Bool(_) => 1,
-            Literal::F64(_) => 64,
-            _ => 32,
-        };
-        let all = self.states.iter().enumerate().flat_map(|(at, value)| (0..bits(value)).map(move |bit| (at, bit)));
-        all.step_by(every).collect()
+        flips(&self.states, every)
     }
 
     /// Flips one bit.

@@ -1,6 +1,7 @@
 //! One bit of a spindle's state flips, in each of its five states, in the histories of the golden cases: outputs stay finite and within their
 //! ranges, every id is one of the list. The rest is counted: `AXGEN_EVERY_LEVEL=1` prints the table of docs/spindle.md.
 
+use super::campaign::flips;
 use super::every;
 use axgen_tests::cases;
 use axgen_tests::random::overwritten::flipped;
@@ -42,14 +43,6 @@ fn bound(path: &str, found: f64) -> bool {
     }
 }
 
-fn bits(value: &Literal) -> usize {
-    match value {
-        Literal::Bool(_) => 1,
-        Literal::F64(_) => 64,
-        _ => 32,
-    }
-}
-
 #[test]
 fn a_flipped_bit_of_a_spindle_never_leads_beyond_the_ranges() {
     let mut table: BTreeMap<String, Counts> = BTreeMap::new();
@@ -83,10 +76,7 @@ fn a_flipped_bit_of_a_spindle_never_leads_beyond_the_ranges() {
         }
         for (control, moment) in &moments {
             states[usize::try_from(*control).expect("0 to 4")] += 1;
-            let flips =
-                moment.state.iter().enumerate().flat_map(|(at, value)| (0..bits(value)).map(move |bit| (at, bit)));
-            let flips: Vec<_> = flips.step_by(every()).collect();
-            let found: Vec<(usize, usize)> = flips
+            let found: Vec<(usize, usize)> = flips(&moment.state, every())
                 .par_iter()
                 .map(|&(at, bit)| {
                     let mut state = moment.state.clone();

@@ -23,8 +23,7 @@ mod response;
 pub(crate) mod section;
 mod widened;
 
-use super::filter;
-use super::filter::FilterDesign;
+use super::filter::{self, FilterDesign};
 use super::stage::StageDesign;
 use crate::design::band::warped;
 use crate::design::rounding::{largest, sample_limit};
@@ -92,8 +91,9 @@ impl Certificate {
     pub(crate) fn refuse(&self, designed: &Designed) -> Result<(), Defect> {
         for Band { stage, points, .. } in &self.response {
             let Some(design) = &designed.stage[*stage] else { continue };
+            let allowed = largest_defect(design, self.real);
             for point in points {
-                let (found, allowed) = (point.defect(), largest_defect(design, self.real));
+                let found = point.defect();
                 if found.is_nan() || found > allowed {
                     let at = digits(point.frequency);
                     let message = format!(
