@@ -1,0 +1,41 @@
+//! What stands for the drive: the response P from the commanded velocity to the motor's, at the sampling instants.
+
+use crate::frequency::{Controller, Point};
+use crate::{Complex64, Response, turned};
+
+/// A drive without mechanics, or a measured one.
+#[derive(Clone, Copy, Debug)]
+pub enum Drive<'a> {
+    /// the motor does what was commanded some cycles before, 1 at the least, behind a time constant [s], where there is one:
+    /// P = exp(-j 2 pi f d T) (1 - e)/(1 - e z^-1), e = exp(-T/Tc)
+    Delay { cycles: f64, time_constant: Option<f64> },
+    /// as it was measured
+    Measured(&'a Response),
+}
+
+/// P at a frequency.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Value {
+    pub response: Complex64,
+    /// two standard errors of it, divided by its magnitude
+    pub uncertainty: f64,
+}
+
+impl Drive<'_> {
+    /// The ideal drive: the motor does exactly what was commanded one cycle before.
+    pub const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
+
+    pub(crate) fn at(&self, controller: &Controller<'_>, point: &Point) -> Value {
+        match *self {
+            Self::Delay { cycles, time_constant } => {
+                let mut response = turned(-2.0 * cycles * point.half);
+                if let Some(time_constant) = time_constant.filter(|time| *time > 0.0) {
+                    let e = libm::exp(-controller.cycle_time / time_constant);
+                    response = response * (1.0 - e) / (1.0 - e * point.delay());
+                }
+                Value { response, uncertainty: 0.0 }
+            }
+            Self::Measured(response) => response.at(controller.hz(point)),
+        }
+    }
+}

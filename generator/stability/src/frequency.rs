@@ -1,0 +1,148 @@
+//! Points of the frequency axis at which a loop is looked at: dense where a stage turns, sparse elsewhere. No drive.
+
+use crate::{Complex64, LARGEST_WEIGHT, STAGES, magnitude};
+use std::f64::consts::PI;
+
+/// The last point, as a part of the sampling frequency: t is still finite there.
+const LAST: f64 = 0.499_99;
+/// The first point, as a part of the lowest centre: every stage has left its band there.
+const FIRST: f64 = 1e-3;
+/// Points between which a stage turns by more than that get another one between them: sin^2 of 15 degrees.
+const TURN: f64 = 0.067;
+/// A stage that adds less than that with the largest weight decides nothing.
+const SMALL: f64 = 0.1;
+/// Halvings of an interval.
+const DEPTH: u32 = 14;
+/// Points in a turn of a delay.
+const IN_A_TURN: f64 = 20.0;
+
+/// Where a stage acts [Hz]: centre, and distance of the -3 dB edges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    pub centre: f64,
+    pub width: f64,
+}
+
+/// A controller, looked at in the frequency domain.
+pub struct Controller<'a> {
+    /// T [s]
+    pub cycle_time: f64,
+    /// the weights of the stages; 0 for one that does not look at `v_motor`
+    pub weight: [f64; STAGES],
+    /// what each stage gives with weight 1 at t = tan(pi f T), its sign in it
+    pub stage: &'a dyn Fn(f64) -> [Complex64; STAGES],
+    /// where the stages act: points lie there
+    pub bands: &'a [Band],
+    /// gain of the position controller Kv [1/s], if its loop is closed around all this
+    pub position_gain: Option<f64>,
+}
+
+/// A controller at a frequency.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Point {
+    /// tan(pi f T)
+    pub t: f64,
+    /// pi f T
+    pub half: f64,
+    /// each stage with weight 1
+    pub stage: [Complex64; STAGES],
+    /// of the position controller: Kv T/(z - 1)
+    pub position: Complex64,
+}
+
+impl Point {
+    /// z^-1 = (1 - j t)/(1 + j t).
+    pub(crate) fn delay(&self) -> Complex64 {
+        let square = 1.0 + self.t * self.t;
+        Complex64::new((1.0 - self.t * self.t) / square, -2.0 * self.t / square)
+    }
+}
+
+/// The points of a controller, made once for all drives.
+pub struct Points<'a> {
+    pub(crate) controller: &'a Controller<'a>,
+    pub(crate) points: Vec<Point>,
+}
+
+impl<'a> Points<'a> {
+    /// The points for drives with a delay of up to that number of cycles, and at further frequencies [Hz], those of a measured response.
+    #[must_use]
+    pub fn new(controller: &'a Controller<'a>, delay_cycles: f64, further: &[f64]) -> Self {
+        let cycle_time = controller.cycle_time;
+        let warped = |frequency: f64| libm::tan(PI * frequency.min(LAST / cycle_time) * cycle_time);
+        let mut frequencies = further.to_vec();
+        for Band { centre, width } in controller.bands {
+            for lowpass in [0.0, 0.5, 1.0, 2.0, 4.0, 8.0] {
+                let half = lowpass * width / 2.0;
+                let upper = half + (half * half + centre * centre).sqrt();
+                frequencies.extend([upper, centre * centre / upper]);
+            }
+            frequencies.push(centre * FIRST);
+        }
+        if let Some(gain) = controller.position_gain {
+            frequencies.extend([0.01, 0.1, 0.3, 1.0, 3.0, 10.0].map(|part| part * gain / (2.0 * PI)));
+        }
+        let steps = libm::ceil(IN_A_TURN * (delay_cycles + 1.0) / 2.0);
+        let mut step = 1.0;
+        while step <= steps {
+            frequencies.push(LAST / cycle_time * step / steps);
+            step += 1.0;
+        }
+        frequencies.retain(|frequency| *frequency > 0.0);
+        frequencies.sort_by(f64::total_cmp);
+        frequencies.dedup();
+        let mut points: Vec<Point> = Vec::with_capacity(4 * frequencies.len());
+        for frequency in frequencies {
+            let next = controller.at(warped(frequency));
+            match points.last().copied() {
+                Some(last) if next.t <= last.t => continue,
+                Some(last) => controller.between(last, next, DEPTH, &mut points),
+                None => {}
+            }
+            points.push(next);
+        }
+        Self { controller, points }
+    }
+}
+
+impl Controller<'_> {
+    pub(crate) fn at(&self, t: f64) -> Point {
+        let position = match self.position_gain {
+            // 1/(z - 1) = (1 - j t)/(2 j t) = -1/2 - j/(2 t)
+            Some(gain) => Complex64::new(-0.5, -0.5 / t) * (gain * self.cycle_time),
+            None => Complex64::new(0.0, 0.0),
+        };
+        Point { t, half: libm::atan(t), stage: (self.stage)(t), position }
+    }
+
+    /// The point in the middle of two, on a logarithmic axis.
+    pub(crate) fn middle(&self, a: &Point, b: &Point) -> Point {
+        self.at((a.t * b.t).sqrt())
+    }
+
+    /// The frequency [Hz] of a point.
+    pub(crate) fn hz(&self, point: &Point) -> f64 {
+        point.half / (PI * self.cycle_time)
+    }
+
+    /// Adds what has to lie between two points.
+    fn between(&self, a: Point, b: Point, depth: u32, points: &mut Vec<Point>) {
+        if depth == 0 || !(0..STAGES).any(|i| turns(a.stage[i], b.stage[i])) {
+            return;
+        }
+        let middle = self.middle(&a, &b);
+        self.between(a, middle, depth - 1, points);
+        points.push(middle);
+        self.between(middle, b, depth - 1, points);
+    }
+}
+
+/// Whether a stage changes much from a to b.
+fn turns(a: Complex64, b: Complex64) -> bool {
+    let (squares, larger) = (a.norm_sqr() * b.norm_sqr(), magnitude(a).max(magnitude(b)));
+    if larger * LARGEST_WEIGHT < SMALL {
+        return false;
+    }
+    let product = a * b.conj();
+    product.re < 0.0 || product.im * product.im > TURN * squares
+}

@@ -1,0 +1,58 @@
+//! The loop that improved position control closes: is it stable, how far is it from instability, and with which weights. No parameter,
+//! no file, no block: a controller is a closure that gives numbers, a measured response is two arrays.
+//!
+//! # The loop
+//! It is cut at the commanded velocity, `v_cmd = v_command + v_add`, and looked at from sampling instant to sampling instant.
+//!
+//! ```text
+//! C(f) = sum of w_i C_i(f)             from v_motor to v_add: the active stages that look at v_motor, their signs in them
+//! P(f)                                 from v_cmd to v_motor: every delay is in it
+//! L(f) = -C P + Kv T z^-1/(1 - z^-1) P the second term where there is a position controller with the gain Kv
+//! S(f) = 1/(1 + L)                     stable: 1 + L does not turn around 0
+//! Ms   = largest |S|                   1/Ms is the distance of L from -1
+//! ```
+//!
+//! C and P are stable, so that the closed loop is stable where 1 + L makes no turn around 0 (Nyquist). z^-1 = exp(-j 2 pi f T); the frequency
+//! axis is t = tan(pi f T), which keeps all digits at low frequencies.
+//!
+//! ```text
+//! frequency  points of the frequency axis, and a controller there
+//! response   a measured response between its lines
+//! drive      what stands for the drive: P
+//! crossing   the largest weight at a frequency
+//! margins    turns, Ms, gain and phase margin, largest weights
+//! ```
+
+mod crossing;
+mod drive;
+mod frequency;
+mod margins;
+mod response;
+mod search;
+
+pub use drive::Drive;
+pub use frequency::{Band, Controller, Points};
+pub use margins::{Loop, MAX_MS, Margins};
+pub use num_complex::Complex64;
+pub use response::Response;
+
+/// Stages of improved position control.
+pub const STAGES: usize = 3;
+/// The largest weight of a stage (P-AXIS-00754).
+pub const LARGEST_WEIGHT: f64 = 7.0;
+
+/// sqrt(re^2 + im^2): the square root is exact on every host, and no square of this crate overflows.
+fn magnitude(value: Complex64) -> f64 {
+    value.norm_sqr().sqrt()
+}
+
+/// The angle in (-pi, pi].
+fn angle(value: Complex64) -> f64 {
+    libm::atan2(value.im, value.re)
+}
+
+/// exp(j angle).
+fn turned(angle: f64) -> Complex64 {
+    let (sin, cos) = libm::sincos(angle);
+    Complex64::new(cos, sin)
+}

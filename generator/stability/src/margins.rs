@@ -1,0 +1,235 @@
+//! A controller and a drive: is their loop stable, how far is it from instability, how much weight does a stage bear.
+
+use crate::crossing::Line;
+use crate::drive::Value;
+use crate::frequency::{Point, Points};
+use crate::search::{least, root};
+use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle};
+use std::f64::consts::FRAC_PI_2;
+
+/// The largest |S| of a loop that stays calm: a gain margin of 6 dB and a phase margin of 29 degrees are in it.
+pub const MAX_MS: f64 = 2.0;
+/// A margin beyond that factor is none that anybody needs.
+const LARGEST_FACTOR: f64 = 1e6;
+/// Halvings of an interval in which 1 + L turns by more than a quarter.
+const DEPTH: u32 = 40;
+/// A local minimum within that factor of the least one may be the least one between the points.
+const NEAR: f64 = 1.2;
+
+/// What is known of a closed loop. Every figure is the worst within two standard errors of a measured response.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Margins {
+    pub stable: bool,
+    /// largest |S|, and where [Hz]; none: the loop is unstable
+    pub ms: Option<[f64; 2]>,
+    /// least factor above 1 of L that makes the loop unstable [dB]; none: there is none, or it is unstable
+    pub gain_db: Option<f64>,
+    /// least turn of L that makes it unstable [degrees]; the same
+    pub phase_deg: Option<f64>,
+}
+
+/// A controller with a drive.
+pub struct Loop<'a> {
+    points: &'a Points<'a>,
+    drive: Drive<'a>,
+    /// P at the points
+    values: Vec<Value>,
+}
+
+/// A point, and P there.
+type At = (Point, Value);
+
+impl<'a> Loop<'a> {
+    /// Closes the loop.
+    #[must_use]
+    pub fn new(points: &'a Points<'a>, drive: Drive<'a>) -> Self {
+        let values = points.points.iter().map(|point| drive.at(points.controller, point)).collect();
+        Self { points, drive, values }
+    }
+
+    /// Whether it is stable with the weights of the controller, in the middle of what was measured.
+    #[must_use]
+    pub fn is_stable(&self) -> bool {
+        self.is_stable_with(&self.points.controller.weight)
+    }
+
+    /// Whether it is stable, its largest |S|, its margins.
+    #[must_use]
+    pub fn margins(&self) -> Margins {
+        let weight = &self.points.controller.weight;
+        let whole = |(point, value): &At| Line {
+            rest: Complex64::new(1.0, 0.0),
+            part: self.open(point, value, weight),
+            uncertainty: value.uncertainty,
+        };
+        let (distance, at) = self.least(|at| whole(at).distance(1.0));
+        if distance <= 0.0 || !self.is_stable() {
+            return Margins { stable: self.is_stable(), ms: None, gain_db: None, phase_deg: None };
+        }
+        let mut factor = LARGEST_FACTOR;
+        self.crossings(
+            |at| whole(at).side(),
+            |at| {
+                let nearest = whole(at).nearest();
+                if nearest > 1.0 {
+                    factor = factor.min(nearest);
+                }
+            },
+        );
+        if self.is_uncertain() {
+            factor = factor.min(self.least(|at| whole(at).largest_weight(0.0, LARGEST_FACTOR)).0);
+        }
+        let mut phase: Option<f64> = None;
+        self.crossings(
+            |at| whole(at).part.norm_sqr() - 1.0,
+            |at| {
+                let of_error = 2.0 * libm::asin((at.1.uncertainty / 2.0).min(1.0));
+                let margin = (angle(-whole(at).part).abs() - of_error).max(0.0);
+                phase = Some(phase.map_or(margin, |least| least.min(margin)));
+            },
+        );
+        Margins {
+            stable: true,
+            ms: Some([1.0 / distance, self.points.controller.hz(&at.0)]),
+            gain_db: Some(20.0 * libm::log10(factor)).filter(|_| factor < LARGEST_FACTOR),
+            phase_deg: phase.map(f64::to_degrees),
+        }
+    }
+
+    /// The largest weight of a stage, the others as they are, up to which the loop is stable.
+    #[must_use]
+    pub fn largest_stable_weight(&self, stage: usize) -> f64 {
+        if !self.is_stable_with(&self.without(stage)) {
+            return 0.0;
+        }
+        let mut largest = LARGEST_WEIGHT;
+        self.crossings(
+            |at| self.line(at, stage).side(),
+            |at| {
+                let nearest = self.line(at, stage).nearest();
+                if nearest > 0.0 {
+                    largest = largest.min(nearest);
+                }
+            },
+        );
+        if self.is_uncertain() {
+            largest = largest.min(self.least(|at| self.line(at, stage).largest_weight(0.0, LARGEST_WEIGHT)).0);
+        }
+        largest
+    }
+
+    /// The largest weight of a stage, the others as they are, up to which the loop is stable and |S| stays within [`MAX_MS`].
+    #[must_use]
+    pub fn largest_weight(&self, stage: usize) -> f64 {
+        if !self.is_stable_with(&self.without(stage)) {
+            return 0.0;
+        }
+        // The loop passes -1 no nearer than that on the way there: it stays stable.
+        self.least(|at| self.line(at, stage).largest_weight(1.0 / MAX_MS, LARGEST_WEIGHT)).0
+    }
+
+    fn without(&self, stage: usize) -> [f64; STAGES] {
+        let mut weight = self.points.controller.weight;
+        weight[stage] = 0.0;
+        weight
+    }
+
+    /// The loop with one stage as its part.
+    fn line(&self, (point, value): &At, stage: usize) -> Line {
+        Line {
+            rest: self.open(point, value, &self.without(stage)) + 1.0,
+            part: -(point.stage[stage] * value.response),
+            uncertainty: value.uncertainty,
+        }
+    }
+
+    /// L with these weights.
+    fn open(&self, point: &Point, value: &Value, weight: &[f64; STAGES]) -> Complex64 {
+        let stages = point.stage.iter().zip(weight).map(|(stage, weight)| stage * weight);
+        (point.position - stages.sum::<Complex64>()) * value.response
+    }
+
+    fn is_uncertain(&self) -> bool {
+        matches!(self.drive, Drive::Measured(_))
+    }
+
+    /// 1 + L makes no turn around 0, from 0 Hz to half the sampling frequency. A position controller has its pole at 0 Hz, around which the way
+    /// begins on the right: with the angle that 1 + L has at the first point.
+    fn is_stable_with(&self, weight: &[f64; STAGES]) -> bool {
+        if self.points.controller.position_gain.is_none() && weight.iter().all(|weight| *weight <= 0.0) {
+            return true;
+        }
+        let of = |(point, value): &At| self.open(point, value, weight) + 1.0;
+        let mut last: Option<(At, Complex64)> = None;
+        let mut turned = 0.0;
+        for at in self.all() {
+            let value = of(&at);
+            turned += match last {
+                None => angle(value),
+                Some(last) => self.turn(&of, last, (at, value), DEPTH),
+            };
+            last = Some((at, value));
+        }
+        libm::fabs(turned) < FRAC_PI_2
+    }
+
+    /// The angle by which a value turns from one point to the next.
+    fn turn(&self, of: &impl Fn(&At) -> Complex64, a: (At, Complex64), b: (At, Complex64), depth: u32) -> f64 {
+        let turned = angle(b.1 * a.1.conj());
+        if libm::fabs(turned) < FRAC_PI_2 || depth == 0 {
+            return turned;
+        }
+        let point = self.points.controller.middle(&a.0.0, &b.0.0);
+        let middle = self.at(point);
+        let middle = (middle, of(&middle));
+        self.turn(of, a, middle, depth - 1) + self.turn(of, middle, b, depth - 1)
+    }
+
+    fn at(&self, point: Point) -> At {
+        (point, self.drive.at(self.points.controller, &point))
+    }
+
+    fn at_t(&self, t: f64) -> At {
+        self.at(self.points.controller.at(t))
+    }
+
+    fn all(&self) -> impl Iterator<Item = At> {
+        self.points.points.iter().copied().zip(self.values.iter().copied())
+    }
+
+    /// The least value over all frequencies, and where: at the points, then between the neighbours of those that are nearly the least.
+    fn least(&self, of: impl Fn(&At) -> f64) -> (f64, At) {
+        let all: Vec<At> = self.all().collect();
+        let values: Vec<f64> = all.iter().map(&of).collect();
+        let (mut found, mut at) = (f64::INFINITY, all[0]);
+        for (value, place) in values.iter().zip(&all) {
+            if *value < found {
+                (found, at) = (*value, *place);
+            }
+        }
+        let near = found * NEAR;
+        for (k, window) in values.windows(3).enumerate() {
+            let is_least = window[1] <= window[0] && window[1] <= window[2] && window[1] < window[0].max(window[2]);
+            if is_least && window[1] <= near {
+                let [from, to] = [all[k], all[k + 2]].map(|(point, _)| point.t);
+                let (t, value) = least(from, to, |t| of(&self.at_t(t)));
+                if value < found {
+                    (found, at) = (value, self.at_t(t));
+                }
+            }
+        }
+        (found, at)
+    }
+
+    /// Calls `found` where a function of the frequency changes its sign.
+    fn crossings(&self, of: impl Fn(&At) -> f64, mut found: impl FnMut(&At)) {
+        let mut last: Option<(f64, f64)> = None;
+        for at in self.all() {
+            let (t, value) = (at.0.t, of(&at));
+            if let Some((from, before)) = last.filter(|(_, before)| (*before < 0.0) != (value < 0.0)) {
+                found(&self.at_t(root([from, t], [before, value], |t| of(&self.at_t(t)))));
+            }
+            last = Some((t, value));
+        }
+    }
+}
