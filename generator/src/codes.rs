@@ -245,6 +245,13 @@ codes! {
         "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other way. \
          The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv \
          (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
+    UNSTABLE = "AX332", "a block that starts ON and is unstable",
+        "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle before (or is the \
+         drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of order n; with a large weight the loop \
+         is lost where the gain is still 1 and the phase has turned by 180. Write the smaller weight, a higher damping ratio or q_factor, \
+         a lower order. A stage whose all-pass is made for the lag of a real drive is stable on that drive only: state it \
+         (drive.delay, drive.time_constant, or drive.response with a measured response), or start with DRYRUN. On a test stand without a \
+         machine the key accept_unstable makes a warning of it.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -392,4 +399,9 @@ codes! {
     NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
         "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is within \
          spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
+    WOULD_BE_UNSTABLE = "AX451", "weights with which an ideal drive oscillates",
+        "The motor does exactly what was commanded one cycle before, which no drive can better, and the loop oscillates all the same as soon as \
+         the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
+         or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
+         (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
 }

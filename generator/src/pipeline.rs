@@ -4,7 +4,7 @@ use crate::check::{self, Checked, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
 use crate::diagnostics::{Place, Report, Severity};
-use crate::{axis::Axis, blocks::Designed, feasibility, parameters::Name};
+use crate::{axis::Axis, blocks::Designed, codes, feasibility, parameters::Name};
 use rayon::prelude::*;
 use std::path::Path;
 
@@ -25,8 +25,26 @@ pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
     read_with(path, options, &file::load)
 }
 
-/// The same with another source of files.
+/// The same for a command that shows what a set would do, and writes no block: a loop that is unstable is a warning.
+pub fn read_to_look_at(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
+    read_as(path, options, &file::load, Purpose::Look)
+}
+
+/// The same as `read` with another source of files.
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
+    read_as(path, options, load, Purpose::Build)
+}
+
+/// What a set is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Purpose {
+    /// blocks that act on a machine
+    Build,
+    /// nothing but a look at it
+    Look,
+}
+
+fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose) -> (Option<Set>, Report) {
     let given = match given::read(path, options, load) {
         Ok(given) => given,
         Err(report) => return (None, report.shortened()),
@@ -40,7 +58,8 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
     // Masters decide what their slaves are designed for. Without all axes, nothing is said of that.
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());
     let coupling = if has_errors { None } else { couple(&mut checked, given.is_list) };
-    let designed: Vec<(Option<Designed>, Report)> = given.axes.par_iter().zip(checked).map(design).collect();
+    let designed: Vec<(Option<Designed>, Report)> =
+        given.axes.par_iter().zip(checked).map(|axis| design(axis, purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
     set.foreign = given.axes.iter().map(|axis| axis.foreign).sum();
     for (designed, said) in designed {
@@ -67,7 +86,7 @@ fn couple(checked: &mut [Option<Checked<'_>>], is_list: bool) -> Option<Report> 
 }
 
 /// Designs an axis, and says all that is to be said of it. Not checked: its values cannot be read.
-fn design((given, checked): (&GivenAxis, Option<Checked<'_>>)) -> (Option<Designed>, Report) {
+fn design((given, checked): (&GivenAxis, Option<Checked<'_>>), purpose: Purpose) -> (Option<Designed>, Report) {
     let mut report = given.report.clone();
     let (Some(Checked { axis, gear, mut effective }), Some(values)) = (checked, &given.values) else {
         return (None, report);
@@ -77,6 +96,10 @@ fn design((given, checked): (&GivenAxis, Option<Checked<'_>>)) -> (Option<Design
         feasibility::validate(designed, gear, &mut effective);
     }
     let mut said = effective.report;
+    if purpose == Purpose::Look {
+        let unstable = said.diagnostics.iter_mut().filter(|diagnostic| diagnostic.code == codes::UNSTABLE);
+        unstable.for_each(|diagnostic| diagnostic.severity = Severity::Warning);
+    }
     let designed = designed.filter(|_| !said.has_errors());
     let unread = values.unread(&said);
     said.diagnostics.extend(unread);

@@ -13,7 +13,8 @@ fn list(changes: &[(&str, &str)]) -> Set {
         assert!(text.contains(from), "{from}");
         text.replace(from, to)
     });
-    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
+    let options =
+        ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()), ..ListOptions::default() };
     read(Path::new("x.lis"), &options, &text)
 }
 
@@ -46,7 +47,8 @@ fn a_comment_another_order_and_parameters_of_other_functions_are_no_difference()
     let mut reversed: Vec<&str> = LIST.lines().collect();
     reversed.reverse();
     let text = format!("# a comment\nkenngr.swe_pos 1234\n{}\n", reversed.join("\n"));
-    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
+    let options =
+        ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()), ..ListOptions::default() };
     assert_eq!(said(&list(&[]), &read(Path::new("x.lis"), &options, &text)), NONE);
 }
 

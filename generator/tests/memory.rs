@@ -25,7 +25,7 @@ fn status(key: &str) -> usize {
 
 /// The largest growth of the process while it reads.
 fn peak(name: &str, bytes: &[u8]) -> usize {
-    let options = ListOptions { cycle_time: name.ends_with("lis").then(|| "1ms".to_owned()), name: None };
+    let options = ListOptions { cycle_time: name.ends_with("lis").then(|| "1ms".to_owned()), ..ListOptions::default() };
     fs::write("/proc/self/clear_refs", "5").unwrap();
     let before = status("VmRSS");
     let _ = read_with(Path::new(name), &options, &|_| Ok(bytes.to_vec()));

@@ -61,7 +61,8 @@ fn it_takes_the_sets_of_the_repository_and_what_import_makes_of_its_lists() {
     let lists = [files("examples", ".lis"), files("golden/cases", ".lis")].concat();
     assert!(lists.len() > 1);
     for path in lists {
-        let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
+        let options =
+            ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()), ..ListOptions::default() };
         let set = import(&path, &options, &config::load).0.unwrap();
         assert_eq!(mistakes(&validator, &set), [""; 0], "{}\n{set}", path.display());
     }

@@ -109,7 +109,7 @@ fn described(folder: &Path) -> Result<Description, String> {
 
 /// The axis of a case, as that file has it.
 fn axis_of(folder: &Path, description: &Description, file: &str) -> Result<Designed, String> {
-    let options = ListOptions { cycle_time: description.cycle_time.clone(), name: None };
+    let options = ListOptions { cycle_time: description.cycle_time.clone(), ..ListOptions::default() };
     let (set, report) = pipeline::read(&folder.join(file), &options);
     let set = set.ok_or_else(|| report.to_string())?;
     let axis = set.axes.into_iter().find(|of| of.axis.name == description.axis);

@@ -109,6 +109,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         ipc,
         control: generator::axis::Control::default(),
         canonical: String::new(),
+        drive: Default::default(),
         canonical_of: Default::default(),
     };
     let coeffs = Designed::from(axis).ipc;

@@ -118,6 +118,18 @@ pub enum Command {
         #[command(flatten)]
         results: Files,
     },
+    /// Says whether the loop of an axis is stable, how far from instability it is, and which weights it bears
+    Analyze {
+        #[command(flatten)]
+        set: SetArguments,
+        /// Only this axis [default: all]
+        #[arg(long, value_name = "X")]
+        axis: Option<String>,
+        #[command(flatten)]
+        drive: DriveArguments,
+        #[command(flatten)]
+        to: Analysis,
+    },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
         #[command(flatten)]
@@ -268,6 +280,43 @@ pub struct SetArguments {
     /// Name of an axis list's axis [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
+}
+
+/// What stands for the drive: each option means the same as the key of an axis `drive.*`, and takes its place.
+#[derive(Args, Default)]
+pub struct DriveArguments {
+    /// Cycles after which the motor does what was commanded [default: 1.5]
+    #[arg(long, value_name = "CYCLES")]
+    pub delay: Option<String>,
+    /// Time constant after that: 3ms
+    #[arg(long, value_name = "TIME")]
+    pub time_constant: Option<String>,
+    /// CSV file with a measured frequency response to the velocity of the motor, in the place of both
+    #[arg(long, value_name = "FILE")]
+    pub response: Option<String>,
+    /// What the response is from: v_cmd or current [default: v_cmd]
+    #[arg(long, value_name = "SIGNAL")]
+    pub response_from: Option<String>,
+    /// Gain of the speed controller, for a response from the current
+    #[arg(long, value_name = "KP")]
+    pub speed_gain: Option<String>,
+    /// Integral time of the speed controller, for a response from the current
+    #[arg(long, value_name = "TIME")]
+    pub speed_integral_time: Option<String>,
+}
+
+/// Where an analysis goes.
+#[derive(Args)]
+pub struct Analysis {
+    /// Print it for machines: JSON
+    #[arg(long)]
+    pub json: bool,
+    /// SVG file for the picture of one axis
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Replace any file of that name, not only an earlier picture
+    #[arg(long, requires = "picture")]
+    pub force: bool,
 }
 
 /// Where a single file goes.

@@ -25,7 +25,8 @@ pub struct Request<'r> {
 /// Runs the command.
 pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
     let Request { cycle_time, name, out, force, format } = request;
-    let (set, report) = import_export::import(list, &ListOptions { cycle_time, name }, &config::load);
+    let (set, report) =
+        import_export::import(list, &ListOptions { cycle_time, name, ..ListOptions::default() }, &config::load);
     let set = said(set, &report, format)?;
     one_file::write(out, set.as_bytes(), Rule::by_force(force))?;
     Ok(Exit::Done)

@@ -6,14 +6,25 @@ use crate::messages::{self, Format};
 use crate::output;
 use generator::blocks::Designed;
 use generator::codes;
-use generator::config::ListOptions;
+use generator::config::{ListOptions, OptionKey};
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 
 /// Reads and checks the set; says all messages. With an error the command ends here.
 pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Exit> {
-    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
+    let options = ListOptions {
+        cycle_time: arguments.cycle_time.clone(),
+        name: arguments.name.clone(),
+        ..ListOptions::default()
+    };
     let (set, report) = pipeline::read(&arguments.set, &options);
+    Ok((said(set, &report, format)?, report.warnings()))
+}
+
+/// The same for a command that shows what the set would do, with options in the place of keys: a loop that is unstable is a warning.
+pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<(Set, usize), Exit> {
+    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
+    let (set, report) = pipeline::read_to_look_at(&arguments.set, &options);
     Ok((said(set, &report, format)?, report.warnings()))
 }
 

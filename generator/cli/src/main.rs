@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 #![warn(clippy::print_stderr)] // `output` prints
 
+mod analyze;
 mod arguments;
 mod check;
 mod command_line;
@@ -69,12 +70,13 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             let request = verify::Scenario { program, axis, block };
             verify::run_scenario(&set, format, &request, &engines, &results)
         }
+        Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Scenario { set, program, axis, block, stimulus, picture, force } => {
             let request = scenario::Request { axis, block, program, stimulus, picture, force };
             scenario::run(&set, format, &request)
         }
         Command::Diff { old, new, cycle_time, name } => {
-            diff::run(&old, &new, &ListOptions { cycle_time, name }, format)
+            diff::run(&old, &new, &ListOptions { cycle_time, name, ..ListOptions::default() }, format)
         }
         Command::Import { list, cycle_time, name, to: OneFile { out, force } } => {
             import::run(&list, import::Request { cycle_time, name, out: out.as_deref(), force, format })

@@ -34,7 +34,11 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     if let Some(out) = out {
         one_file::kept_apart(out, [arguments.set.as_path(), on.as_path()].into_iter())?;
     }
-    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone() };
+    let options = ListOptions {
+        cycle_time: arguments.cycle_time.clone(),
+        name: arguments.name.clone(),
+        ..ListOptions::default()
+    };
     let (before, after) = diff::both(on, &arguments.set, &options, format)?;
     let new = input::axis(&after, axis.as_deref())?;
     let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {

@@ -1,11 +1,13 @@
 //! One axis after reading and checking: physical, valid parameters. Plain data; no spans, no coefficients.
 
 mod control;
+mod drive_model;
 mod ipc;
 mod spindle;
 
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
 pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
+pub use drive_model::{DriveModel, MeasuredDrive};
 pub use ipc::{Filter, Ipc, Mode, Stage, Tuning};
 pub use reference::position_control::Location;
 pub use spindle::{Bus, Changeover, Spindle};
@@ -29,6 +31,8 @@ pub struct Axis {
     pub counts_calls: bool,
     pub ipc: Ipc,
     pub control: Control,
+    /// what is known of the drive, for the stability of the loop
+    pub drive: DriveModel,
     /// every effective parameter, one `path value` a line, in the order of the parameter table
     pub canonical: String,
     /// those of each block that does not use all of them, by its name

@@ -14,8 +14,8 @@ pub(crate) mod gantry;
 pub(crate) mod gear;
 pub(crate) mod inert;
 
-use crate::axis::{Axis, Control, Ipc};
-use crate::blocks::ipc::check as ipc;
+use crate::axis::{Axis, Control, DriveModel, Ipc};
+use crate::blocks::ipc::{check as ipc, drive_model};
 use crate::blocks::spindle::check as spindle;
 use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
 use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
@@ -76,10 +76,16 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
-    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc, control) {
-        (Some(real), Some((short_names, counts_calls)), Some(cycle_time_ns), Some(ipc), Some((control, _)))
-            if !effective.report.has_errors() =>
-        {
+    let is_active = ipc.as_ref().is_some_and(Ipc::is_active);
+    let drive = if is_active { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
+    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control) {
+        (
+            Some(real),
+            Some((short_names, counts_calls)),
+            Some(cycle_time_ns),
+            Some((ipc, drive)),
+            Some((control, _)),
+        ) if !effective.report.has_errors() => {
             let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
             let (canonical, own) = effective.canonical(blocks);
             let canonical_of = blocks.into_iter().zip(own).collect();
@@ -91,6 +97,7 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
                 counts_calls,
                 ipc,
                 control,
+                drive,
                 canonical,
                 canonical_of,
             })

@@ -18,6 +18,17 @@ pub struct ListOptions {
     pub cycle_time: Option<String>,
     /// `--name`; else the file's name is the axis's name
     pub name: Option<String>,
+    /// options that mean the same as keys of an axis, of a set too: they take the place of its keys, in every axis
+    pub keys: Vec<OptionKey>,
+}
+
+/// An option that means the same as a key of an axis.
+#[derive(Clone, Debug)]
+pub struct OptionKey {
+    /// `--delay`
+    pub option: &'static str,
+    pub name: Name,
+    pub text: String,
 }
 
 pub(crate) struct Given {
@@ -45,7 +56,17 @@ pub(crate) struct GivenAxis {
 /// Reads a TOML set (`.toml`), an axis list or a project of TwinCAT with such lists (any other extension).
 pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
     let source = file::read(path, None, load)?;
-    if file::is_set(path) { of_set(path, &source, options, load) } else { of_lists(path, &source, options) }
+    let mut given =
+        if file::is_set(path) { of_set(path, &source, options, load)? } else { of_lists(path, &source, options)? };
+    let mut keys = Values::default();
+    for OptionKey { option, name, text } in &options.keys {
+        let setting = setting_of_option(option, *name, text, &mut given.report);
+        keys.insert(key(*name), setting);
+    }
+    for axis in given.axes.iter_mut().filter(|_| !keys.is_empty()) {
+        axis.values = axis.values.take().map(|values| values.overridden_by(keys.clone()));
+    }
+    Ok(given)
 }
 
 fn of_set(path: &Path, source: &Arc<Source>, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
@@ -148,16 +169,18 @@ pub(crate) fn name_of(path: &Path, list: &AxisList, options: &ListOptions, repor
 
 /// The cycle time of the command line, as if it were a key.
 pub(crate) fn cycle_time_of(options: &ListOptions, report: &mut Report) -> Values {
-    const OPTION: &str = "--cycle-time";
     let mut values = Values::default();
     if let Some(text) = &options.cycle_time {
-        let parameter = Name::CycleTime.parameter();
-        let value = value::of_text(parameter, text)
-            .map_err(|refused| report.push(refused.diagnostic(Name::CycleTime, OPTION, Place::whole(OPTION))));
-        let source = Source::option(OPTION, text);
-        let (value, spelling) = (value.ok(), parameter.path);
-        let setting = Setting { value, refused: None, spelling, source, path_at: 0, value_at: 0 };
-        values.insert(key(Name::CycleTime), setting);
+        values.insert(key(Name::CycleTime), setting_of_option("--cycle-time", Name::CycleTime, text, report));
     }
     values
+}
+
+/// An option as if it were a key.
+fn setting_of_option(option: &str, name: Name, text: &str, report: &mut Report) -> Setting {
+    let parameter = name.parameter();
+    let value = value::of_text(parameter, text)
+        .map_err(|refused| report.push(refused.diagnostic(name, option, Place::whole(option))));
+    let source = Source::option(option, text);
+    Setting { value: value.ok(), refused: None, spelling: parameter.path, source, path_at: 0, value_at: 0 }
 }

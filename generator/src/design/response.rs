@@ -7,57 +7,43 @@
 use super::section::at_dc_and_nyquist;
 use reference::{allpass, bandpass, filter, filter::Type, oscillation, stage, stage::Mode};
 
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Complex {
-    pub re: f64,
-    pub im: f64,
-}
-
-impl Complex {
-    pub(crate) const ONE: Self = Self::real(1.0);
-
-    pub(crate) const fn real(re: f64) -> Self {
-        Self { re, im: 0.0 }
-    }
-}
+pub(crate) use stability::Complex64 as Complex;
 
 /// From the velocity that a stage looks at to what it adds.
 pub(crate) fn of_stage(coeffs: &stage::Coeffs<f64>, t: f64) -> Complex {
     if coeffs.mode == Mode::NotActive {
-        return Complex::real(0.0);
+        return Complex::from(0.0);
     }
-    let mut h = Complex::real(coeffs.gain);
+    let mut h = Complex::from(coeffs.gain);
     if coeffs.mode != Mode::Direct {
-        h = product(h, of_oscillation(&coeffs.oscillation, t));
+        h = h * of_oscillation(&coeffs.oscillation, t);
     }
-    coeffs.filter.iter().fold(h, |h, filter| product(h, of_filter(filter, t)))
+    coeffs.filter.iter().fold(h, |h, filter| h * of_filter(filter, t))
 }
 
 pub(crate) fn of_filter(coeffs: &filter::Coeffs<f64>, t: f64) -> Complex {
     match coeffs.kind {
-        Type::NoFilter => Complex::ONE,
-        Type::Bandpass => coeffs
-            .bandpass
-            .iter()
-            .take(coeffs.order)
-            .fold(Complex::ONE, |h, section| product(h, of_bandpass(section, t))),
+        Type::NoFilter => Complex::from(1.0),
+        Type::Bandpass => {
+            coeffs.bandpass.iter().take(coeffs.order).fold(Complex::from(1.0), |h, section| h * of_bandpass(section, t))
+        }
         Type::Allpass => of_allpass(&coeffs.allpass, t),
     }
 }
 
 pub(crate) fn of_bandpass(coeffs: &bandpass::Coeffs<f64>, t: f64) -> Complex {
     let numerator = Complex { re: 0.0, im: -4.0 * coeffs.b2 * t };
-    quotient(numerator, polynomial(1.0, coeffs.a1, coeffs.a2, t))
+    numerator / polynomial(1.0, coeffs.a1, coeffs.a2, t)
 }
 
 pub(crate) fn of_allpass(coeffs: &allpass::Coeffs<f64>, t: f64) -> Complex {
     let denominator = polynomial(1.0, coeffs.a1, coeffs.a2, t);
-    quotient(Complex { re: denominator.re, im: -denominator.im }, denominator)
+    Complex { re: denominator.re, im: -denominator.im } / denominator
 }
 
 pub(crate) fn of_oscillation(coeffs: &oscillation::Coeffs<f64>, t: f64) -> Complex {
     let numerator = polynomial(coeffs.b0, coeffs.b1, coeffs.b2, t);
-    quotient(numerator, polynomial(1.0, coeffs.a1, coeffs.a2, t))
+    numerator / polynomial(1.0, coeffs.a1, coeffs.a2, t)
 }
 
 pub(crate) fn magnitude(h: Complex) -> f64 {
@@ -79,14 +65,4 @@ pub(crate) fn angle(h: Complex) -> f64 {
 fn polynomial(c0: f64, c1: f64, c2: f64, t: f64) -> Complex {
     let [dc, nyquist] = at_dc_and_nyquist(c0, c1, c2);
     Complex { re: dc - nyquist * t * t, im: 2.0 * (c0 - c2) * t }
-}
-
-pub(crate) fn product(a: Complex, b: Complex) -> Complex {
-    Complex { re: a.re * b.re - a.im * b.im, im: a.re * b.im + a.im * b.re }
-}
-
-/// a / b; no square overflows or underflows in the range of a coefficient and of t.
-pub(crate) fn quotient(a: Complex, b: Complex) -> Complex {
-    let square = b.re * b.re + b.im * b.im;
-    Complex { re: (a.re * b.re + a.im * b.im) / square, im: (a.im * b.re - a.re * b.im) / square }
 }

@@ -1,6 +1,6 @@
 //! A trapezoidal section, which single precision has: its coefficients as rounded, one step, its response. No design.
 
-use super::response::{Complex, quotient};
+use super::response::Complex;
 
 /// `u = a p - b s1; s1' = s1 + u; bp = s1 + s1'; low = low + c bp`, p = x - low.
 #[derive(Clone, Copy, Debug)]
@@ -94,6 +94,6 @@ impl Trapezoidal {
     pub(crate) fn band_pass_part(&self, t: f64) -> Complex {
         let ac = self.a * self.c;
         let denominator = Complex { re: ac - (2.0 - self.b) * t * t, im: t * (self.b - ac) };
-        quotient(Complex { re: 0.0, im: 2.0 * self.a * t }, denominator)
+        Complex { re: 0.0, im: 2.0 * self.a * t } / denominator
     }
 }

@@ -5,8 +5,8 @@
 
 use super::words::{
     AddJerk, AxisType, Boolean, DirectSource, DriveObject, DriveSetting, DriveType, Enable, FeedforwardWord,
-    FilterType, LineEnd, ListEncoding, Motor, OperationMode, ProcessDatum, Prototype, RealType, StageMode, TargetName,
-    Tunable, Width, Words,
+    FilterType, LineEnd, ListEncoding, Motor, OperationMode, ProcessDatum, Prototype, RealType, ResponseFrom,
+    StageMode, TargetName, Tunable, Width, Words,
 };
 use super::{Kind, Parameter, Scope};
 
@@ -139,6 +139,22 @@ table! {
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
     /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`
     Watch: AXIS_KEY("watch", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
+    /// cycles after which the motor does what was commanded, at the least 1, fractions allowed: for the stability of the loop; nothing in a
+    /// block is made of it
+    DriveDelay: AXIS_KEY("drive.delay", kind: Kind::Real { from: 1.0, to: 1000.0, open: [false; 2] }, unit: "cycles")
+    /// time constant of the drive's velocity, after the delay: for the stability of the loop
+    DriveTimeConstant: AXIS_KEY("drive.time_constant", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
+    /// file of a measured frequency response to the velocity of the motor, relative to the set: for the stability of the loop, in the place of
+    /// the delay and the time constant
+    DriveResponse: AXIS_KEY("drive.response")
+    /// what that response is from: the commanded velocity, or the current, with the speed controller's gain and integral time beside it
+    DriveResponseFrom: AXIS_KEY("drive.response_from", kind: Kind::Word(ResponseFrom::WORDS), default: &["v_cmd"])
+    /// gain of the speed controller, in units of the current in the response for one of its velocity
+    DriveSpeedGain: AXIS_KEY("drive.speed_gain", kind: above_0(f64::MAX))
+    /// integral time of the speed controller
+    DriveSpeedIntegralTime: AXIS_KEY("drive.speed_integral_time", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
+    /// consent to a block that starts ON though its loop oscillates even with an ideal drive: for test stands without a machine
+    AcceptUnstable: AXIS_KEY("accept_unstable", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// whether the blocks look at the rate of their calls: input `cycle_counter`; skipped and doubled calls are a fault, and after a pause the
     /// block starts anew
     CycleCounter: AXIS_KEY("cycle_counter", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])

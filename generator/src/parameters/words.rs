@@ -45,6 +45,8 @@ words! {
     LineEnd { Lf "LF", CrLf "CRLF" }
     /// What the caller may tune while a block acts.
     Tunable { Nothing "nothing", Weights "weights", All "all" }
+    /// What a measured response is from; it is to the velocity of the motor.
+    ResponseFrom { Velocity "v_cmd" | "velocity", Current "current" }
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }
     /// Integer type of process data.
     Width { Int16 "INT16" | "INT", Int32 "INT32" | "DINT" }

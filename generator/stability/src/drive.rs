@@ -4,7 +4,7 @@ use crate::frequency::{Controller, Point};
 use crate::{Complex64, Response, turned};
 
 /// A drive without mechanics, or a measured one.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive<'a> {
     /// the motor does what was commanded some cycles before, 1 at the least, behind a time constant [s], where there is one:
     /// P = exp(-j 2 pi f d T) (1 - e)/(1 - e z^-1), e = exp(-T/Tc)
@@ -24,6 +24,22 @@ pub(crate) struct Value {
 impl Drive<'_> {
     /// The ideal drive: the motor does exactly what was commanded one cycle before.
     pub const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
+
+    /// Cycles of pure delay, as far as they are known without its lines.
+    pub(crate) fn delay_cycles(&self) -> f64 {
+        match self {
+            Self::Delay { cycles, .. } => *cycles,
+            Self::Measured(_) => 0.0,
+        }
+    }
+
+    /// The frequencies of its lines [Hz].
+    pub(crate) fn lines(&self) -> &[f64] {
+        match self {
+            Self::Delay { .. } => &[],
+            Self::Measured(response) => response.frequencies(),
+        }
+    }
 
     pub(crate) fn at(&self, controller: &Controller<'_>, point: &Point) -> Value {
         match *self {

@@ -1,6 +1,6 @@
 //! Points of the frequency axis at which a loop is looked at: dense where a stage turns, sparse elsewhere. No drive.
 
-use crate::{Complex64, LARGEST_WEIGHT, STAGES, magnitude};
+use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, magnitude};
 use std::f64::consts::PI;
 
 /// The last point, as a part of the sampling frequency: t is still finite there.
@@ -30,9 +30,9 @@ pub struct Controller<'a> {
     /// the weights of the stages; 0 for one that does not look at `v_motor`
     pub weight: [f64; STAGES],
     /// what each stage gives with weight 1 at t = tan(pi f T), its sign in it
-    pub stage: &'a dyn Fn(f64) -> [Complex64; STAGES],
+    pub stage: Box<dyn Fn(f64) -> [Complex64; STAGES] + 'a>,
     /// where the stages act: points lie there
-    pub bands: &'a [Band],
+    pub bands: Vec<Band>,
     /// gain of the position controller Kv [1/s], if its loop is closed around all this
     pub position_gain: Option<f64>,
 }
@@ -60,18 +60,19 @@ impl Point {
 
 /// The points of a controller, made once for all drives.
 pub struct Points<'a> {
-    pub(crate) controller: &'a Controller<'a>,
+    pub(crate) controller: Controller<'a>,
     pub(crate) points: Vec<Point>,
 }
 
 impl<'a> Points<'a> {
-    /// The points for drives with a delay of up to that number of cycles, and at further frequencies [Hz], those of a measured response.
+    /// The points for these drives: as dense as the longest delay asks for, and at the lines of measured responses.
     #[must_use]
-    pub fn new(controller: &'a Controller<'a>, delay_cycles: f64, further: &[f64]) -> Self {
+    pub fn new(controller: Controller<'a>, drives: &[Drive<'_>]) -> Self {
         let cycle_time = controller.cycle_time;
         let warped = |frequency: f64| libm::tan(PI * frequency.min(LAST / cycle_time) * cycle_time);
-        let mut frequencies = further.to_vec();
-        for Band { centre, width } in controller.bands {
+        let delay_cycles = drives.iter().map(Drive::delay_cycles).fold(1.0, f64::max);
+        let mut frequencies: Vec<f64> = drives.iter().flat_map(Drive::lines).copied().collect();
+        for Band { centre, width } in &controller.bands {
             for lowpass in [0.0, 0.5, 1.0, 2.0, 4.0, 8.0] {
                 let half = lowpass * width / 2.0;
                 let upper = half + (half * half + centre * centre).sqrt();

@@ -32,7 +32,7 @@ mod search;
 
 pub use drive::Drive;
 pub use frequency::{Band, Controller, Points};
-pub use margins::{Loop, MAX_MS, Margins};
+pub use margins::{Curve, Loop, MAX_MS, Margins};
 pub use num_complex::Complex64;
 pub use response::Response;
 

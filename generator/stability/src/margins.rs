@@ -5,7 +5,7 @@ use crate::drive::Value;
 use crate::frequency::{Point, Points};
 use crate::search::{least, root};
 use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle};
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The largest |S| of a loop that stays calm: a gain margin of 6 dB and a phase margin of 29 degrees are in it.
 pub const MAX_MS: f64 = 2.0;
@@ -28,6 +28,19 @@ pub struct Margins {
     pub phase_deg: Option<f64>,
 }
 
+/// A loop at a frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve {
+    /// [Hz]
+    pub hz: f64,
+    /// L
+    pub open: Complex64,
+    /// each stage with its weight
+    pub stage: [Complex64; STAGES],
+    /// P
+    pub drive: Complex64,
+}
+
 /// A controller with a drive.
 pub struct Loop<'a> {
     points: &'a Points<'a>,
@@ -43,7 +56,7 @@ impl<'a> Loop<'a> {
     /// Closes the loop.
     #[must_use]
     pub fn new(points: &'a Points<'a>, drive: Drive<'a>) -> Self {
-        let values = points.points.iter().map(|point| drive.at(points.controller, point)).collect();
+        let values = points.points.iter().map(|point| drive.at(&points.controller, point)).collect();
         Self { points, drive, values }
     }
 
@@ -51,6 +64,27 @@ impl<'a> Loop<'a> {
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.is_stable_with(&self.points.controller.weight)
+    }
+
+    /// The angle of a stage and the drive together at a frequency [Hz], in degrees, in (-360, 0].
+    #[must_use]
+    pub fn phase(&self, stage: usize, hz: f64) -> f64 {
+        let at = self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time));
+        let degrees = angle(at.0.stage[stage] * at.1.response).to_degrees();
+        if degrees > 0.0 { degrees - 360.0 } else { degrees }
+    }
+
+    /// The loop at its points.
+    #[must_use]
+    pub fn curve(&self) -> Vec<Curve> {
+        let weight = &self.points.controller.weight;
+        let point = |at: At| Curve {
+            hz: self.points.controller.hz(&at.0),
+            open: self.open(&at.0, &at.1, weight),
+            stage: std::array::from_fn(|i| at.0.stage[i] * weight[i]),
+            drive: at.1.response,
+        };
+        self.all().map(point).collect()
     }
 
     /// Whether it is stable, its largest |S|, its margins.
@@ -124,14 +158,50 @@ impl<'a> Loop<'a> {
         if !self.is_stable_with(&self.without(stage)) {
             return 0.0;
         }
-        // The loop passes -1 no nearer than that on the way there: it stays stable.
-        self.least(|at| self.line(at, stage).largest_weight(1.0 / MAX_MS, LARGEST_WEIGHT)).0
+        self.largest(|at| self.line(at, stage), LARGEST_WEIGHT)
+    }
+
+    /// The largest parts of all weights together, up to which the loop is stable, and up to which |S| stays within [`MAX_MS`].
+    #[must_use]
+    pub fn largest_parts(&self) -> [f64; 2] {
+        let whole = |at: &At| {
+            let rest = self.open(&at.0, &at.1, &[0.0; STAGES]);
+            let part = self.open(&at.0, &at.1, &self.points.controller.weight) - rest;
+            Line { rest: rest + 1.0, part, uncertainty: at.1.uncertainty }
+        };
+        if !self.is_stable_with(&[0.0; STAGES]) {
+            return [0.0; 2];
+        }
+        [self.largest_stable(whole, LARGEST_FACTOR), self.largest(whole, LARGEST_FACTOR)]
     }
 
     fn without(&self, stage: usize) -> [f64; STAGES] {
         let mut weight = self.points.controller.weight;
         weight[stage] = 0.0;
         weight
+    }
+
+    /// The largest weight of a part, up to `most`, with which a loop stays stable that is stable without it.
+    fn largest_stable(&self, line: impl Fn(&At) -> Line, most: f64) -> f64 {
+        let mut largest = most;
+        self.crossings(
+            |at| line(at).side(),
+            |at| {
+                let nearest = line(at).nearest();
+                if nearest > 0.0 {
+                    largest = largest.min(nearest);
+                }
+            },
+        );
+        if self.is_uncertain() {
+            largest = largest.min(self.least(|at| line(at).largest_weight(0.0, most)).0);
+        }
+        largest
+    }
+
+    /// The same with which |S| stays within [`MAX_MS`]: the loop passes -1 no nearer than that on the way there, and stays stable.
+    fn largest(&self, line: impl Fn(&At) -> Line, most: f64) -> f64 {
+        self.least(|at| line(at).largest_weight(1.0 / MAX_MS, most)).0
     }
 
     /// The loop with one stage as its part.
@@ -186,7 +256,7 @@ impl<'a> Loop<'a> {
     }
 
     fn at(&self, point: Point) -> At {
-        (point, self.drive.at(self.points.controller, &point))
+        (point, self.drive.at(&self.points.controller, &point))
     }
 
     fn at_t(&self, t: f64) -> At {

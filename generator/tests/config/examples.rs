@@ -18,7 +18,7 @@ fn assert_starts_on(said: &str) {
 }
 
 fn at_1ms() -> ListOptions {
-    ListOptions { cycle_time: Some("1ms".to_owned()), name: None }
+    ListOptions { cycle_time: Some("1ms".to_owned()), ..ListOptions::default() }
 }
 
 #[test]

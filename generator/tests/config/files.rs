@@ -7,7 +7,7 @@ use generator::pipeline::read_with;
 use std::path::Path;
 
 fn options(cycle_time: Option<&str>, name: Option<&str>) -> ListOptions {
-    ListOptions { cycle_time: cycle_time.map(str::to_owned), name: name.map(str::to_owned) }
+    ListOptions { cycle_time: cycle_time.map(str::to_owned), name: name.map(str::to_owned), ..ListOptions::default() }
 }
 
 #[test]

@@ -30,7 +30,7 @@ use std::path::Path;
 
 /// One axis list `x.lis` at a cycle time of 1 ms.
 fn read_list(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
-    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: None };
+    let options = ListOptions { cycle_time: Some("1ms".to_owned()), ..ListOptions::default() };
     read("x.lis", &[("x.lis", text.as_ref())], &options)
 }
 

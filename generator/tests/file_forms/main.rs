@@ -74,7 +74,7 @@ fn files(set: &Set) -> BTreeMap<String, String> {
 
 fn from_disk(path: &Path) -> Set {
     let is_list = path.extension().is_some_and(|extension| extension == "lis");
-    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), name: None };
+    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), ..ListOptions::default() };
     let (set, report) = read(path, &options);
     set.unwrap_or_else(|| panic!("{}: {report}", path.display()))
 }
@@ -96,7 +96,7 @@ stage = [
 "#;
     let axis = |name: &str, real: &str| {
         format!(
-            "[axis.{name}]\nreal = \"{real}\"\ngetriebe = [{{ dynamik.vb_max = 500000 }}]\n\
+            "[axis.{name}]\naccept_unstable = true\nreal = \"{real}\"\ngetriebe = [{{ dynamik.vb_max = 500000 }}]\n\
              [axis.{name}.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 1000{STAGES}"
         )
     };

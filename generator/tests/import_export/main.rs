@@ -31,7 +31,8 @@ fn import(list: impl AsRef<[u8]>) -> (Option<String>, Report) {
 
 /// The same at another cycle time, or without.
 fn import_at(cycle_time: Option<&str>, list: impl AsRef<[u8]>) -> (Option<String>, Report) {
-    let options = ListOptions { cycle_time: cycle_time.map(str::to_owned), name: Some("X".to_owned()) };
+    let options =
+        ListOptions { cycle_time: cycle_time.map(str::to_owned), name: Some("X".to_owned()), ..ListOptions::default() };
     let files: [File<'_>; 1] = [("x.lis", list.as_ref())];
     let (set, report) = import_export::import(Path::new("x.lis"), &options, &|path| load(&files, path));
     assert_eq!(set.is_none(), report.has_errors(), "{report}");
@@ -67,7 +68,8 @@ fn exported_text(set: &str) -> String {
 /// What the blocks of an axis depend on, or what is said against them without the places.
 fn meaning(name: &str, bytes: &[u8]) -> Result<String, Vec<(&'static str, String)>> {
     let cycle_time = (!name.ends_with("toml")).then(|| "1ms".to_owned());
-    let options = ListOptions { name: cycle_time.is_some().then(|| "X".to_owned()), cycle_time };
+    let options =
+        ListOptions { name: cycle_time.is_some().then(|| "X".to_owned()), cycle_time, ..ListOptions::default() };
     let files: [File<'_>; 1] = [(name, bytes)];
     let (set, report) = read_with(Path::new(name), &options, &|path| load(&files, path));
     let said = || report.diagnostics.iter().map(|said| (said.code, said.found.clone())).collect();

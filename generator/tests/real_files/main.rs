@@ -50,7 +50,9 @@ fn read_named(files: &[File<'_>], name: Option<&str>) -> (Option<Set>, Report) {
     let path = Path::new(files[0].0);
     let is_set = path.extension().is_some_and(|extension| extension == "toml");
     let cycle_time = (!is_set).then(|| "1ms".to_owned());
-    read_with(path, &ListOptions { cycle_time, name: name.map(str::to_owned) }, &|path| load(files, path))
+    read_with(path, &ListOptions { cycle_time, name: name.map(str::to_owned), ..ListOptions::default() }, &|path| {
+        load(files, path)
+    })
 }
 
 /// What the axis of a list in which nothing is wrong depends on.
@@ -61,7 +63,8 @@ fn canonical(file: File<'_>) -> String {
 
 /// Imports and exports a file: the same bytes, and the set means what the file means.
 fn round_trip(file: File<'_>) -> String {
-    let options = ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()) };
+    let options =
+        ListOptions { cycle_time: Some("1ms".to_owned()), name: Some("X".to_owned()), ..ListOptions::default() };
     let (set, report) = import_export::import(Path::new(file.0), &options, &|path| load(&[file], path));
     let set = set.unwrap_or_else(|| panic!("{report}"));
     assert_eq!(exported(&[("set.toml", set.as_bytes())]), file.1, "{set}");

@@ -1,7 +1,8 @@
-//! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error.
+//! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error, but a loop that cannot be
+//! stable.
 
 use super::check::{damping_given, master};
-use super::{filter as kinds, phase, stage::StageDesign};
+use super::{filter as kinds, phase, stage::StageDesign, unstable};
 use crate::axis::{Axis, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
@@ -40,6 +41,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
         }
     }
     overlaps(designed, e);
+    unstable::advise(designed, e);
 }
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {

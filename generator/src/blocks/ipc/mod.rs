@@ -3,14 +3,17 @@
 pub(crate) mod advice;
 pub(crate) mod certificate;
 pub(crate) mod check;
+pub(crate) mod closed_loop;
 pub(crate) mod design;
 mod diff;
+pub(crate) mod drive_model;
 pub(crate) mod feasibility;
 pub(crate) mod filter;
 pub(crate) mod notes;
 mod phase;
 pub(crate) mod stage;
 mod sum_limit;
+mod unstable;
 mod verdict;
 
 use super::{Certified, Figure, Part, Summary};

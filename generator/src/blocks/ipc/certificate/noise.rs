@@ -6,7 +6,7 @@ use super::chain::Chain;
 use super::response::{Point, designed};
 use super::section::Section;
 use crate::design::band::warped;
-use crate::design::response::{Complex, magnitude, product, quotient};
+use crate::design::response::{Complex, magnitude};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use crate::number::{decimals, digits};
@@ -68,22 +68,22 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
 
 /// How far the rounded coefficients take the response away from the designed one at f0, relative to it.
 fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
-    let gain = Complex::real(in_precision(design.coeffs.gain, RealKind::F32));
-    let measured = sections.iter().fold(gain, |h, section| product(h, section.response(t)));
+    let gain = Complex::from(in_precision(design.coeffs.gain, RealKind::F32));
+    let measured = sections.iter().fold(gain, |h, section| h * section.response(t));
     Point { frequency: design.stage.f0(), designed: designed(design, t), measured, single: None }.deviation()
 }
 
 /// Variance of what a section's own roundings add to its output, for an input with this offset and this amplitude at t.
 fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64 {
     let Trapezoidal { a, b, c, output, is_by_change } = *section;
-    let input = Complex::real(vibration);
+    let input = Complex::from(vibration);
     // z = (1 + j t) / (1 - j t): u = (z - 1) / (z + 1) bp = j t bp, s1 = (bp - u) / 2 before the step and (bp + u) / 2 after it.
-    let bp = product(input, section.band_pass_part(t));
-    let u = product(bp, Complex { re: 0.0, im: t });
+    let bp = input * section.band_pass_part(t);
+    let u = bp * Complex { re: 0.0, im: t };
     let s1 = Complex { re: (bp.re - u.re) / 2.0, im: (bp.im - u.im) / 2.0 };
     let s1_next = Complex { re: (bp.re + u.re) / 2.0, im: (bp.im + u.im) / 2.0 };
     let p = Complex { re: (u.re + b * s1.re) / a, im: (u.im + b * s1.im) / a };
-    let change = product(input, quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: t }));
+    let change = input * (Complex { re: 0.0, im: 2.0 * t } / Complex { re: 1.0, im: t });
     let square = |v: Complex| (v.re * v.re + v.im * v.im) / 2.0;
     let next = Complex { re: p.re - c * bp.re, im: p.im - c * bp.im };
     let low = Complex { re: vibration - next.re, im: -next.im };

@@ -7,7 +7,7 @@ use super::super::stage::StageDesign;
 use super::chain::Chain;
 use super::section::{Biquad, Section};
 use crate::design::band::{edges, frequency, warped};
-use crate::design::response::{Complex, magnitude, product, quotient};
+use crate::design::response::{Complex, magnitude};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::Trapezoidal;
 use portable::RealKind;
@@ -74,15 +74,15 @@ pub(super) fn bands(of: &StageDesign, chain: &Chain, real: RealKind) -> Vec<Band
 /// file ([`kinds`]).
 pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     let stage = &of.stage;
-    let mut h = Complex::real(-stage.weight());
+    let mut h = Complex::from(-stage.weight());
     if let Some(damping) = stage.mode.osc_damping() {
         let g = warped(stage.f0(), of.cycle_time);
         let im = 2.0 * damping * g * t;
-        h = product(h, quotient(Complex { re: g * g, im }, Complex { re: (g - t) * (g + t), im }));
+        h = h * (Complex { re: g * g, im } / Complex { re: (g - t) * (g + t), im });
     }
     for FilterDesign { filter, band, .. } in of.filter.iter().flatten() {
         let kind = kinds::of(filter).expect("certificate: a designed filter has a type");
-        h = product(h, kind.response(band, t));
+        h = h * kind.response(band, t);
     }
     h
 }
@@ -91,7 +91,7 @@ pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
 fn single(of: &StageDesign, t: f64) -> [Complex; 2] {
     let gain = of.coeffs.gain;
     let by = |gain: f64, section: fn(&super::super::stage::Section) -> &Trapezoidal| {
-        of.section.iter().fold(Complex::real(gain), |h, of| product(h, section(of).response(t)))
+        of.section.iter().fold(Complex::from(gain), |h, of| h * section(of).response(t))
     };
     [by(gain, |of| &of.unrounded), by(in_precision(gain, RealKind::F32), |of| &of.trapezoidal)]
 }
@@ -103,7 +103,7 @@ fn relative(a: Complex, b: Complex) -> f64 {
 
 /// The response of the compiled sections at t = tan(pi f Ts).
 fn measured(chain: &Chain, t: f64) -> Complex {
-    chain.section.iter().fold(Complex::real(chain.gain), |h, section| product(h, of_section(section, t)))
+    chain.section.iter().fold(Complex::from(chain.gain), |h, section| h * of_section(section, t))
 }
 
 fn of_section(section: &Section, t: f64) -> Complex {
@@ -116,11 +116,11 @@ fn of_section(section: &Section, t: f64) -> Complex {
 /// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + step, where step = 2 j t / (1 - j t) is known without a
 /// cancellation: a low frequency costs no digits here.
 fn of_biquad(section: &Biquad, t: f64) -> Complex {
-    let step = quotient(Complex { re: 0.0, im: 2.0 * t }, Complex { re: 1.0, im: -t });
+    let step = Complex { re: 0.0, im: 2.0 * t } / Complex { re: 1.0, im: -t };
     let Biquad { b0, a1, a2, from_x } = *section;
     let numerator = Complex { re: step.re * from_x[0] + (from_x[0] + from_x[1]), im: step.im * from_x[0] };
-    let square = product(step, step);
+    let square = step * step;
     let re = square.re + step.re * (2.0 + a1) + ((1.0 + a1) + a2);
-    let state = quotient(numerator, Complex { re, im: square.im + step.im * (2.0 + a1) });
+    let state = numerator / Complex { re, im: square.im + step.im * (2.0 + a1) };
     Complex { re: b0 + state.re, im: state.im }
 }

@@ -4,7 +4,7 @@ use super::kind::{Kind, Numbers};
 use super::rules::f0;
 use crate::axis::Filter;
 use crate::design::band::Band;
-use crate::design::response::{Complex, quotient};
+use crate::design::response::Complex;
 use crate::design::section::{self, Shape};
 use crate::design::trapezoidal::Output;
 use crate::number::significant;
@@ -111,6 +111,6 @@ impl Kind for Allpass {
     /// (Omega0^2 - t^2 - j B t) / (Omega0^2 - t^2 + j B t)
     fn response(&self, Band { omega0, bandwidth }: &Band, t: f64) -> Complex {
         let (re, im) = ((omega0 - t) * (omega0 + t), bandwidth * t);
-        quotient(Complex { re, im: -im }, Complex { re, im })
+        Complex { re, im: -im } / Complex { re, im }
     }
 }

@@ -6,7 +6,7 @@ use crate::axis::{Filter, Prototype};
 use crate::codes;
 use crate::design::band::Band;
 use crate::design::bandpass::{Pole, poles, sections};
-use crate::design::response::{Complex, product, quotient};
+use crate::design::response::Complex;
 use crate::design::section::{self, Shape};
 use crate::design::trapezoidal::Output;
 use crate::parameters::Name;
@@ -147,7 +147,7 @@ impl Kind for Bandpass {
     /// (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w).
     fn response(&self, Band { omega0, bandwidth }: &Band, t: f64) -> Complex {
         let w = (t - omega0) * (t + omega0) / (bandwidth * t);
-        poles(self.prototype, self.order).iter().fold(Complex::ONE, |h, pole| {
+        poles(self.prototype, self.order).iter().fold(Complex::from(1.0), |h, pole| {
             let (dc, denominator) = match *pole {
                 Pole::Real { sigma } => (sigma, Complex { re: sigma, im: w }),
                 Pole::Pair { sigma, omega } => {
@@ -155,7 +155,7 @@ impl Kind for Bandpass {
                     (square, Complex { re: square - w * w, im: 2.0 * sigma * w })
                 }
             };
-            product(h, quotient(Complex::real(dc), denominator))
+            h * (Complex::from(dc) / denominator)
         })
     }
 }

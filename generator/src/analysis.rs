@@ -1,0 +1,82 @@
+//! The loop of an axis with drives to choose from: margins, and the largest weights of its stages, as numbers. No text, no file.
+
+use crate::axis::DriveModel;
+use crate::blocks::Designed;
+use crate::blocks::ipc::closed_loop::{self, USUAL_DELAY, USUAL_TIME_CONSTANT};
+use crate::blocks::ipc::stage::StageDesign;
+use stability::{Curve, Drive, Loop, Margins, Points};
+
+/// An axis, and its loop with each drive.
+pub struct Analysis {
+    /// empty: no stage closes a loop
+    pub drives: Vec<OfDrive>,
+}
+
+/// A loop.
+pub struct OfDrive {
+    pub drive: Known,
+    pub margins: Margins,
+    /// the stages that close the loop
+    pub stages: Vec<OfStage>,
+    pub curve: Vec<Curve>,
+}
+
+/// Which drive it is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Known {
+    /// a pure delay in cycles, and a time constant [s] after it
+    Delay { cycles: f64, time_constant: Option<f64> },
+    /// a measured response: its file
+    Measured { file: String },
+}
+
+/// A stage in a loop.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OfStage {
+    pub stage: usize,
+    pub weight: f64,
+    /// of the stage and the drive together, at its f0, in (-360, 0]
+    pub phase_at_f0_deg: f64,
+    /// up to which the loop is stable, and up to which Ms stays within 2; the others as they are
+    pub largest_stable_weight: f64,
+    pub largest_weight: f64,
+}
+
+/// The loop of an axis: with the drive that the model states, else with two usual ones; and with the ideal one.
+#[must_use]
+pub fn analyze(designed: &Designed, model: &DriveModel) -> Analysis {
+    let delay =
+        |cycles, time_constant| (Drive::Delay { cycles, time_constant }, Known::Delay { cycles, time_constant });
+    let mut drives = match (closed_loop::stated(model), &model.response) {
+        (Some(drive), Some(measured)) => vec![(drive, Known::Measured { file: measured.file.clone() })],
+        (Some(_), None) => vec![delay(model.delay_cycles.unwrap_or(USUAL_DELAY), model.time_constant)],
+        (None, _) => vec![delay(USUAL_DELAY, None), delay(USUAL_DELAY, Some(USUAL_TIME_CONSTANT))],
+    };
+    let ideal = delay(1.0, None);
+    if !drives.contains(&ideal) {
+        drives.push(ideal);
+    }
+    let all: Vec<Drive<'_>> = drives.iter().map(|(drive, _)| *drive).collect();
+    let Some(points) = closed_loop::points(designed, &all) else { return Analysis { drives: Vec::new() } };
+    Analysis { drives: drives.into_iter().map(|drive| of_drive(designed, &points, drive)).collect() }
+}
+
+fn of_drive(designed: &Designed, points: &Points<'_>, (drive, known): (Drive<'_>, Known)) -> OfDrive {
+    let closed = Loop::new(points, drive);
+    let stage = |design: &StageDesign| OfStage {
+        stage: design.index,
+        weight: design.stage.weight(),
+        phase_at_f0_deg: closed.phase(design.index, design.stage.f0()),
+        largest_stable_weight: closed.largest_stable_weight(design.index),
+        largest_weight: closed.largest_weight(design.index),
+    };
+    let stages = closed_loop::stages(designed).map(stage).collect();
+    OfDrive { drive: known, margins: closed.margins(), stages, curve: closed.curve() }
+}
+
+/// The analysis of an axis in words.
+#[must_use]
+pub fn text(designed: &Designed) -> String {
+    let _ = designed;
+    String::new()
+}
