@@ -54,3 +54,13 @@ pub(crate) fn digits(value: f64) -> String {
 pub(crate) fn rounded(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
+
+/// Rounded down to so many significant digits: a limit of which the next number up would be too much.
+pub(crate) fn down_to(value: f64, digits: i32) -> String {
+    if value <= 0.0 {
+        return "0".to_owned();
+    }
+    let unit = libm::pow(10.0, libm::floor(libm::log10(value)) + 1.0 - f64::from(digits));
+    // 0.3 is no multiple of 0.1 in binary.
+    significant(libm::floor(value / unit + 1e-9) * unit, digits.unsigned_abs() as usize)
+}

@@ -5,12 +5,14 @@ mod rows;
 mod stage;
 
 use crate::axis::Axis;
+use crate::blocks::ipc::closed_loop;
 use crate::blocks::{self, Designed, IPC};
 use crate::number::digits;
 use crate::parameters::Name;
 use crate::target::{File, block_name, rendered, stem};
 use askama::Template;
-use rows::{Limit, limits};
+use rows::{Limit, PARTS, limits};
+use stability::{Drive, Loop, MAX_MS};
 use stage::Stage;
 
 /// A measured velocity may differ so much from the commanded one [%]: less than any wrong unit, more than a rounding or a lag.
@@ -59,6 +61,11 @@ struct Page {
     limits: Vec<Limit>,
     signals: Vec<Signal>,
     stages: Vec<Stage>,
+    /// what the rows are judged with
+    drive: &'static str,
+    max_ms: f64,
+    /// of a stage
+    all_rows: usize,
     /// where the file that the weights are tried with lies
     trial: &'static str,
     /// [s]
@@ -94,7 +101,12 @@ fn page(designed: &Designed, parameters: String) -> Page {
     let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
     let is_tunable = axis.ipc.tuning.is_some();
-    let stages: Vec<Stage> = designed.stage.iter().flatten().enumerate().map(Stage::from).collect();
+    // The drive that the set states, else the ideal one.
+    let drive = closed_loop::stated(&axis.drive).unwrap_or(Drive::IDEAL);
+    let points = closed_loop::points(designed, &[drive]);
+    let closed = points.as_ref().map(|points| Loop::new(points, drive));
+    let stages = designed.stage.iter().flatten().enumerate();
+    let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, closed.as_ref())).collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::max);
     Page {
         axis: axis.name.clone(),
@@ -120,6 +132,9 @@ fn page(designed: &Designed, parameters: String) -> Page {
         window: digits(longest(|stage| stage.seconds, LEAST_WINDOW)),
         quiet: digits(longest(|stage| stage.quiet, LEAST_QUIET)),
         stages,
+        drive: if axis.drive.is_given() { "the drive that the set states" } else { "an ideal drive" },
+        max_ms: MAX_MS,
+        all_rows: PARTS.len(),
         agreement: AGREEMENT,
         rest: REST,
         growth: GROWTH,

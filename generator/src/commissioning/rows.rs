@@ -2,9 +2,10 @@
 
 use crate::axis::{Ipc, Stage};
 use crate::number::{decimals, digits, significant};
+use stability::MAX_MS;
 
 /// Parts of what was designed, one step after another [%]: small ones first, since what is wrong shows there.
-const PARTS: [u32; 6] = [10, 20, 40, 60, 80, 100];
+pub(super) const PARTS: [u32; 6] = [10, 20, 40, 60, 80, 100];
 
 /// The largest numerator and denominator of a weight (P-AXIS-00754/00755).
 const LARGEST: u64 = 4_294_967_294;
@@ -20,6 +21,16 @@ pub(super) struct Row {
     pub(super) denom: u64,
     /// what an ideal drive would leave of the vibration [%]
     pub(super) left: String,
+    /// largest |S| of the loop with an ideal drive, and whether that is too much
+    pub(super) ms: String,
+}
+
+/// What a part of a weight would do with an ideal drive.
+pub(super) struct Step {
+    /// of the vibration
+    pub(super) left: f64,
+    /// largest |S| of the loop; none: the stage closes no loop
+    pub(super) ms: Option<f64>,
 }
 
 /// A step of the limit.
@@ -32,20 +43,27 @@ pub(super) struct Limit {
     pub(super) v_add_max_fact: u32,
 }
 
-/// The steps of a weight; `left`: the part of the vibration that an ideal drive leaves behind such a part of the weight.
-pub(super) fn rows(stage: &Stage, left: impl Fn(f64) -> f64) -> Vec<Row> {
+/// The steps of a weight; `step`: what an ideal drive does with a part of it, none where it oscillates, and there is no such row.
+pub(super) fn rows(stage: &Stage, step: impl Fn(f64) -> Option<Step>) -> Vec<Row> {
     let row = |percent: u32| {
         let part = f64::from(percent) / 100.0;
         let [num, denom] = weight(stage, percent);
-        Row {
+        let Step { left, ms } = step(part)?;
+        let ms = match ms {
+            Some(ms) if ms > MAX_MS => format!("{}, little reserve", decimals(ms, 1)),
+            Some(ms) => decimals(ms, 1),
+            None => "-".to_owned(),
+        };
+        Some(Row {
             part: digits(part),
             weight: significant(stage.weight() * part, 4),
             num,
             denom,
-            left: decimals(left(part) * 100.0, 0),
-        }
+            left: decimals(left * 100.0, 0),
+            ms,
+        })
     };
-    PARTS.map(row).into()
+    PARTS.into_iter().filter_map(row).collect()
 }
 
 /// A part [%] of a weight as numerator and denominator: with the denominator of the parameters where that is possible.

@@ -1,13 +1,14 @@
 //! What the commissioning page says of a stage: where its vibration is seen, how long a record must be, its steps. No design.
 
-use super::rows::{Row, rows};
-use crate::axis::{Filter, Mode};
+use super::rows::{Row, Step, rows};
+use crate::axis::{DirectSource, Filter, Mode};
 use crate::blocks::ipc::filter as kinds;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::design::band::warped;
 use crate::design::response::{self, magnitude};
 use crate::number::{digits, significant};
 use crate::parameters::{Name, path_with};
+use stability::Loop;
 use std::f64::consts::PI;
 
 /// The sections of a weight's steps begin with this one.
@@ -45,9 +46,9 @@ pub(super) struct Stage {
     pub(super) weight_step: String,
 }
 
-/// The n-th active stage.
-impl From<(usize, &StageDesign)> for Stage {
-    fn from((n, design): (usize, &StageDesign)) -> Self {
+impl Stage {
+    /// The n-th active stage, with the loop of the axis on its ideal drive, if there is one.
+    pub(super) fn new(n: usize, design: &StageDesign, closed: Option<&Loop<'_>>) -> Self {
         let (stage, index) = (&design.stage, design.index);
         let first = stage.first_bandpass();
         let number = u32::try_from(index).expect("design: there are three stages");
@@ -63,7 +64,7 @@ impl From<(usize, &StageDesign)> for Stage {
             f0: digits(stage.f0()),
             edges: edges.map(|edge| significant(edge, 4)),
             weight: significant(stage.weight(), 4),
-            rows: rows(stage, |part| left(design, part)),
+            rows: rows(stage, |part| step(design, closed, part)),
             seconds,
             window: digits(seconds),
             quiet: quiet(design),
@@ -87,13 +88,27 @@ fn seen_in(mode: Mode) -> String {
     }
 }
 
-/// The part of a vibration at f0 that is left behind a part of the weight, if the drive does at once what it is told. A stage in the loop leaves
-/// 1 / (1 + |H|) where nothing turns the phase of its counter-motion; one that filters the command leaves |1 + H|.
-fn left(design: &StageDesign, part: f64) -> f64 {
-    let h = response::of_stage(&design.coeffs, warped(design.stage.f0(), design.cycle_time));
-    match design.stage.mode {
-        Mode::SetPoint { .. } => magnitude(response::Complex { re: 1.0 + part * h.re, im: part * h.im }),
-        Mode::Direct { .. } | Mode::Indirect { .. } => 1.0 / (1.0 + part * magnitude(h)),
+/// What a part of the weight does with an ideal drive; none: its loop oscillates. The stages before it have their weights already, those after
+/// it none.
+///
+/// A stage in the loop leaves |S| with it by |S| without it at f0. One that filters the command leaves |1 + H|, one that looks at the load
+/// 1 / (1 + |H|) where nothing turns the phase of its counter-motion.
+fn step(design: &StageDesign, closed: Option<&Loop<'_>>, part: f64) -> Option<Step> {
+    let (stage, index) = (&design.stage, design.index);
+    let h = || response::of_stage(&design.coeffs, warped(stage.f0(), design.cycle_time)) * part;
+    let outside = |left: f64| Some(Step { left, ms: None });
+    match stage.mode {
+        Mode::SetPoint { .. } => outside(magnitude(h() + 1.0)),
+        Mode::Direct { source: DirectSource::Direct } => outside(1.0 / (1.0 + magnitude(h()))),
+        Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
+            let closed = closed?;
+            let mut weight = closed.weights();
+            weight[index] *= part;
+            weight[index + 1..].fill(0.0);
+            let closed = closed.with(weight);
+            let [ms, _] = closed.margins().ms?;
+            Some(Step { left: closed.left(index, stage.f0()), ms: Some(ms) })
+        }
     }
 }
 

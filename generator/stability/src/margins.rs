@@ -4,7 +4,7 @@ use crate::crossing::Line;
 use crate::drive::Value;
 use crate::frequency::{Point, Points};
 use crate::search::{least, root};
-use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle};
+use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle, magnitude};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The largest |S| of a loop that stays calm: a gain margin of 6 dB and a phase margin of 29 degrees are in it.
@@ -45,6 +45,8 @@ pub struct Curve {
 pub struct Loop<'a> {
     points: &'a Points<'a>,
     drive: Drive<'a>,
+    /// the weights of the stages
+    weight: [f64; STAGES],
     /// P at the points
     values: Vec<Value>,
 }
@@ -53,17 +55,29 @@ pub struct Loop<'a> {
 type At = (Point, Value);
 
 impl<'a> Loop<'a> {
-    /// Closes the loop.
+    /// Closes the loop, with the weights of the controller.
     #[must_use]
     pub fn new(points: &'a Points<'a>, drive: Drive<'a>) -> Self {
         let values = points.points.iter().map(|point| drive.at(&points.controller, point)).collect();
-        Self { points, drive, values }
+        Self { points, drive, weight: points.controller.weight, values }
     }
 
-    /// Whether it is stable with the weights of the controller, in the middle of what was measured.
+    /// The weights of the stages.
+    #[must_use]
+    pub fn weights(&self) -> [f64; STAGES] {
+        self.weight
+    }
+
+    /// The same loop with other weights.
+    #[must_use]
+    pub fn with(&self, weight: [f64; STAGES]) -> Self {
+        Self { weight, values: self.values.clone(), ..*self }
+    }
+
+    /// Whether it is stable, in the middle of what was measured.
     #[must_use]
     pub fn is_stable(&self) -> bool {
-        self.is_stable_with(&self.points.controller.weight)
+        self.is_stable_with(&self.weight)
     }
 
     /// The angle of a stage and the drive together at a frequency [Hz], in degrees, in (-360, 0].
@@ -77,7 +91,7 @@ impl<'a> Loop<'a> {
     /// The loop at its points.
     #[must_use]
     pub fn curve(&self) -> Vec<Curve> {
-        let weight = &self.points.controller.weight;
+        let weight = &self.weight;
         let point = |at: At| Curve {
             hz: self.points.controller.hz(&at.0),
             open: self.open(&at.0, &at.1, weight),
@@ -87,10 +101,17 @@ impl<'a> Loop<'a> {
         self.all().map(point).collect()
     }
 
+    /// The part of what acts on the motor at a frequency [Hz] that a stage leaves: |S| with it by |S| without it.
+    #[must_use]
+    pub fn left(&self, stage: usize, hz: f64) -> f64 {
+        let line = self.line(&self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time)), stage);
+        magnitude(line.rest) / magnitude(line.rest + line.part * self.weight[stage])
+    }
+
     /// Whether it is stable, its largest |S|, its margins.
     #[must_use]
     pub fn margins(&self) -> Margins {
-        let weight = &self.points.controller.weight;
+        let weight = &self.weight;
         let whole = |(point, value): &At| Line {
             rest: Complex64::new(1.0, 0.0),
             part: self.open(point, value, weight),
@@ -166,7 +187,7 @@ impl<'a> Loop<'a> {
     pub fn largest_parts(&self) -> [f64; 2] {
         let whole = |at: &At| {
             let rest = self.open(&at.0, &at.1, &[0.0; STAGES]);
-            let part = self.open(&at.0, &at.1, &self.points.controller.weight) - rest;
+            let part = self.open(&at.0, &at.1, &self.weight) - rest;
             Line { rest: rest + 1.0, part, uncertainty: at.1.uncertainty }
         };
         if !self.is_stable_with(&[0.0; STAGES]) {
@@ -176,7 +197,7 @@ impl<'a> Loop<'a> {
     }
 
     fn without(&self, stage: usize) -> [f64; STAGES] {
-        let mut weight = self.points.controller.weight;
+        let mut weight = self.weight;
         weight[stage] = 0.0;
         weight
     }

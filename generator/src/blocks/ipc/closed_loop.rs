@@ -5,6 +5,7 @@ use super::stage::StageDesign;
 use crate::axis::{DirectSource, DriveModel, Filter, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::response;
+use crate::number::significant;
 use reference::stage::Coeffs;
 use stability::{Band, Complex64, Controller, Drive, Points, STAGES};
 
@@ -61,4 +62,19 @@ pub(crate) fn stated(model: &DriveModel) -> Option<Drive<'_>> {
         }
         None => None,
     }
+}
+
+/// A drive without mechanics, in words.
+pub(crate) fn words(drive: &Drive<'_>) -> String {
+    match *drive {
+        Drive::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", cycles_text(cycles)),
+        Drive::Delay { cycles, time_constant: Some(time) } => {
+            format!("a delay of {} and a time constant of {} ms", cycles_text(cycles), significant(time * 1e3, 4))
+        }
+        Drive::Measured(_) => "the measured drive".to_owned(),
+    }
+}
+
+fn cycles_text(cycles: f64) -> String {
+    format!("{} cycle{}", significant(cycles, 4), if cycles > 1.0 { "s" } else { "" })
 }

@@ -14,7 +14,7 @@ const LEAST_DELAY_CYCLES: f64 = 1.0;
 /// The hold of the command costs half a cycle.
 const HOLD_CYCLES: f64 = 0.5;
 /// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
-pub(super) const MUCH_DELAY: f64 = 60.0;
+const MUCH_DELAY: f64 = 60.0;
 /// An all-pass that turns by 180 degrees, but for so many, inverts.
 const NEARLY_INVERTED: f64 = 10.0;
 
@@ -43,7 +43,7 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
 
 /// The cycles of delay in the loop of a stage, as they are given (P-AXIS-00191) or at the least, with the hold; and how many degrees they
 /// turn its phase at f0.
-pub(super) fn delay_lag(stage: &Stage, cycle_time: f64, delay_cycles: Option<u32>) -> (f64, f64) {
+fn delay_lag(stage: &Stage, cycle_time: f64, delay_cycles: Option<u32>) -> (f64, f64) {
     let cycles = delay_cycles.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
     (cycles, 360.0 * stage.f0() * cycle_time * cycles)
 }
@@ -87,6 +87,6 @@ fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_ti
     }
 }
 
-pub(super) fn has_allpass(stage: &Stage) -> bool {
+fn has_allpass(stage: &Stage) -> bool {
     stage.filter.iter().any(|filter| filter.kind() == FilterType::Allpass)
 }

@@ -5,7 +5,7 @@ use crate::axis::Enable;
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::key;
-use crate::number::significant;
+use crate::number::{down_to, significant};
 use crate::parameters::Name;
 use crate::parameters::words::{Boolean, Words};
 use crate::rules::effective::{Effective, as_written};
@@ -58,7 +58,7 @@ fn say(
         let (i, weight) = (design.index, design.stage.weight());
         let [stable, calm] = [closed.largest_stable_weight(i), closed.largest_weight(i)];
         let asked = significant(weight, 4);
-        let down = |value: f64| significant(floor(value), 3);
+        let down = |value: f64| down_to(value, 3);
         let (found, instead) = match () {
             () if stable <= 0.0 => (
                 format!("stage[{i}] with the weight {asked} is one of several with which {what} oscillates"),
@@ -89,13 +89,4 @@ fn say(
             e.warn(codes::WOULD_BE_UNSTABLE, place, found, Some(instead));
         }
     }
-}
-
-/// Rounded down to three digits: the next number up would be too much.
-fn floor(value: f64) -> f64 {
-    if value <= 0.0 {
-        return 0.0;
-    }
-    let digit = libm::pow(10.0, libm::floor(libm::log10(value)) - 2.0);
-    libm::floor(value / digit + 1e-9) * digit
 }

@@ -3,20 +3,19 @@
 
 use super::certificate::{designed, noise};
 use super::stage::StageDesign;
-use super::{filter, phase};
-use crate::axis::{Axis, Enable, Mode};
+use super::{closed_loop, filter};
+use crate::axis::{Axis, DriveModel, Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::band::warped;
 use crate::design::response::{Complex, angle, magnitude};
-use crate::number::{decimals, significant};
+use crate::number::{decimals, down_to, significant};
 use crate::parameters::words::{DirectSource, StageMode, Words};
 use portable::RealKind;
+use stability::{Drive, Loop, MAX_MS};
 
 /// Below this limit, in 0.1 % of the largest velocity, a stage that excites the vibration does little; above the other, much.
 const SMALL_LIMIT: u32 = 50;
 const LARGE_LIMIT: u32 = 500;
-/// A lag of the delay alone, in degrees, that leaves enough for drive and mechanics.
-const LITTLE_DELAY: f64 = 30.0;
 
 /// The lines of the block.
 pub(super) fn lines(designed: &Designed) -> Vec<String> {
@@ -26,7 +25,7 @@ pub(super) fn lines(designed: &Designed) -> Vec<String> {
     }
     let mut lines = table(designed);
     lines.extend([limit(&designed.axis), start(&designed.axis, designed.ipc.fade_cycles)]);
-    lines.extend(stages.iter().map(|stage| stage_verdict(stage, designed.axis.ipc.delay_cycles)));
+    lines.extend(self::stages(designed));
     if designed.axis.real == RealKind::F32 {
         lines.push(precision(&stages, &designed.axis));
     }
@@ -99,40 +98,67 @@ fn start(axis: &Axis, fade_cycles: u32) -> String {
     format!("start: {}: {word}; fades in {} ms", axis.ipc.enable.name(), significant(time, 4))
 }
 
-/// What is known of a stage's phase: it damps as long as all that turns it stays below 90 degrees.
-fn stage_verdict(design: &StageDesign, delay_cycles: Option<u32>) -> String {
+/// What is known of a stage without a loop; of one with a loop, the weights that it bears with drives to choose from.
+fn stage_verdict(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
     let (stage, index) = (&design.stage, design.index);
-    let f0 = significant(stage.f0(), 4);
-    if let Mode::SetPoint { .. } = stage.mode {
-        let h = at_f0(design);
-        let left = magnitude(Complex { re: 1.0 + h.re, im: h.im });
-        let left = decimals(left * 100.0, 0);
-        return format!(
-            "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz"
-        );
-    }
-    let (cycles, lag) = phase::delay_lag(stage, design.cycle_time, delay_cycles);
-    let (cycles, lag_text) = (significant(cycles, 4), decimals(lag, 0));
-    if phase::has_allpass(stage) {
-        return format!(
-            "stage {index}: turned by an all-pass: measure the lag of drive and mechanics at {f0} Hz before ON; the delay of {cycles} \
-             cycles adds {lag_text} deg"
-        );
-    }
-    let given = if delay_cycles.is_some() { "the" } else { "at the least a" };
-    let word = match lag {
-        _ if stage.mode == (Mode::Direct { source: DirectSource::Direct }) => {
-            "measure first, the load lags behind the motor"
+    let [f0, weight] = [stage.f0(), stage.weight()].map(|value| significant(value, 4));
+    match stage.mode {
+        Mode::SetPoint { .. } => {
+            let h = at_f0(design);
+            let left = decimals(magnitude(h + 1.0) * 100.0, 0);
+            format!(
+                "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz"
+            )
         }
-        ..=LITTLE_DELAY => "good",
-        ..=phase::MUCH_DELAY => "fair",
-        _ => "critical",
-    };
-    format!(
-        "stage {index}: {word}: {given} delay of {cycles} cycles turns it by {lag_text} deg at {f0} Hz; drive and mechanics may turn it by {} deg \
-         more before it excites the vibration",
-        decimals((90.0 - lag).max(0.0), 0)
-    )
+        Mode::Direct { source: DirectSource::Direct } => format!(
+            "stage {index}: weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far"
+        ),
+        Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
+            let figures: Vec<String> = loops.iter().enumerate().map(|(n, of)| bears(n, of, index)).collect();
+            format!("stage {index}: weight {weight}; {}", figures.join("; "))
+        }
+    }
+}
+
+/// Up to which weights a drive stays calm, and stable; of a further one the numbers alone.
+fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String {
+    let [calm, stable] = [closed.largest_weight(stage), closed.largest_stable_weight(stage)];
+    let [calm, stable] = [calm, stable].map(|weight| down_to(weight, 2));
+    match n {
+        0 => format!("{drive} stays calm (Ms <= {MAX_MS}) up to {calm} and stable up to {stable}"),
+        _ => format!("{drive}: {calm} and {stable}"),
+    }
+}
+
+/// The drives that a loop is judged with: the one that the set states, else two usual ones.
+fn drives(model: &DriveModel) -> Vec<(String, Drive<'_>)> {
+    match (closed_loop::stated(model), &model.response) {
+        (Some(drive), Some(measured)) => vec![(format!("the drive of {}", measured.file), drive)],
+        (Some(drive), None) => vec![(closed_loop::words(&drive), drive)],
+        (None, _) => {
+            let usual = [None, Some(closed_loop::USUAL_TIME_CONSTANT)]
+                .map(|time_constant| Drive::Delay { cycles: closed_loop::USUAL_DELAY, time_constant });
+            usual.map(|drive| (closed_loop::words(&drive), drive)).into()
+        }
+    }
+}
+
+/// The verdicts on the stages, and what is not in them.
+fn stages(designed: &Designed) -> Vec<String> {
+    let drives = drives(&designed.axis.drive);
+    let alone: Vec<Drive<'_>> = drives.iter().map(|(_, drive)| *drive).collect();
+    let points = closed_loop::points(designed, &alone);
+    let loops: Vec<(String, Loop<'_>)> = (points.iter())
+        .flat_map(|points| drives.iter().map(move |(words, drive)| (words.clone(), Loop::new(points, *drive))))
+        .collect();
+    let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| stage_verdict(design, &loops)).collect();
+    if points.is_some() && designed.axis.drive.response.is_none() {
+        lines.push(
+            "the weights hold for the drive alone: mechanics are not in them; a measured response has them (drive.response)"
+                .to_owned(),
+        );
+    }
+    lines
 }
 
 /// How far apart stages are whose bands follow each other.
