@@ -88,6 +88,14 @@ impl<'a> Loop<'a> {
         if degrees > 0.0 { degrees - 360.0 } else { degrees }
     }
 
+    /// How far the drive alone lags at a frequency [Hz], in degrees, from 0 to 360.
+    #[must_use]
+    pub fn lag(&self, hz: f64) -> f64 {
+        let at = self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time));
+        let degrees = -angle(at.1.response).to_degrees();
+        if degrees < 0.0 { degrees + 360.0 } else { degrees }
+    }
+
     /// The loop at its points.
     #[must_use]
     pub fn curve(&self) -> Vec<Curve> {

@@ -1,4 +1,14 @@
-//! The loop of an axis with drives to choose from: margins, and the largest weights of its stages, as numbers. No text, no file.
+//! The loop of an axis with drives to choose from: margins, and the largest weights of its stages. No file.
+//!
+//! ```text
+//! lead   what a stage does at its f0, and the all-pass that gives back what the loop lags
+//! text   all that in words
+//! ```
+
+mod lead;
+mod text;
+
+pub use text::text;
 
 use crate::axis::DriveModel;
 use crate::blocks::Designed;
@@ -18,6 +28,8 @@ pub struct OfDrive {
     pub margins: Margins,
     /// the stages that close the loop
     pub stages: Vec<OfStage>,
+    /// how far the drive alone lags at the f0 of each of them [degrees, 0 to 360]
+    pub lag: Vec<(usize, f64)>,
     pub curve: Vec<Curve>,
 }
 
@@ -71,12 +83,7 @@ fn of_drive(designed: &Designed, points: &Points<'_>, (drive, known): (Drive<'_>
         largest_weight: closed.largest_weight(design.index),
     };
     let stages = closed_loop::stages(designed).map(stage).collect();
-    OfDrive { drive: known, margins: closed.margins(), stages, curve: closed.curve() }
-}
-
-/// The analysis of an axis in words.
-#[must_use]
-pub fn text(designed: &Designed) -> String {
-    let _ = designed;
-    String::new()
+    let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));
+    let lag = closed_loop::stages(designed).map(lag).collect();
+    OfDrive { drive: known, margins: closed.margins(), stages, lag, curve: closed.curve() }
 }

@@ -1,0 +1,126 @@
+//! An analysis in words: a table for each drive, a verdict for each stage and for the sum, and what the parameters alone say.
+
+use super::{Analysis, Known, OfDrive, OfStage, analyze, lead};
+use crate::blocks::Designed;
+use crate::blocks::ipc::closed_loop;
+use crate::blocks::ipc::stage::StageDesign;
+use crate::number::{decimals, digits, down_to, significant};
+use stability::{Drive, MAX_MS};
+
+/// Beyond this lag of a loop at f0 an all-pass is mandatory, from the other on it is worth a try [degrees].
+const MANDATORY: f64 = 90.0;
+const WORTH_A_TRY: f64 = 20.0;
+
+/// The lines for an axis.
+#[must_use]
+pub fn text(designed: &Designed) -> String {
+    let axis = &designed.axis;
+    let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
+    let position = match axis.drive.position_gain {
+        Some(gain) => format!("position loop with Kv {}/s", significant(gain, 4)),
+        None => "without its position loop: Kv (P-AXIS-00099) is not given".to_owned(),
+    };
+    let mut lines = vec![format!("axis {}: cycle {cycle} us, {position}", axis.name)];
+    let Analysis { drives } = analyze(designed, &axis.drive);
+    if drives.is_empty() {
+        lines.push("  no stage looks at v_motor: no loop is closed".to_owned());
+    }
+    lines.extend(drives.iter().flat_map(of_drive));
+    if let Some(first) = drives.first() {
+        lines.extend(parameters(designed, first));
+    }
+    lines.iter().map(|line| format!("{line}\n")).collect()
+}
+
+fn of_drive(of: &OfDrive) -> Vec<String> {
+    let drive = match &of.drive {
+        Known::Delay { cycles, time_constant } => {
+            closed_loop::words(&Drive::Delay { cycles: *cycles, time_constant: *time_constant })
+        }
+        Known::Measured { file } => format!("the drive of {file}"),
+    };
+    let mut lines = vec![format!("  {drive}: {}", sum(of))];
+    lines.push("    stage  weight  phase at f0  calm up to  stable up to".to_owned());
+    lines.extend(of.stages.iter().map(|stage| {
+        format!(
+            "    {:<5}  {:<6}  {:<11}  {:<10}  {:<12}  {}",
+            stage.stage,
+            significant(stage.weight, 4),
+            format!("{} deg", decimals(stage.phase_at_f0_deg, 0)),
+            down_to(stage.largest_weight, 3),
+            down_to(stage.largest_stable_weight, 3),
+            verdict(stage)
+        )
+    }));
+    lines
+}
+
+/// The verdict on the sum of the stages.
+fn sum(of: &OfDrive) -> String {
+    let Some([ms, hz]) = of.margins.ms else {
+        return match of.margins.stable {
+            true => "stable, but perhaps not: within the errors of the measurement it may oscillate".to_owned(),
+            false => "UNSTABLE: it oscillates".to_owned(),
+        };
+    };
+    let word = if ms <= MAX_MS { "calm" } else { "stable, with little reserve" };
+    let margin = |value: Option<f64>, unit: &str| {
+        value.map_or_else(|| "unlimited".to_owned(), |value| format!("{} {unit}", decimals(value, 1)))
+    };
+    format!(
+        "{word}: Ms {} at {} Hz, gain margin {}, phase margin {}",
+        decimals(ms, 2),
+        significant(hz, 3),
+        margin(of.margins.gain_db, "dB"),
+        margin(of.margins.phase_deg, "deg")
+    )
+}
+
+fn verdict(stage: &OfStage) -> &'static str {
+    match stage.weight {
+        weight if weight <= stage.largest_weight => "calm",
+        weight if weight <= stage.largest_stable_weight => "little reserve",
+        _ => "unstable",
+    }
+}
+
+/// What the parameters say without any loop, and the all-pass that the lag of a drive asks for.
+fn parameters(designed: &Designed, with: &OfDrive) -> Vec<String> {
+    let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
+    let mut lines = Vec::new();
+    for of in &stages {
+        let (index, f0) = (of.index, of.stage.f0());
+        let others = stages.iter().filter(|other| other.index != index);
+        let others: Vec<String> = others
+            .map(|other| {
+                let part = decimals(lead::interaction(of, other) * 100.0, 1);
+                format!("; stage {} adds {part} % of what it adds there", other.index)
+            })
+            .collect();
+        let delay = significant(lead::group_delay(of) * 1e3, 3);
+        lines.push(format!("  stage {index} at {} Hz: group delay {delay} ms{}", significant(f0, 4), others.concat()));
+        lines.extend(lag(of, with));
+    }
+    lines
+}
+
+/// What the drive lags at the f0 of a stage, and what gives it back.
+fn lag(of: &StageDesign, with: &OfDrive) -> Option<String> {
+    let lag = with.lag.iter().find(|(stage, _)| *stage == of.index)?.1;
+    if lag < WORTH_A_TRY {
+        return None;
+    }
+    let word = if lag > MANDATORY { "is mandatory" } else { "may help" };
+    let proposal = match lead::allpass(of, lag) {
+        Some([q_factor, f0]) => {
+            let k = 1 - of.stage.first_bandpass();
+            format!(
+                "an all-pass {word}: filter[{k}] with type ALLPASS, fg_f0 {}, q_factor {}",
+                digits(f0),
+                significant(q_factor, 3)
+            )
+        }
+        None => "no all-pass can be added that gives it back".to_owned(),
+    };
+    Some(format!("    this drive lags by {} deg there: {proposal}", decimals(lag, 0)))
+}
