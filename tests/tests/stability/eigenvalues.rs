@@ -1,0 +1,265 @@
+//! The closed loop as a matrix: what is in its state after a cycle, for each unit of its state before. Its eigenvalues say whether it is stable,
+//! exactly where the delay is whole.
+
+use crate::random::{axis, read, stage};
+use axgen_tests::environment::is_exhaustive;
+use generator::analysis::{Known, analyze};
+use generator::axis::DriveModel;
+use generator::blocks::Designed;
+use inside::rng::Rng;
+use nalgebra::{Complex, DMatrix, Schur};
+use reference::filter::Type;
+use reference::stage::{Coeffs, Mode};
+use std::f64::consts::PI;
+
+/// b0, b1, b2, a1, a2 of a section.
+type Section = [f64; 5];
+
+/// A loop without anything of the product in it: the coefficients of the block, and the parts of the loop that no block knows.
+struct Plain {
+    /// sections and gain of each stage at weight 1
+    stages: Vec<(Vec<Section>, f64)>,
+    weights: Vec<f64>,
+    delay: usize,
+    /// e of the time constant; 0: none
+    e: f64,
+    /// Kv T
+    position: f64,
+}
+
+fn sections(of: &Coeffs<f64>) -> Vec<Section> {
+    let mut all = Vec::new();
+    if of.mode != Mode::Direct {
+        let of = &of.oscillation;
+        all.push([of.b0, of.b1, of.b2, of.a1, of.a2]);
+    }
+    for filter in &of.filter {
+        match filter.kind {
+            Type::NoFilter => {}
+            Type::Bandpass => {
+                all.extend(filter.bandpass.iter().take(filter.order).map(|of| [-of.b2, 0.0, of.b2, of.a1, of.a2]));
+            }
+            Type::Allpass => {
+                all.push([filter.allpass.a2, filter.allpass.a1, 1.0, filter.allpass.a1, filter.allpass.a2])
+            }
+        }
+    }
+    all
+}
+
+impl Plain {
+    fn new(designed: &Designed, delay: usize, time_constant: Option<f64>, position_gain: Option<f64>) -> Self {
+        let cycle = designed.axis.cycle_time();
+        let active = designed.ipc.stage.iter().filter(|of| of.mode != Mode::NotActive);
+        let stages: Vec<_> = active.map(|of| (sections(of), of.gain)).collect();
+        Self {
+            weights: stages.iter().map(|(_, gain)| -gain).collect(),
+            stages: stages.into_iter().map(|(sections, _)| (sections, -1.0)).collect(),
+            delay,
+            e: time_constant.map_or(0.0, |time| (-cycle / time).exp()),
+            position: position_gain.map_or(0.0, |gain| gain * cycle),
+        }
+    }
+
+    fn size(&self) -> usize {
+        self.stages.iter().map(|(sections, _)| 2 * sections.len()).sum::<usize>() + self.delay + 2
+    }
+
+    /// A cycle: transposed direct form II, the sum, the delay line, the time constant, the sum of the position controller.
+    fn cycle(&self, before: &[f64]) -> Vec<f64> {
+        let mut after = before.to_vec();
+        let line = before.len() - self.delay - 2;
+        let [speed, position] = [line + self.delay, line + self.delay + 1];
+        let v_motor = self.e * before[speed] + (1.0 - self.e) * before[line + self.delay - 1];
+        let mut v_cmd = self.position * before[position];
+        let mut at = 0;
+        for ((sections, gain), weight) in self.stages.iter().zip(&self.weights) {
+            let mut x = v_motor;
+            for [b0, b1, b2, a1, a2] in sections {
+                let y = b0 * x + before[at];
+                after[at] = b1 * x - a1 * y + before[at + 1];
+                after[at + 1] = b2 * x - a2 * y;
+                x = y;
+                at += 2;
+            }
+            v_cmd += gain * weight * x;
+        }
+        after[speed] = v_motor;
+        if self.position > 0.0 {
+            after[position] = before[position] - v_motor;
+        } else {
+            after[position] = 0.0;
+        }
+        for place in (line + 1..line + self.delay).rev() {
+            after[place] = before[place - 1];
+        }
+        after[line] = v_cmd;
+        after
+    }
+
+    /// The largest magnitude of an eigenvalue.
+    fn radius(&self) -> f64 {
+        let n = self.size();
+        let columns: Vec<f64> = (0..n)
+            .flat_map(|k| {
+                let unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == k))).collect();
+                self.cycle(&unit)
+            })
+            .collect();
+        // The search need not end for every matrix: then the matrix is balanced a little differently, which changes no eigenvalue.
+        let matrix = DMatrix::from_vec(n, n, columns);
+        let scaled = |step: f64| {
+            let scale = |k: usize| libm::pow(1.0 + step, k as f64);
+            DMatrix::from_fn(n, n, |i, j| matrix[(i, j)] * scale(i) / scale(j))
+        };
+        let schur = [0.0, 0.1, 0.3, -0.1].into_iter().find_map(|step| Schur::try_new(scaled(step), f64::EPSILON, 2000));
+        let values = schur.expect("eigenvalues are found").complex_eigenvalues();
+        values.iter().map(|value| value.re.hypot(value.im)).fold(0.0, f64::max)
+    }
+
+    /// 1 + L at a frequency, as a part of the sampling frequency.
+    fn distance(&self, part: f64) -> f64 {
+        let back = Complex::new(0.0, -2.0 * PI * part).exp();
+        let drive = back.powu(u32::try_from(self.delay).expect("a small delay")) * (1.0 - self.e)
+            / (Complex::new(1.0, 0.0) - back * self.e);
+        let stages = self.stages.iter().zip(&self.weights).map(|((sections, gain), weight)| {
+            let each = sections.iter().map(|[b0, b1, b2, a1, a2]| {
+                let [one, two] = [back, back * back];
+                (one * *b1 + two * *b2 + b0) / (one * *a1 + two * *a2 + 1.0)
+            });
+            each.product::<Complex<f64>>() * (gain * weight)
+        });
+        let position = back / (Complex::new(1.0, 0.0) - back) * self.position;
+        let open = (position - stages.sum::<Complex<f64>>()) * drive;
+        (open + 1.0).norm()
+    }
+
+    /// The largest |S|, over a grid that is the finer the narrower the stages are.
+    fn ms(&self) -> f64 {
+        let steps = 40_000;
+        let least =
+            (0..steps).map(|k| self.distance(1e-4 * (0.5f64 / 1e-4).powf((f64::from(k) + 0.5) / f64::from(steps))));
+        1.0 / least.fold(f64::INFINITY, f64::min)
+    }
+
+    fn with(&self, stage: usize, weight: f64) -> Self {
+        let mut weights = self.weights.clone();
+        weights[stage] = weight;
+        Self { stages: self.stages.clone(), weights, ..*self }
+    }
+}
+
+/// A loop of a random axis, and the model of its drive.
+fn random(rng: &mut Rng) -> (Designed, DriveModel, Plain) {
+    let stages: Vec<String> = (0..rng.between(1, 3)).map(|_| stage(rng, 150.0)).collect();
+    let (_, keys) = (0, if rng.chance(50) { ", kv = 2000" } else { "" });
+    let set = format!("cycle_time = \"1ms\"\n{}", axis("X", keys, "DRYRUN", &stages));
+    let (axes, report) = read(&set);
+    let designed = axes.unwrap_or_else(|| panic!("{report}\n{set}")).remove(0);
+    let delay = rng.between(1, 5);
+    let time_constant = rng.chance(50).then(|| 0.001 * (1.0 + rng.below(80) as f64 / 10.0));
+    let plain = Plain::new(&designed, delay, time_constant, designed.axis.drive.position_gain);
+    let model = DriveModel { delay_cycles: Some(delay as f64), time_constant, ..designed.axis.drive.clone() };
+    (designed, model, plain)
+}
+
+/// An eigenvalue this near to the unit circle is neither stable nor unstable in 16 digits.
+const UNDECIDED: f64 = 1e-7;
+
+#[test]
+fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
+    let count = if is_exhaustive() { 10_000 } else { 300 };
+    let mut rng = Rng::new(0x5ab1);
+    let (mut unstable, mut undecided) = (0, 0);
+    for _ in 0..count {
+        let (designed, model, plain) = random(&mut rng);
+        let found = analyze(&designed, &model);
+        let first = &found.drives[0];
+        assert!(matches!(first.drive, Known::Delay { .. }));
+        let radius = plain.radius();
+        if (radius - 1.0).abs() < UNDECIDED {
+            undecided += 1;
+            continue;
+        }
+        unstable += u32::from(radius > 1.0);
+        assert_eq!(first.margins.stable, radius < 1.0, "radius {radius}: {}", designed.axis.canonical);
+    }
+    println!("{count} loops, {unstable} unstable, {undecided} undecided");
+    assert!(unstable > count / 10 && unstable < count - count / 10 && undecided < count / 100);
+}
+
+#[test]
+fn the_largest_s_is_that_of_a_fine_grid() {
+    let count = if is_exhaustive() { 500 } else { 60 };
+    let mut rng = Rng::new(0x0517);
+    let (mut stable, mut worst) = (0, 0.0_f64);
+    for _ in 0..count {
+        let (designed, model, plain) = random(&mut rng);
+        let Some([ms, _]) = analyze(&designed, &model).drives[0].margins.ms else { continue };
+        stable += 1;
+        let fine = plain.ms();
+        worst = worst.max((ms / fine - 1.0).abs());
+        assert!((ms / fine - 1.0).abs() < 0.01, "{ms} for {fine}: {}", designed.axis.canonical);
+    }
+    println!("{stable} stable loops, Ms differs by {worst:.1e} at most");
+    assert!(stable > count / 5);
+}
+
+/// Steps of a weight in the search for the largest one, and how often the last one is halved.
+const STEPS: u32 = 70;
+const HALVINGS: u32 = 12;
+
+/// The largest weight up to which something holds for all smaller ones.
+fn largest(holds: impl Fn(f64) -> bool) -> f64 {
+    let step = 7.0 / f64::from(STEPS);
+    let Some(first) = (0..=STEPS).find(|k| !holds(f64::from(*k) * step)) else { return 7.0 };
+    if first == 0 {
+        return 0.0;
+    }
+    let (mut low, mut high) = (f64::from(first - 1) * step, f64::from(first) * step);
+    for _ in 0..HALVINGS {
+        let middle = (low + high) / 2.0;
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+#[test]
+fn the_largest_weights_are_those_of_eigenvalues_and_of_a_grid() {
+    let count = if is_exhaustive() { 200 } else { 15 };
+    let mut rng = Rng::new(0x3a7e);
+    let mut bounded = 0;
+    for _ in 0..count {
+        let (designed, model, plain) = random(&mut rng);
+        let found = analyze(&designed, &model);
+        for (n, of) in found.drives[0].stages.iter().enumerate() {
+            let stable = largest(|weight| plain.with(n, weight).radius() < 1.0 + UNDECIDED);
+            let text = || format!("stage {n}: {of:?}, {stable}: {}", designed.axis.canonical);
+            // Between two steps of the search the loop may be unstable for a moment: then the search finds more.
+            let is_right = |found: f64, searched: f64| {
+                (found - searched).abs() <= 0.01 * searched.max(0.01)
+                    || found < searched && plain.with(n, found * 1.003).radius() > 1.0
+            };
+            assert!(is_right(of.largest_stable_weight, stable), "{}", text());
+            if stable > 0.0 && !is_exhaustive() || n == 0 {
+                let calm = largest(|weight| weight <= stable && coarse(&plain.with(n, weight)) <= 2.0);
+                assert!(
+                    (of.largest_weight - calm).abs() <= 0.01 * calm.max(0.05) || stable <= 0.0,
+                    "{calm}: {}",
+                    text()
+                );
+            }
+            bounded += u32::from(of.largest_stable_weight > 0.0 && of.largest_stable_weight < 7.0);
+        }
+    }
+    println!("{count} loops, {bounded} weights that end");
+    assert!(bounded > count / 3);
+}
+
+/// The largest |S| on a grid of 4000 frequencies.
+fn coarse(plain: &Plain) -> f64 {
+    let steps = 4000;
+    let least =
+        (0..steps).map(|k| plain.distance(1e-4 * (0.5f64 / 1e-4).powf((f64::from(k) + 0.5) / f64::from(steps))));
+    1.0 / least.fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,1 @@
+//! The emitted C in a loop with the ideal drive: of stages that nothing was said about, none oscillates.
