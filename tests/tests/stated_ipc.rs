@@ -4,7 +4,8 @@
 #![expect(clippy::float_cmp, reason = "what is nothing, or the same, is that number")]
 
 use axgen_tests::model::subject::read;
-use axgen_tests::plant::{Signals, subject::Subject};
+use axgen_tests::subject::Subject;
+use machine::closed_loop::Signals;
 use std::f64::consts::TAU;
 
 /// Ways to tune.
@@ -27,8 +28,8 @@ stage = [{{ mode = 'DIRECT', weight_fact_num = 1, filter = [{{ order = 1, fg_f0 
     block
 }
 
-fn at(v_ist1: f64) -> Signals {
-    Signals { v_ist1, ..Signals::default() }
+fn at(v_motor: f64) -> Signals {
+    Signals { v_motor, ..Signals::default() }
 }
 
 /// A swing at f0, of this amplitude.

@@ -3,13 +3,13 @@
 
 use crate::engine::{self, Cycle};
 use crate::samples::Shape;
-use crate::scenario::grid::shortest;
-use crate::scenario::interpolator::State;
-use crate::scenario::machine::{self, Machine};
 use crate::scenario::recorder::{literal, number};
+use crate::scenario::spindle_machine::{self, Machine};
 use crate::stimulus::Partner;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
+use machine::grid::shortest;
+use machine::spindle::interpolator::State;
 use portable::{Literal, RealKind};
 
 /// Where the spindle stands at first [0.001 deg].
@@ -93,7 +93,7 @@ impl Partner for Machinery<'_> {
         } else {
             machine.coast();
         }
-        let mut seen = machine::seen(&outputs);
+        let mut seen = spindle_machine::seen(&outputs);
         let resets = operator.next(seen.state, outputs("waiting") == Some(0.0), outputs("fault") == Some(1.0));
         let commanded = machine.next(&seen).or_else(|_| {
             // After a fault the spindle may be faster than any profile begins.

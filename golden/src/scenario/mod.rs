@@ -2,7 +2,7 @@
 //! No file, no engine but the reference.
 //!
 //! ```text
-//! program -> interpreter (spindle, path) -> interpolator (nc::profile) -> reference of the block -> drive -> actual values -> ...
+//! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive -> actual values -> ...
 //! ```
 //!
 //! A block of a program is over when what it asks for is done. What comes out are the samples that the block got. They are rounded
@@ -11,14 +11,11 @@
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
-pub(crate) mod drive;
-pub(crate) mod grid;
-pub(crate) mod interpolator;
-pub(crate) mod machine;
 mod path;
 pub mod picture;
 pub(crate) mod recorder;
 mod spindle;
+pub(crate) mod spindle_machine;
 
 use crate::samples::Samples;
 use generator::blocks::{Block, Designed};

@@ -1,13 +1,13 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
-use super::grid::{angle, shortest};
-use super::interpolator::{Job, Seen, State};
-use super::machine::{self, Machine};
 use super::recorder::Recorder;
+use super::spindle_machine::{self, Machine};
 use super::{Scenario, refused, steps};
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
-use nc::profile;
+use machine::grid::{angle, shortest};
+use machine::profile;
+use machine::spindle::interpolator::{Job, Seen, State};
 use nc::{Command, Direction, Mistake, Program, Target};
 
 /// 0.001 deg/s in 1 rpm.
@@ -229,6 +229,6 @@ impl<'a> Closed<'a> {
     }
 
     fn seen(&self) -> Seen {
-        machine::seen(&|name| self.recorder.output(name))
+        spindle_machine::seen(&|name| self.recorder.output(name))
     }
 }

@@ -1,6 +1,5 @@
 //! The block `ipc` of a set or a list, run by its reference, signal by signal: what a program on a controller would be.
 
-use super::Signals;
 use compiler::program::Type;
 use generator::blocks::{self, Designed};
 use generator::config::ListOptions;
@@ -8,6 +7,7 @@ use generator::pipeline;
 use golden::case::named_block;
 use golden::csv::{self, Reals};
 use golden::samples::{Samples, Shape};
+use machine::closed_loop::Signals;
 use portable::{Literal, RealKind};
 use std::path::Path;
 
@@ -31,7 +31,7 @@ impl Subject {
     /// If the axis has no block `ipc`.
     #[must_use]
     pub fn new(designed: &Designed) -> Self {
-        let block = named_block(designed, "ipc").unwrap_or_else(|error| panic!("plant: {error}"));
+        let block = named_block(designed, "ipc").unwrap_or_else(|error| panic!("subject: {error}"));
         let real = designed.axis.real;
         let shapes = [&block.program.inputs, &block.program.outputs].map(|signals| Shape::of(signals, real));
         let names = shapes.each_ref().map(|shape| shape.signals.iter().map(|signal| signal.name.clone()).collect());
@@ -50,8 +50,8 @@ impl Subject {
     pub fn of(path: &Path, cycle_time: Option<&str>) -> Self {
         let options = ListOptions { cycle_time: cycle_time.map(str::to_owned), ..ListOptions::default() };
         let (set, report) = pipeline::read(path, &options);
-        let set = set.unwrap_or_else(|| panic!("plant: {report}"));
-        assert_eq!(set.axes.len(), 1, "plant: {}", path.display());
+        let set = set.unwrap_or_else(|| panic!("subject: {report}"));
+        assert_eq!(set.axes.len(), 1, "subject: {}", path.display());
         Self::new(&set.axes[0])
     }
 
@@ -67,14 +67,14 @@ impl Subject {
     /// If there is no such input, or the number does not fit it.
     pub fn set(&mut self, input: &str, value: f64) {
         let at = self.names[0].iter().position(|name| name == input);
-        let at = at.unwrap_or_else(|| panic!("plant: no input `{input}`: {:?}", self.names[0]));
+        let at = at.unwrap_or_else(|| panic!("subject: no input `{input}`: {:?}", self.names[0]));
         let ty = self.recorded[0].shape.signals[at].ty;
         self.inputs[at] = match (ty, self.real) {
             (Type::Real, RealKind::F64) => Literal::F64(value),
             #[expect(clippy::cast_possible_truncation, reason = "single precision rounds")]
             (Type::Real, RealKind::F32) => Literal::F32(value as f32),
             _ => csv::parse(&value.to_string(), &self.recorded[0].shape.signals[at], self.real)
-                .unwrap_or_else(|| panic!("plant: {value} is no value of {input}")),
+                .unwrap_or_else(|| panic!("subject: {value} is no value of {input}")),
         };
     }
 
@@ -85,7 +85,7 @@ impl Subject {
     #[must_use]
     pub fn start(&self, input: &str) -> f64 {
         let at = self.names[0].iter().position(|name| name == input);
-        let at = at.unwrap_or_else(|| panic!("plant: no input `{input}`: {:?}", self.names[0]));
+        let at = at.unwrap_or_else(|| panic!("subject: no input `{input}`: {:?}", self.names[0]));
         number(self.recorded[0].shape.signals[at].start.at_run_time(), input)
     }
 
@@ -96,13 +96,13 @@ impl Subject {
     #[must_use]
     pub fn get(&self, output: &str) -> f64 {
         let at = self.names[1].iter().position(|name| name == output);
-        number(self.outputs[at.unwrap_or_else(|| panic!("plant: no output `{output}`: {:?}", self.names[1]))], output)
+        number(self.outputs[at.unwrap_or_else(|| panic!("subject: no output `{output}`: {:?}", self.names[1]))], output)
     }
 
     /// One cycle; gives `v_add` [um/s].
     pub fn step(&mut self, signals: &Signals) -> f64 {
-        let Signals { v_soll, v_ist1, v_ist2 } = *signals;
-        for (input, value) in [("v_command", v_soll), ("v_motor", v_ist1), ("v_direct", v_ist2)] {
+        let Signals { v_command, v_motor, v_direct } = *signals;
+        for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
             if self.has(input) {
                 self.set(input, value);
             }
@@ -133,6 +133,6 @@ fn number(value: Literal, signal: &str) -> f64 {
         Literal::Bool(value) => f64::from(u8::from(value)),
         Literal::I32(value) => f64::from(value),
         Literal::U32(value) => f64::from(value),
-        other => panic!("plant: {signal} is {other:?}"),
+        other => panic!("subject: {signal} is {other:?}"),
     }
 }

@@ -7,78 +7,73 @@
 //! tau dv/dt = v_target - v,  dx/dt = v
 //! ```
 
-use super::grid::{angle, rate, shortest};
-use std::collections::VecDeque;
-
-/// Time constant of the velocity loop [s].
-const TAU: f64 = 0.005;
+use crate::drive::TIME_CONSTANT;
+use crate::grid::{angle, rate, shortest};
+use crate::lag::Lag;
+use crate::line::Line;
 
 /// Cycles after which the drive is in a mode that it is asked for.
 const MODE_CYCLES: u32 = 3;
 
 /// Numbers of a drive.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Setup {
+pub struct Setup {
     /// [s]
-    pub(crate) cycle: f64,
+    pub cycle: f64,
     /// cycles between a command and the actual value that it causes
-    pub(crate) delay_cycles: u32,
+    pub delay_cycles: u32,
     /// gain of its position loop [1/s]
-    pub(crate) kv: f64,
+    pub kv: f64,
     /// weight of its feedforward
-    pub(crate) weight: f64,
+    pub weight: f64,
     /// the number of the mode in which it controls the position; none: it never does
-    pub(crate) position_mode: Option<i32>,
+    pub position_mode: Option<i32>,
 }
 
-/// What a drive is told.
+/// What a drive is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Command {
-    pub(crate) x: f64,
-    pub(crate) v: f64,
-    pub(crate) mode: i32,
+pub struct Command {
+    pub x: f64,
+    pub v: f64,
+    pub mode: i32,
 }
 
-/// What a drive tells.
+/// What a drive shows.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Actual {
+pub struct Actual {
     /// 0 <= x < 360 000 [0.001 deg]
-    pub(crate) x: f64,
-    pub(crate) v: f64,
-    pub(crate) mode: i32,
+    pub x: f64,
+    pub v: f64,
+    pub mode: i32,
 }
 
 /// A drive that turns.
-pub(crate) struct Drive {
+#[derive(Clone, Debug)]
+pub struct Drive {
     setup: Setup,
+    velocity: Lag,
     x: f64,
-    v: f64,
     /// command position of the cycle before
     x_before: f64,
     mode: i32,
     /// cycles for which another mode has been asked for
     asked: u32,
     /// on the way to the CNC
-    sent: VecDeque<Actual>,
+    sent: Line<Actual>,
 }
 
 impl Drive {
-    /// At rest.
-    pub(crate) fn at(setup: Setup, x: f64) -> Self {
+    /// At rest; and what the CNC reads of it.
+    #[must_use]
+    pub fn at(setup: Setup, x: f64) -> (Self, Actual) {
         let mode = setup.position_mode.unwrap_or(0);
-        let sent = (0..setup.delay_cycles).map(|_| Actual { x: angle(x), v: 0.0, mode }).collect();
-        Self { setup, x, v: 0.0, x_before: x, mode, asked: 0, sent }
+        let rest = Actual { x: angle(x), v: 0.0, mode };
+        let (velocity, sent) = (Lag::new(setup.cycle, TIME_CONSTANT), Line::new(setup.delay_cycles as usize, rest));
+        (Self { setup, velocity, x, x_before: x, mode, asked: 0, sent }, rest)
     }
 
-    /// What arrives in this cycle.
-    pub(crate) fn actual(&mut self) -> Actual {
-        let now = Actual { x: angle(self.x), v: rate(self.v), mode: self.mode };
-        self.sent.push_back(now);
-        self.sent.pop_front().unwrap_or(now)
-    }
-
-    /// One cycle with a command.
-    pub(crate) fn obey(&mut self, command: Command) {
+    /// One cycle with a command. Gives what the CNC reads when it computes the next one.
+    pub fn step(&mut self, command: Command) -> Actual {
         let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
         self.asked = if command.mode == self.mode { 0 } else { self.asked + 1 };
         if self.asked > MODE_CYCLES {
@@ -90,7 +85,7 @@ impl Drive {
             command.v
         };
         self.x_before = command.x;
-        self.v += (v_target - self.v) * (1.0 - libm::exp(-cycle / TAU));
-        self.x += self.v * cycle;
+        self.x += self.velocity.next(v_target) * cycle;
+        self.sent.next(Actual { x: angle(self.x), v: rate(self.velocity.v), mode: self.mode })
     }
 }
