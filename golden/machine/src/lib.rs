@@ -6,6 +6,7 @@
 //! line           values on their way for whole cycles, and for a part of one; lag: a velocity of first order
 //! drive          an axis that is only its drive: a delay, a time constant
 //! mechanics      masses, springs, the mesh of rack and pinion, the current loop; plant: with a velocity loop, the demonstration plant
+//! two_masses     a motor and a load, with less arithmetic than the plant
 //! velocity_loop  three exact velocity loops of a known equivalent time constant
 //! profile        jerk-limited moves from any state; seven_phases: one from rest to rest by its formula; sequence: forward and back
 //! closed_loop    moves, a position controller, a machine, and improved position control as a closure: a record
@@ -31,6 +32,7 @@ pub mod profile;
 pub mod sequence;
 pub mod seven_phases;
 pub mod spindle;
+pub mod two_masses;
 pub mod velocity_loop;
 
 pub use machine::{Machine, Measured};
