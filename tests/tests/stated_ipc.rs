@@ -112,7 +112,7 @@ fn offer(block: &mut Subject, of: &Subject) {
     let sections = ["b2", "a1", "a2"].map(|name| format!("stage[0].filter[0].bandpass[0].{name}"));
     for name in names.map(str::to_owned).into_iter().chain(sections) {
         let name = format!("params.{name}");
-        block.set(&name, of.start(&name));
+        block.set(&name, of.input(&name));
     }
 }
 
@@ -137,7 +137,7 @@ fn a_set_is_taken_over_with_fresh_sections() {
     let own = block.get("active_set");
     offer(&mut block, &other);
     block.step(&at(5000.0));
-    assert!(block.get("active_set") != own && block.get("active_set") == other.start("params.set_id"));
+    assert!(block.get("active_set") != own && block.get("active_set") == other.input("params.set_id"));
     assert_eq!(block.get("v_add_calculated"), 0.0);
     for _ in 0..20 {
         block.step(&at(5000.0));

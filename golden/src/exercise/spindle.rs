@@ -3,9 +3,9 @@
 
 use crate::engine::{self, Cycle};
 use crate::samples::Shape;
-use crate::scenario::recorder::{literal, number};
 use crate::scenario::spindle_machine::{self, Machine};
 use crate::stimulus::Partner;
+use crate::subject::{literal, number};
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
 use machine::grid::shortest;

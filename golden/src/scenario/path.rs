@@ -1,7 +1,7 @@
 //! Scenarios of path axes: moves, dwell, feedforward. The axis follows with the lag of its position controller. No spindle.
 
-use super::recorder::Recorder;
 use super::{Scenario, refused, steps};
+use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
 use machine::drive::{Drive, Setup};
 use machine::grid::{position, rate};
@@ -32,15 +32,15 @@ pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Resu
         let found = format!("axis `{}`, which NC programs do not have", of.name);
         return Err(refused(line, found, "an axis named X, Y or Z", "another name for the axis in its set"));
     };
-    let mut closed = Closed::start(designed, axis, Recorder::start(designed, block));
+    let mut closed = Closed::start(designed, axis, Subject::start(designed, block));
     closed.rest(line)?;
     let steps = steps(program, |block| {
-        let from = closed.recorder.inputs.len();
+        let from = closed.subject.inputs.len();
         block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.recorder.inputs.len()))
+        Ok((from, closed.subject.inputs.len()))
     })?;
     closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.recorder.inputs, outputs: closed.recorder.outputs, steps })
+    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
 }
 
 /// The loop: program, interpolator, block, drive.
@@ -49,7 +49,7 @@ struct Closed {
     limits: Limits,
     cycle: f64,
     kv: f64,
-    recorder: Recorder,
+    subject: Subject,
     /// end of the last move, of X, Y and Z [um]
     place: [f64; 3],
     drive: Drive,
@@ -57,7 +57,7 @@ struct Closed {
 }
 
 impl Closed {
-    fn start(designed: &Designed, axis: Axis, recorder: Recorder) -> Self {
+    fn start(designed: &Designed, axis: Axis, subject: Subject) -> Self {
         let of = &designed.axis;
         let (cycle, velocity) = (of.cycle_time(), of.ipc.v_max);
         let acceleration = velocity / RISE_TIME;
@@ -67,7 +67,7 @@ impl Closed {
             limits: Limits { velocity, acceleration, jerk: acceleration / JERK_TIME },
             cycle,
             kv: control.map_or(KV, |control| f64::from(control.kv) / 100.0),
-            recorder,
+            subject,
             place: [0.0; 3],
             drive: Drive::new(Setup { cycle, delay: 1.0, ..Setup::DELAY_AND_LAG }),
             actual: Measured::default(),
@@ -78,11 +78,11 @@ impl Closed {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match command {
             Command::Feedforward { target: Target::Axes, on } => {
-                self.recorder.set("feedforward_active", f64::from(u8::from(*on)));
+                self.subject.set("feedforward_active", f64::from(u8::from(*on)));
                 self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
             }
             Command::Percentage { target: Target::Axis(axis), percent } if *axis == self.axis => {
-                self.recorder.set("feedforward_percentage", f64::from(*percent));
+                self.subject.set("feedforward_percentage", f64::from(*percent));
                 self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
             }
             Command::Dwell { seconds } => {
@@ -168,10 +168,10 @@ impl Closed {
             ("position_controlled", 1.0),
         ];
         for (name, value) in inputs {
-            self.recorder.set(name, value);
+            self.subject.set(name, value);
         }
-        self.recorder.cycle(line)?;
-        let v = self.kv * (x_command - self.actual.x) + self.recorder.get("v_feedforward");
+        super::cycle(&mut self.subject, line)?;
+        let v = self.kv * (x_command - self.actual.x) + self.subject.get("v_feedforward");
         self.actual = self.drive.step(v);
         Ok(())
     }
