@@ -6,9 +6,9 @@
 //!
 //! The cycle for which a command is held is a part of the delay: the ideal drive has d = 1, `v = z^-1 v_cmd`.
 
-use super::lag::Lag;
 use super::line::{Fraction, Line};
 use super::machine::{Machine, Measured};
+use super::velocity::{Follows, Velocity};
 
 /// Time constant of a usual velocity loop [s].
 pub const TIME_CONSTANT: f64 = 5e-3;
@@ -37,7 +37,8 @@ pub struct Drive {
     setup: Setup,
     line: Line<f64>,
     fraction: Option<Fraction>,
-    lag: Lag,
+    follows: Follows,
+    velocity: Velocity,
     now: Measured,
 }
 
@@ -57,7 +58,8 @@ impl Drive {
             setup,
             line: Line::new(cycles(whole), 0.0),
             fraction: (part > 0.0).then(|| Fraction::new(part)),
-            lag: Lag::new(setup.cycle, setup.time_constant),
+            follows: Follows::time_constant(setup.cycle, setup.time_constant),
+            velocity: Velocity::default(),
             now: Measured::default(),
         }
     }
@@ -87,7 +89,7 @@ impl Machine for Drive {
         if let Some(fraction) = &mut self.fraction {
             late = fraction.next(late);
         }
-        let (before, v, cycle) = (self.now, self.lag.next(late), self.setup.cycle);
+        let (before, v, cycle) = (self.now, self.velocity.next(self.follows, late), self.setup.cycle);
         self.now = Measured { x: before.x + v * cycle, v_motor: v, v_load: v, a_load: (v - before.v_motor) / cycle };
         self.now
     }

@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! machine        the interface: a velocity command in, what is measured out, once a cycle
-//! line           values on their way for whole cycles, and for a part of one; lag: a velocity of first order
+//! line           values on their way for whole cycles, and for a part of one; velocity: how it follows its command
 //! drive          an axis that is only its drive: a delay, a time constant
 //! mechanics      masses, springs, the mesh of rack and pinion, the current loop; plant: with a velocity loop, the demonstration plant
 //! two_masses     a motor and a load, with less arithmetic than the plant
@@ -12,7 +12,7 @@
 //! closed_loop    moves, a position controller, a machine, and improved position control as a closure: a record
 //! measure        a record -> amplitudes, ring-down, following error
 //! grid           numbers as controllers have them
-//! spindle        a spindle's drive, which changes its operation mode, and its interpolator
+//! spindle        a spindle's drive, the operation mode that it displays, its interpolator and operator
 //! ```
 //!
 //! Sines and powers are libm's: the same bits on every host. Times are in seconds; lengths and angles are in the unit of the caller,
@@ -22,7 +22,6 @@
 pub mod closed_loop;
 pub mod drive;
 pub mod grid;
-pub mod lag;
 pub mod line;
 mod machine;
 pub mod measure;
@@ -33,6 +32,7 @@ pub mod sequence;
 pub mod seven_phases;
 pub mod spindle;
 pub mod two_masses;
+pub mod velocity;
 pub mod velocity_loop;
 
 pub use machine::{Machine, Measured};

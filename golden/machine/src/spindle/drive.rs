@@ -7,10 +7,11 @@
 //! tau dv/dt = v_target - v,  dx/dt = v
 //! ```
 
+use super::display::Display;
 use crate::drive::TIME_CONSTANT;
 use crate::grid::{angle, rate, shortest};
-use crate::lag::Lag;
 use crate::line::Line;
+use crate::velocity::{Follows, Velocity};
 
 /// Cycles after which the drive is in a mode that it is asked for.
 const MODE_CYCLES: u32 = 3;
@@ -51,13 +52,12 @@ pub struct Actual {
 #[derive(Clone, Debug)]
 pub struct Drive {
     setup: Setup,
-    velocity: Lag,
+    follows: Follows,
+    velocity: Velocity,
     x: f64,
     /// command position of the cycle before
     x_before: f64,
-    mode: i32,
-    /// cycles for which another mode has been asked for
-    asked: u32,
+    display: Display<i32>,
     /// on the way to the CNC
     sent: Line<Actual>,
 }
@@ -68,24 +68,23 @@ impl Drive {
     pub fn at(setup: Setup, x: f64) -> (Self, Actual) {
         let mode = setup.position_mode.unwrap_or(0);
         let rest = Actual { x: angle(x), v: 0.0, mode };
-        let (velocity, sent) = (Lag::new(setup.cycle, TIME_CONSTANT), Line::new(setup.delay_cycles as usize, rest));
-        (Self { setup, velocity, x, x_before: x, mode, asked: 0, sent }, rest)
+        let (follows, velocity) = (Follows::time_constant(setup.cycle, TIME_CONSTANT), Velocity::default());
+        let sent = Line::new(setup.delay_cycles as usize, rest);
+        (Self { setup, follows, velocity, x, x_before: x, display: Display::of(mode), sent }, rest)
     }
 
     /// One cycle with a command. Gives what the CNC reads when it computes the next one.
     pub fn step(&mut self, command: Command) -> Actual {
         let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
-        self.asked = if command.mode == self.mode { 0 } else { self.asked + 1 };
-        if self.asked > MODE_CYCLES {
-            (self.mode, self.asked) = (command.mode, 0);
-        }
-        let v_target = if position_mode == Some(self.mode) {
+        self.display.ask(command.mode, Some(MODE_CYCLES));
+        let mode = self.display.mode;
+        let v_target = if position_mode == Some(mode) {
             kv * shortest(command.x - self.x) + weight * shortest(command.x - self.x_before) / cycle
         } else {
             command.v
         };
         self.x_before = command.x;
-        self.x += self.velocity.next(v_target) * cycle;
-        self.sent.next(Actual { x: angle(self.x), v: rate(self.velocity.v), mode: self.mode })
+        self.x += self.velocity.next(self.follows, v_target) * cycle;
+        self.sent.next(Actual { x: angle(self.x), v: rate(self.velocity.v), mode })
     }
 }
