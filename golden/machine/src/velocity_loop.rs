@@ -34,7 +34,8 @@ pub struct VelocityLoop {
     /// cycle Ts, and length of a substep [s]
     cycle: f64,
     h: f64,
-    /// commands on their way
+    /// substeps of a dead time, and commands on their way
+    substeps: u32,
     delayed: Line<f64>,
     /// acceleration, of a PT2
     a: f64,
@@ -54,7 +55,7 @@ impl VelocityLoop {
         let is_whole = of != Loop::DeadTime || substeps * substep_ns == t_a_ns;
         assert!(is_whole, "velocity loop: a dead time of {t_a_ns} ns in substeps of {substep_ns} ns");
         let [t_a, cycle, h] = [t_a_ns, cycle_ns, substep_ns].map(|ns| seconds(ns.into()));
-        Self { of, t_a, cycle, h, delayed: Line::new(substeps as usize, 0.0), a: 0.0, v: 0.0, x: 0.0 }
+        Self { of, t_a, cycle, h, substeps, delayed: Line::new(substeps as usize, 0.0), a: 0.0, v: 0.0, x: 0.0 }
     }
 
     /// One substep with a constant velocity command.
@@ -97,7 +98,7 @@ impl Machine for VelocityLoop {
     }
 
     fn delay_cycles(&self) -> usize {
-        0
+        self.substeps.div_ceil(SUBSTEPS) as usize
     }
 
     fn now(&self) -> Measured {
