@@ -7,7 +7,8 @@
 //! recording  what a controller recorded, and how far it agrees
 //! compare    how many bits of two runs differ, and where first
 //! exercise   what a user's own blocks are run with, and what it reached; boundaries: the events at the boundaries of process data
-//! scenario   the inputs that an NC program makes, in a loop with a simple drive; svg: its picture, as text
+//! subject    the reference of a block in a loop, signal by signal, and its record
+//! scenario   the inputs that an NC program makes, in a loop with a machine; svg: its picture, as text
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
@@ -26,6 +27,7 @@ pub mod scenario;
 pub mod shows;
 pub mod source;
 pub mod stimulus;
+pub mod subject;
 pub mod svg;
 pub mod table;
 pub mod waveform;

@@ -11,9 +11,9 @@
 //! ```
 
 use axgen_tests::pictures;
-use axgen_tests::simulation::drive::Loop;
-use axgen_tests::simulation::planned::{Move, seconds};
 use axgen_tests::simulation::{Bench, INCREMENT, KV, run};
+use machine::seven_phases::{Move, seconds};
+use machine::velocity_loop::Loop;
 use std::path::Path;
 
 /// Equivalent time constant of drive and hold Ta [s].

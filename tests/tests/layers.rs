@@ -11,13 +11,14 @@ use std::path::{Path, PathBuf};
 type Module = String;
 
 /// The folders of the crates' sources, by the names that `use` lines give them.
-const CRATES: [(&str, &str); 7] = [
+const CRATES: [(&str, &str); 8] = [
     ("portable", "reference/portable/src"),
     ("reference", "reference/src"),
     ("compiler", "generator/compiler/src"),
     ("generator", "generator/src"),
     ("st", "golden/st/src"),
     ("nc", "golden/nc/src"),
+    ("machine", "golden/machine/src"),
     ("golden", "golden/src"),
 ];
 

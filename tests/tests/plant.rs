@@ -3,9 +3,12 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
-use axgen_tests::plant::measure::{Figures, figures};
-use axgen_tests::plant::sensitivity::{Margins, margins};
-use axgen_tests::plant::{self, Control, Plant, Sequence, Signals, subject::Subject};
+use axgen_tests::sensitivity::{Margins, margins};
+use axgen_tests::subject::Subject;
+use machine::closed_loop::{self, Position, Signals};
+use machine::measure::{Figures, figures};
+use machine::plant::{DEMONSTRATION, Plant};
+use machine::sequence::Sequence;
 use std::fs;
 use std::path::Path;
 
@@ -42,7 +45,7 @@ fn example(changes: Changes<'_>, cycle_time: &str) -> Subject {
 /// The figures of a sequence and the margins of the loop.
 fn run(plant: &Plant, changes: Changes<'_>) -> (Figures, Margins) {
     let mut subject = example(changes, "1ms");
-    let record = plant::run(plant, &Sequence::default(), |signals| {
+    let record = closed_loop::run(plant.at_rest(), &Position::DEMONSTRATION, &Sequence::DEMONSTRATION, |signals| {
         let v_add = subject.step(signals);
         assert_eq!((subject.get("limited"), subject.get("error_id")), (0.0, 0.0), "{signals:?}");
         v_add
@@ -75,7 +78,7 @@ fn the_table_of_the_definition() {
         ("best found", &best, [0.282, 0.054, 0.335, 2.00], Some(7.2)),
     ];
     for (row, changes, [at_speed, at_ramps, ring_down, ms], gain_margin) in rows {
-        let (found, margins) = run(&Plant::default(), changes);
+        let (found, margins) = run(&DEMONSTRATION, changes);
         assert_near(&format!("{row}: 53 Hz"), found.at_speed, at_speed, TOLERANCE);
         assert_near(&format!("{row}: 11 Hz"), found.at_ramps, at_ramps, TOLERANCE);
         assert_near(&format!("{row}: ring-down"), found.ring_down, ring_down, OF_A_PEAK);
@@ -89,7 +92,7 @@ fn the_table_of_the_definition() {
 
 #[test]
 fn indirect_costs_following_error() {
-    let error = |changes| run(&Plant::default(), changes).0.following_error * 1000.0;
+    let error = |changes| run(&DEMONSTRATION, changes).0.following_error * 1000.0;
     // The definition does not say with which cycle's command the position is compared: one cycle is 0.53 mm at full speed.
     assert_near("off [mm]", error(&[NO_DIRECT, NO_INDIRECT]), 0.70, 0.12);
     assert_near("INDIRECT [mm]", error(&[NO_DIRECT]), 2.31, 0.12);
@@ -98,30 +101,30 @@ fn indirect_costs_following_error() {
 #[test]
 fn masses_of_the_load_stay_stable() {
     for factor in [0.85, 1.15] {
-        let (found, margins) = run(&Plant::default().with_mass_factor(factor), &[]);
+        let (found, margins) = run(&DEMONSTRATION.with_mass_factor(factor), &[]);
         assert!(margins.gain_margin > 6.0 && found.ring_down < 0.5, "{factor}: {found:?} {margins:?}");
     }
 }
 
 /// What does not decay at rest, against the largest before [um/s].
 fn left_at_rest(plant: &Plant, subject: &mut Subject) -> f64 {
-    let sequence = Sequence { rest_after: 4.0, ..Sequence::default() };
-    let record = plant::run(plant, &sequence, |signals| subject.step(signals));
+    let sequence = Sequence { rest_after: 4.0, ..Sequence::DEMONSTRATION };
+    let record =
+        closed_loop::run(plant.at_rest(), &Position::DEMONSTRATION, &sequence, |signals| subject.step(signals));
     let largest = |v_add: &[f64]| v_add.iter().fold(0.0, |largest: f64, v_add| largest.max(v_add.abs()));
     largest(&record.v_add[record.v_add.len() - 500..]) / largest(&record.v_add)
 }
 
 #[test]
 fn little_damping_is_unstable() {
-    let unstable = left_at_rest(&Plant::default(), &mut example(&[("stage[1].filter.damping", "0.2")], "1ms"));
-    let stable = left_at_rest(&Plant::default(), &mut example(&[], "1ms"));
+    let unstable = left_at_rest(&DEMONSTRATION, &mut example(&[("stage[1].filter.damping", "0.2")], "1ms"));
+    let stable = left_at_rest(&DEMONSTRATION, &mut example(&[], "1ms"));
     assert!(unstable > 0.5 && stable < 1e-3, "{unstable} {stable}");
 }
 
 #[test]
 fn a_longer_cycle_costs_margin() {
-    let control = Control { cycle: 2e-3, ..Control::default() };
     let mut subject = example(&[], "2ms");
-    let found = margins(&Plant { control, ..Plant::default() }, |signals| subject.step(signals));
+    let found = margins(&Plant { cycle: 2e-3, ..DEMONSTRATION }, |signals| subject.step(signals));
     assert_near("Ms at 2 ms", found.ms, 4.3, 0.02);
 }

@@ -4,7 +4,8 @@
 #![expect(clippy::float_cmp, reason = "what is nothing, or the same, is that number")]
 
 use axgen_tests::model::subject::read;
-use axgen_tests::plant::{Signals, subject::Subject};
+use axgen_tests::subject::Subject;
+use machine::closed_loop::Signals;
 use std::f64::consts::TAU;
 
 /// Ways to tune.
@@ -27,8 +28,8 @@ stage = [{{ mode = 'DIRECT', weight_fact_num = 1, filter = [{{ order = 1, fg_f0 
     block
 }
 
-fn at(v_ist1: f64) -> Signals {
-    Signals { v_ist1, ..Signals::default() }
+fn at(v_motor: f64) -> Signals {
+    Signals { v_motor, ..Signals::default() }
 }
 
 /// A swing at f0, of this amplitude.
@@ -111,7 +112,7 @@ fn offer(block: &mut Subject, of: &Subject) {
     let sections = ["b2", "a1", "a2"].map(|name| format!("stage[0].filter[0].bandpass[0].{name}"));
     for name in names.map(str::to_owned).into_iter().chain(sections) {
         let name = format!("params.{name}");
-        block.set(&name, of.start(&name));
+        block.set(&name, of.input(&name));
     }
 }
 
@@ -136,7 +137,7 @@ fn a_set_is_taken_over_with_fresh_sections() {
     let own = block.get("active_set");
     offer(&mut block, &other);
     block.step(&at(5000.0));
-    assert!(block.get("active_set") != own && block.get("active_set") == other.start("params.set_id"));
+    assert!(block.get("active_set") != own && block.get("active_set") == other.input("params.set_id"));
     assert_eq!(block.get("v_add_calculated"), 0.0);
     for _ in 0..20 {
         block.step(&at(5000.0));

@@ -2,13 +2,14 @@
 
 use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::subject;
-use axgen_tests::plant::{Signals, subject::Subject};
 use axgen_tests::random::rng::Rng;
+use axgen_tests::subject::Subject;
 use compiler::program::Type;
 use generator::blocks::{Designed, blocks};
 use golden::compare::{Difference, compare};
 use golden::engine::{self, ENGINES, Engine};
 use golden::samples::{Samples, Shape};
+use machine::closed_loop::Signals;
 use portable::{Literal, Real, RealKind};
 use rayon::prelude::*;
 
@@ -183,7 +184,7 @@ lr_param.improved_position_control = {{ enable = 'ON', v_add_max_fact = 2000, st
                 let any = rng.below(1000) as f64 / 999.0;
                 // The limit stays: where it acts, it is what cuts.
                 block.set("tuning_weight[0]", if cycle.is_multiple_of(7) { f64::NAN } else { any.round() });
-                block.step(&Signals { v_ist1: 1e4 * (cycle as f64 * 0.333).sin(), ..Signals::default() })
+                block.step(&Signals { v_motor: 1e4 * (cycle as f64 * 0.333).sin(), ..Signals::default() })
             };
             (0..RUN).map(cycle).collect::<Vec<f64>>()
         });

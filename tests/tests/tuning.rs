@@ -5,8 +5,11 @@
 #![expect(clippy::float_cmp, reason = "numbers that were written, and 0, are exact")]
 #![expect(clippy::print_stdout, reason = "the documents show these figures")]
 
-use axgen_tests::plant::measure::{dwells, spectrum};
-use axgen_tests::plant::{self, Plant, Record, Sequence, subject::Subject};
+use axgen_tests::subject::Subject;
+use machine::closed_loop::{self, Position, Record};
+use machine::measure::{dwells, spectrum};
+use machine::plant::DEMONSTRATION;
+use machine::sequence::Sequence;
 use std::ops::Range;
 use std::path::Path;
 
@@ -50,9 +53,9 @@ fn run(stage: usize, way: Way) -> Record {
     let mut subject = Subject::of(&path, None);
     subject.set("mode", 1.0);
     (0..2).for_each(|i| subject.set(&format!("tuning_weight[{i}]"), 0.0));
-    let sequence = Sequence { rest_before: 0.5, dwell: 6.0, ..Sequence::default() };
+    let sequence = Sequence { rest_before: 0.5, dwell: 6.0, ..Sequence::DEMONSTRATION };
     let mut cycle = 0;
-    let record = plant::run(&Plant::default(), &sequence, |signals| {
+    let record = closed_loop::run(DEMONSTRATION.at_rest(), &Position::DEMONSTRATION, &sequence, |signals| {
         let part = part(cycle, way);
         cycle += 1;
         subject.set(&format!("tuning_weight[{stage}]"), if way == Way::Input { part } else { 1.0 });

@@ -1,5 +1,4 @@
-//! NC programs, read strictly, and the motion of one axis or spindle that they ask for: the crate's parts and what other crates see
-//! of them. It knows no generator, no block and no file.
+//! NC programs, read strictly: the crate's parts and what other crates see of them. It knows no generator, no block and no file.
 //!
 //! ```text
 //! program        what a program says: blocks and their commands
@@ -9,7 +8,6 @@
 //! bracket        what stands in S[...]; word: a word -> what it says; unknown: what is said of one that is none
 //! spindle, axes  words of a block -> commands; block: what the words of a block may be beside each other
 //! read           lines -> a program
-//! profile        from a moving start to a speed or a position, cycle by cycle; it uses none of the others
 //! ```
 //!
 //! # The language
@@ -46,7 +44,6 @@ mod bracket;
 mod lexical;
 mod mistake;
 mod number;
-pub mod profile;
 mod program;
 mod read;
 mod spindle;

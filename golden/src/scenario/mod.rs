@@ -2,7 +2,7 @@
 //! No file, no engine but the reference.
 //!
 //! ```text
-//! program -> interpreter (spindle, path) -> interpolator (nc::profile) -> reference of the block -> drive -> actual values -> ...
+//! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive -> actual values -> ...
 //! ```
 //!
 //! A block of a program is over when what it asks for is done. What comes out are the samples that the block got. They are rounded
@@ -11,16 +11,13 @@
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
-pub(crate) mod drive;
-pub(crate) mod grid;
-pub(crate) mod interpolator;
-pub(crate) mod machine;
 mod path;
 pub mod picture;
-pub(crate) mod recorder;
 mod spindle;
+pub(crate) mod spindle_machine;
 
 use crate::samples::Samples;
+use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
 pub use nc::Mistake;
 use nc::Program;
@@ -66,6 +63,24 @@ pub fn run(text: &str, designed: &Designed, block: &Block) -> Result<Scenario, V
         path::run(&program, designed, block)
     };
     scenario.map_err(|mistake| vec![mistake])
+}
+
+/// Longer scenarios are a mistake of their program.
+const MOST: usize = 200_000;
+
+/// One cycle of the block, in which it must not have an error.
+fn cycle(subject: &mut Subject, line: usize) -> Result<(), Mistake> {
+    if subject.inputs.len() >= MOST {
+        let found = format!("a block that is not over after {MOST} cycles of the scenario");
+        return Err(refused(line, found, "a scenario that ends", "another program, or a longer cycle time"));
+    }
+    subject.step();
+    if subject.get("fault") != 0.0 {
+        let found = format!("error {} of the block at sample {}", subject.get("error_id"), subject.inputs.len() - 1);
+        let instead = "other parameters, or another program; `axgen explain` says what the error means";
+        return Err(refused(line, found, "a scenario without an error", instead));
+    }
+    Ok(())
 }
 
 /// What is wrong with a block of a program on this axis.

@@ -1,11 +1,12 @@
 //! Scenarios of path axes: moves, dwell, feedforward. The axis follows with the lag of its position controller. No spindle.
 
-use super::grid::{position, rate};
-use super::recorder::Recorder;
 use super::{Scenario, refused, steps};
-use generator::axis::Axis as Machine;
+use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
-use nc::profile::{self, Limits, Mover};
+use machine::drive::{Drive, Setup};
+use machine::grid::{position, rate};
+use machine::profile::{self, Limits, Mover};
+use machine::{Machine, Measured};
 use nc::{Axis, Command, Mistake, Program, Target};
 
 /// um in 1 mm.
@@ -14,8 +15,6 @@ const MM: f64 = 1000.0;
 const POSITION_WINDOW: f64 = 10.0;
 /// Gain of the position controller of an axis that says none [1/s].
 const KV: f64 = 20.0;
-/// Time constant of the drive's velocity loop [s].
-const TAU: f64 = 0.005;
 /// Within which the largest velocity, and the largest acceleration, are there [s].
 const RISE_TIME: f64 = 0.2;
 const JERK_TIME: f64 = 0.05;
@@ -26,22 +25,22 @@ const REST: usize = 20;
 
 /// Runs a program.
 pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Result<Scenario, Mistake> {
-    let machine = &designed.axis;
+    let of = &designed.axis;
     let line = program.blocks.first().map_or(1, |block| block.line);
     let axes = [("X", Axis::X), ("Y", Axis::Y), ("Z", Axis::Z)];
-    let Some((_, axis)) = axes.into_iter().find(|(name, _)| machine.name.eq_ignore_ascii_case(name)) else {
-        let found = format!("axis `{}`, which NC programs do not have", machine.name);
+    let Some((_, axis)) = axes.into_iter().find(|(name, _)| of.name.eq_ignore_ascii_case(name)) else {
+        let found = format!("axis `{}`, which NC programs do not have", of.name);
         return Err(refused(line, found, "an axis named X, Y or Z", "another name for the axis in its set"));
     };
-    let mut closed = Closed::start(machine, axis, Recorder::start(designed, block));
+    let mut closed = Closed::start(designed, axis, Subject::start(designed, block));
     closed.rest(line)?;
     let steps = steps(program, |block| {
-        let from = closed.recorder.inputs.len();
+        let from = closed.subject.inputs.len();
         block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.recorder.inputs.len()))
+        Ok((from, closed.subject.inputs.len()))
     })?;
     closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.recorder.inputs, outputs: closed.recorder.outputs, steps })
+    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
 }
 
 /// The loop: program, interpolator, block, drive.
@@ -50,27 +49,28 @@ struct Closed {
     limits: Limits,
     cycle: f64,
     kv: f64,
-    recorder: Recorder,
+    subject: Subject,
     /// end of the last move, of X, Y and Z [um]
     place: [f64; 3],
-    x_actual: f64,
-    v_actual: f64,
+    drive: Drive,
+    actual: Measured,
 }
 
 impl Closed {
-    fn start(machine: &Machine, axis: Axis, recorder: Recorder) -> Self {
-        let velocity = machine.ipc.v_max;
+    fn start(designed: &Designed, axis: Axis, subject: Subject) -> Self {
+        let of = &designed.axis;
+        let (cycle, velocity) = (of.cycle_time(), of.ipc.v_max);
         let acceleration = velocity / RISE_TIME;
-        let control = machine.control.position_control.as_ref();
+        let control = of.control.position_control.as_ref();
         Self {
             axis,
             limits: Limits { velocity, acceleration, jerk: acceleration / JERK_TIME },
-            cycle: machine.cycle_time(),
+            cycle,
             kv: control.map_or(KV, |control| f64::from(control.kv) / 100.0),
-            recorder,
+            subject,
             place: [0.0; 3],
-            x_actual: 0.0,
-            v_actual: 0.0,
+            drive: Drive::new(Setup { cycle, delay: 1.0, ..Setup::DELAY_AND_LAG }),
+            actual: Measured::default(),
         }
     }
 
@@ -78,11 +78,11 @@ impl Closed {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match command {
             Command::Feedforward { target: Target::Axes, on } => {
-                self.recorder.set("feedforward_active", f64::from(u8::from(*on)));
+                self.subject.set("feedforward_active", f64::from(u8::from(*on)));
                 self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
             }
             Command::Percentage { target: Target::Axis(axis), percent } if *axis == self.axis => {
-                self.recorder.set("feedforward_percentage", f64::from(*percent));
+                self.subject.set("feedforward_percentage", f64::from(*percent));
                 self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
             }
             Command::Dwell { seconds } => {
@@ -137,7 +137,7 @@ impl Closed {
         }
         self.place = end;
         let at = profile::Sample { x: self.own(), ..Default::default() };
-        while (self.x_actual - at.x).abs() > POSITION_WINDOW {
+        while (self.actual.x - at.x).abs() > POSITION_WINDOW {
             self.cycle(at, line)?;
         }
         Ok(())
@@ -162,18 +162,17 @@ impl Closed {
             ("v_command", rate(command.v)),
             ("a_interpolator", rate(command.a)),
             ("j_interpolator", rate(command.j)),
-            ("x_actual", position(self.x_actual)),
-            ("v_motor", rate(self.v_actual)),
-            ("v_direct", rate(self.v_actual)),
+            ("x_actual", position(self.actual.x)),
+            ("v_motor", rate(self.actual.v_motor)),
+            ("v_direct", rate(self.actual.v_load)),
             ("position_controlled", 1.0),
         ];
         for (name, value) in inputs {
-            self.recorder.set(name, value);
+            self.subject.set(name, value);
         }
-        self.recorder.cycle(line)?;
-        let v = self.kv * (x_command - self.x_actual) + self.recorder.get("v_feedforward");
-        self.v_actual += (v - self.v_actual) * (1.0 - libm::exp(-self.cycle / TAU));
-        self.x_actual += self.v_actual * self.cycle;
+        super::cycle(&mut self.subject, line)?;
+        let v = self.kv * (x_command - self.actual.x) + self.subject.get("v_feedforward");
+        self.actual = self.drive.step(v);
         Ok(())
     }
 }

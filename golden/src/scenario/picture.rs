@@ -1,8 +1,8 @@
 //! The picture of a scenario: which signals are drawn, in which units. How a picture is drawn is in `svg`.
 
 use super::Scenario;
-use super::recorder::number;
 use crate::samples::Samples;
+use crate::subject::number;
 use crate::svg::{self, Curve, Curves, Panel, Picture, Point, Rows};
 use generator::axis::Changeover;
 use generator::blocks::Designed;

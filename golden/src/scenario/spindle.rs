@@ -1,13 +1,13 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
-use super::grid::{angle, shortest};
-use super::interpolator::{Job, Seen, State};
-use super::machine::{self, Machine};
-use super::recorder::Recorder;
+use super::spindle_machine::{self, Machine};
 use super::{Scenario, refused, steps};
+use crate::subject::Subject;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
-use nc::profile;
+use machine::grid::{angle, shortest};
+use machine::profile;
+use machine::spindle::interpolator::{Job, Seen, State};
 use nc::{Command, Direction, Mistake, Program, Target};
 
 /// 0.001 deg/s in 1 rpm.
@@ -32,15 +32,15 @@ pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Resu
         return Err(refused(line, found, "an axis with the block `spindle`", "another axis"));
     };
     let mut closed =
-        Closed::start(axis, spindle, Recorder::start(designed, block)).map_err(|error| no_motion(line, &error))?;
+        Closed::start(axis, spindle, Subject::start(designed, block)).map_err(|error| no_motion(line, &error))?;
     closed.rest(line)?;
     let steps = steps(program, |block| {
-        let from = closed.recorder.inputs.len();
+        let from = closed.subject.inputs.len();
         block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.recorder.inputs.len()))
+        Ok((from, closed.subject.inputs.len()))
     })?;
     closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.recorder.inputs, outputs: closed.recorder.outputs, steps })
+    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
 }
 
 fn no_motion(line: usize, error: &profile::Error) -> Mistake {
@@ -51,7 +51,7 @@ fn no_motion(line: usize, error: &profile::Error) -> Mistake {
 struct Closed<'a> {
     axis: &'a Axis,
     spindle: &'a Spindle,
-    recorder: Recorder,
+    subject: Subject,
     machine: Machine<'a>,
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
@@ -59,13 +59,13 @@ struct Closed<'a> {
 }
 
 impl<'a> Closed<'a> {
-    fn start(axis: &'a Axis, spindle: &'a Spindle, mut recorder: Recorder) -> Result<Self, profile::Error> {
-        recorder.set("drive_on", 1.0);
+    fn start(axis: &'a Axis, spindle: &'a Spindle, mut subject: Subject) -> Result<Self, profile::Error> {
+        subject.set("drive_on", 1.0);
         Ok(Self {
             machine: Machine::start(axis, spindle, START)?,
             axis,
             spindle,
-            recorder,
+            subject,
             feedforward: [0.0, 100.0],
             is_done: false,
         })
@@ -138,7 +138,7 @@ impl<'a> Closed<'a> {
             return Err(refused(line, "`M19` with the speed 0", "a speed above 0", instead));
         }
         let target = angle(degrees * 1000.0);
-        let v = self.recorder.get("v_spindle");
+        let v = self.subject.get("v_spindle");
         let is_negative = match direction {
             Some(direction) => direction == Direction::Negative,
             None if v == 0.0 => shortest(target - self.machine.actual.x) < 0.0,
@@ -161,18 +161,17 @@ impl<'a> Closed<'a> {
 
     /// Gives a request for one cycle, and waits until it is the job.
     fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
-        let number = self.recorder.get("job_number");
+        let number = self.subject.get("job_number");
         for input in inputs {
-            self.recorder.set(input, 1.0);
+            self.subject.set(input, 1.0);
         }
-        self.recorder.set("s_word", speed);
-        self.recorder.set("s_position", target);
+        self.subject.set("s_word", speed);
+        self.subject.set("s_position", target);
         self.cycle(line)?;
         for input in inputs.iter().chain(&["s_word", "s_position"]) {
-            self.recorder.set(input, 0.0);
+            self.subject.set(input, 0.0);
         }
-        while self.recorder.get("job_number") <= number || self.recorder.get("waiting") > 0.0 || self.seen().job != job
-        {
+        while self.subject.get("job_number") <= number || self.subject.get("waiting") > 0.0 || self.seen().job != job {
             self.cycle(line)?;
         }
         Ok(())
@@ -196,7 +195,7 @@ impl<'a> Closed<'a> {
             _ => false,
         };
         let window = (v.abs() * SPEED_WINDOW).max(RPM);
-        is_there && (self.machine.actual.v - v).abs() <= window && (self.recorder.get("v_spindle") - v).abs() < 1.0
+        is_there && (self.machine.actual.v - v).abs() <= window && (self.subject.get("v_spindle") - v).abs() < 1.0
     }
 
     fn rest(&mut self, line: usize) -> Result<(), Mistake> {
@@ -221,14 +220,14 @@ impl<'a> Closed<'a> {
             ("feedforward_percentage", self.feedforward[1]),
         ];
         for (name, value) in inputs {
-            self.recorder.set(name, value);
+            self.subject.set(name, value);
         }
-        self.recorder.cycle(line)?;
-        self.machine.obey(&|name| self.recorder.output(name), self.feedforward);
+        super::cycle(&mut self.subject, line)?;
+        self.machine.obey(&|name| self.subject.output(name), self.feedforward);
         Ok(())
     }
 
     fn seen(&self) -> Seen {
-        machine::seen(&|name| self.recorder.output(name))
+        spindle_machine::seen(&|name| self.subject.output(name))
     }
 }

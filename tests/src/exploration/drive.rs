@@ -1,5 +1,7 @@
 //! Models of a drive and of an interpolator that take few values, and the small coefficients that belong to them. No search.
 
+use machine::spindle::display::Display;
+use machine::velocity::{Follows, Velocity};
 use reference::process_data;
 use reference::spindle::{Coeffs, Inputs, Job, State};
 
@@ -30,35 +32,12 @@ pub const BRAKE_CYCLES: u32 = 6;
 /// The same with a slower ramp.
 pub const SLOW_BRAKE_CYCLES: u32 = 9;
 
-/// After how many cycles the drive displays the mode that it is asked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Answer {
-    /// So many cycles later than at once: with 1 in the last cycle that is allowed, with 2 too late.
-    After(u8),
-    /// never
-    Never,
-}
-
-/// How the actual velocity follows the command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Follows {
-    /// at once
-    AtOnce,
-    /// a cycle late, in position and velocity
-    Late,
-    /// beyond each change by as much again, for a cycle
-    Beyond,
-    /// by a quarter of the interpolator's acceleration: a drive at its current limit
-    Weak,
-    /// from above, but for 0: a unit too fast behind each change, then halved in each cycle, so many times
-    FromAbove(u8),
-}
-
 /// A drive.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Model {
-    /// how it changes its mode
-    pub answer: Answer,
+    /// how many cycles later than at once it displays the mode that it is asked for: with 1 in the last cycle that is allowed, with 2 too late;
+    /// none: never
+    pub answer: Option<u32>,
     /// how it moves
     pub follows: Follows,
     /// whether the spindle turns on while the drive is off; else it stands at once
@@ -66,23 +45,17 @@ pub struct Model {
 }
 
 /// The drive that does all at once.
-pub const IDEAL: Model = Model { answer: Answer::After(0), follows: Follows::AtOnce, coasts: false };
+pub const IDEAL: Model = Model { answer: Some(0), follows: Follows::AtOnce, coasts: false };
 
 /// State of a drive.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Drive {
-    /// whether it is under velocity control, and displays that
-    pub is_velocity: bool,
-    /// for how many cycles it has been asked for the other mode
-    pub asked: u8,
+    /// whether it is under velocity control
+    pub velocity_control: Display<bool>,
     /// actual position
     pub x: f64,
     /// actual velocity
-    pub v: f64,
-    /// the command of the cycle before
-    pub v_before: f64,
-    /// how often the excess has been halved
-    pub halved: u8,
+    pub velocity: Velocity,
 }
 
 /// The coefficients: lead time 3 s, a window of U/4 around the velocity and of U/2 at the take-over.
@@ -115,39 +88,17 @@ pub fn coefficients(in_drive: bool, v_off: f64, v_step: f64) -> Coeffs<f64> {
 impl Drive {
     /// A cycle with the commands of the block's last one. A drive that is off lets the spindle turn on.
     pub fn advance(&mut self, model: Model, in_drive: bool, is_on: bool, block: &State<f64>) {
-        if block.asks_velocity == self.is_velocity {
-            self.asked = 0;
-        } else if !in_drive || matches!(model.answer, Answer::After(cycles) if self.asked >= cycles) {
-            self.is_velocity = block.asks_velocity;
-            self.asked = 0;
-        } else {
-            self.asked = (self.asked + 1).min(3);
-        }
+        self.velocity_control.ask(block.asks_velocity, if in_drive { model.answer } else { Some(0) });
         if !is_on {
-            self.v = if model.coasts { self.v } else { 0.0 };
-            self.x = wrap(self.x + self.v);
-            (self.v_before, self.halved) = (0.0, 0);
+            let v = if model.coasts { self.velocity.v } else { 0.0 };
+            self.velocity = Velocity::of(v);
+            self.x = wrap(self.x + v);
             return;
         }
         // The position goes with the command, so that it takes few values.
         let late = if model.follows == Follows::Late { block.v } else { 0.0 };
-        self.x = wrap(if self.is_velocity { self.x + block.v } else { block.x - late });
-        self.halved = if block.v == self.v_before { self.halved + 1 } else { 0 };
-        self.v = match model.follows {
-            Follows::AtOnce => block.v,
-            Follows::Late => self.v_before,
-            Follows::Beyond => 2.0 * block.v - self.v_before,
-            Follows::Weak => self.v + (block.v - self.v).clamp(-U / 2.0, U / 2.0),
-            Follows::FromAbove(often) => {
-                self.halved = self.halved.min(often);
-                let excess = if block.v == 0.0 { 0.0 } else { U.copysign(block.v) };
-                block.v + excess / f64::from(1 << self.halved)
-            }
-        };
-        if !matches!(model.follows, Follows::FromAbove(_)) {
-            self.halved = 0;
-        }
-        self.v_before = if matches!(model.follows, Follows::AtOnce | Follows::Weak) { 0.0 } else { block.v };
+        self.x = wrap(if self.velocity_control.mode { self.x + block.v } else { block.x - late });
+        self.velocity.next(model.follows, block.v);
     }
 
     /// What a drive and an interpolator that do what they should give to the block.
@@ -155,12 +106,12 @@ impl Drive {
     pub fn samples(&self, coeffs: &Coeffs<f64>, block: &State<f64>) -> Inputs<f64> {
         let goal = if block.present.kind == Job::Turn { block.present.speed } else { 0.0 };
         let is_free = matches!(block.present.kind, Job::Stop | Job::Turn);
-        let display = if self.is_velocity { coeffs.velocity_mode } else { coeffs.position_mode };
+        let display = if self.velocity_control.mode { coeffs.velocity_mode } else { coeffs.position_mode };
         Inputs {
             x_command: block.x + block.v,
             v_interpolator: block.v + (goal - block.v).clamp(-V_STEP, V_STEP),
             x_actual: self.x,
-            v_actual: self.v,
+            v_actual: self.velocity.v,
             s_word: 3.0 * U,
             s_position: 2.0 * U,
             job_done: !is_free && block.v == 0.0,

@@ -278,9 +278,9 @@ fn begins_slowly(edge: &Edge<'_>) -> bool {
 
 fn obeys_slowly(edge: &Edge<'_>) -> bool {
     let is_asked = edge.before.node == Node::ToPosition || edge.before.is_idle;
-    let changes = is_asked && edge.before.drive.is_velocity && !edge.after.drive.is_velocity;
+    let changes = is_asked && edge.before.drive.velocity_control.mode && !edge.after.drive.velocity_control.mode;
     let end = edge.coeffs.v_position_control_on + edge.coeffs.window;
-    !changes || edge.before.drive.v.abs() <= end
+    !changes || edge.before.drive.velocity.v.abs() <= end
 }
 
 fn goes_forward(edge: &Edge<'_>) -> bool {

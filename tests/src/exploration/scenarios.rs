@@ -1,11 +1,12 @@
 //! What is explored: which drive, which letters, how many requests may wait. No search.
 
-use super::drive::{Answer, Follows, IDEAL, Model, U, V_STEP};
+use super::drive::{IDEAL, Model, U, V_STEP};
 use super::letters::{
     ACTUAL, BACKWARD, COASTING, DISPLAY, FEW_REQUESTS, INTERPOLATOR, Letter, OFF, OFF_AND_ASKED, QUIET, REFUSED,
     REQUESTS, RESET, RESETS, SAMPLES, is_request,
 };
 use super::world::World;
+use machine::velocity::Follows;
 
 /// An exploration.
 #[derive(Clone, Debug)]
@@ -40,6 +41,9 @@ impl Scenario {
         !is_request(letter) || world.block.queued < self.waiting && (self.is_dense || !was_request)
     }
 }
+
+/// A quarter of the interpolator's acceleration.
+const WEAK: Follows = Follows::Weak(U / 2.0);
 
 fn scenario(name: &str, in_drive: bool, model: Model, letters: &[&[Letter]]) -> Scenario {
     Scenario {
@@ -79,27 +83,27 @@ pub fn all(is_deep: bool) -> Vec<Scenario> {
             ..scenario("a full queue", in_drive, IDEAL, &[quiet, &FEW_REQUESTS[..2], &OFF_AND_ASKED])
         });
         all.push(Scenario { v_off: 0.0, ..scenario("Voff 0", in_drive, IDEAL, few) });
-        for follows in [Follows::Late, Follows::Beyond, Follows::Weak, Follows::FromAbove(2), Follows::FromAbove(1)] {
-            all.push(scenario(&format!("{follows:?}"), in_drive, model(Answer::After(0), follows), following));
+        for follows in [Follows::Late, Follows::Beyond, WEAK, Follows::FromAbove(U, 2), Follows::FromAbove(U, 1)] {
+            all.push(scenario(&format!("{follows:?}"), in_drive, model(Some(0), follows), following));
         }
-        let weak = model(Answer::After(0), Follows::Weak);
+        let weak = model(Some(0), WEAK);
         all.push(Scenario { v_step: U / 2.0, ..scenario("Weak, and a slow ramp", in_drive, weak, moving) });
     }
     for in_drive in [true, false] {
-        for follows in [Follows::AtOnce, Follows::Weak] {
-            for answer in [Answer::After(0), Answer::After(1), Answer::After(2), Answer::Never] {
-                let is_usual = follows == Follows::AtOnce || matches!(answer, Answer::After(0) | Answer::Never);
-                if (is_deep || is_usual) && (in_drive || answer == Answer::After(0)) {
+        for follows in [Follows::AtOnce, WEAK] {
+            for answer in [Some(0), Some(1), Some(2), None] {
+                let is_usual = follows == Follows::AtOnce || matches!(answer, Some(0) | None);
+                if (is_deep || is_usual) && (in_drive || answer == Some(0)) {
                     let coasts = Model { answer, follows, coasts: true };
-                    let name = format!("coasting, {answer:?}, {follows:?}");
+                    let name = format!("coasting, answer {answer:?}, {follows:?}");
                     let remembers = coasts == Model { coasts: true, ..IDEAL };
                     all.push(Scenario { remembers, ..scenario(&name, in_drive, coasts, coasting) });
                 }
             }
         }
     }
-    for answer in [Answer::After(1), Answer::After(2), Answer::Never] {
-        all.push(scenario(&format!("{answer:?}"), true, model(answer, Follows::AtOnce), few));
+    for answer in [Some(1), Some(2), None] {
+        all.push(scenario(&format!("answer {answer:?}"), true, model(answer, Follows::AtOnce), few));
     }
     if is_deep {
         for one in &mut all {

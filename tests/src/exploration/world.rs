@@ -137,7 +137,7 @@ impl World {
         let zero = if is_absolute { 0.0 } else { block.x };
         let place = |x: f64| grains(wrap(x - zero));
         let takes_over = block.takes_over && matches!(self.node, Node::Position | Node::ToVelocity);
-        let flags = [block.asks_velocity, block.returns, block.is_moving, takes_over, drive.is_velocity];
+        let flags = [block.asks_velocity, block.returns, block.is_moving, takes_over, drive.velocity_control.mode];
         let flags = flags.into_iter().chain([self.was_reset, self.takes_over, self.x_start.is_some()]);
         let held = block.before;
         let held = [held.m3, held.m4, held.m5, held.m19, held.putax, held.g74];
@@ -158,10 +158,10 @@ impl World {
             grains(block.v),
             if is_first { place(block.x_start) } else { 0 },
             place(drive.x),
-            grains(drive.v),
-            grains(drive.v_before),
-            drive.asked,
-            drive.halved,
+            grains(drive.velocity.v),
+            grains(drive.velocity.before),
+            byte(drive.velocity_control.asked.min(3)),
+            drive.velocity.halved,
             self.node as u8,
             last.map_or(u8::MAX, |place| byte(u32::try_from(place).unwrap_or(u32::MAX))),
             if is_timed { byte(self.waited.min(SLOW_BRAKE_CYCLES + 2)) } else { 0 },

@@ -3,10 +3,10 @@
 
 mod chart;
 
-use crate::simulation::drive::Loop;
-use crate::simulation::planned::{Move, seconds};
 use crate::simulation::{Bench, KV, run};
 use chart::{Chart, Point};
+use machine::seven_phases::{Move, seconds};
+use machine::velocity_loop::Loop;
 
 /// Draws them.
 pub const COMMAND: &str = "cargo run --release -p axgen-tests --example feedforward_pictures";

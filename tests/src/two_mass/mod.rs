@@ -1,7 +1,6 @@
 //! Random position loops of two masses with the block `ipc` in them: whether they are stable, and how the watch over the loop answers. The
 //! plant, the moves and what disturbs them are here; no rule of the watch.
 
-mod drive;
 mod random;
 mod stimulus;
 
@@ -9,11 +8,11 @@ pub use random::{Cause, Loop};
 pub use stimulus::Stimulus;
 
 use crate::model::subject;
-use drive::Drive;
 use generator::blocks;
+use machine::Machine;
+use machine::two_masses;
 use portable::{Block, Portable, Real, RealKind};
 use reference::ipc::{Coeffs, Ipc, Outputs, mode_on};
-use std::collections::VecDeque;
 
 /// What a run showed.
 #[derive(Clone, Copy, Debug, Default)]
@@ -44,15 +43,13 @@ pub fn coefficients<R: Real>(of: &Loop, kind: RealKind, watch: bool) -> Coeffs<R
     Portable::build(&mut || all.next().expect("all coefficients"))
 }
 
-/// A loop that runs: the block, the drive, and the cycles between them.
+/// A loop that runs: the block and the machine.
 struct Running<R: Real> {
     coeffs: Coeffs<R>,
     state: <Ipc as Block<R>>::State,
     inputs: <Ipc as Block<R>>::Inputs,
     outputs: Outputs<R>,
-    drive: Drive,
-    /// commands on their way [um/s]
-    commands: VecDeque<f64>,
+    machine: two_masses::Running,
     /// the measured position of the cycle before [um]
     measured: f64,
 }
@@ -62,8 +59,7 @@ impl<R: Real> Running<R> {
         let mut inputs = <Ipc as Block<R>>::inputs(&coeffs);
         inputs.mode = mode_on();
         let (state, outputs) = (<Ipc as Block<R>>::state(), <Ipc as Block<R>>::outputs());
-        let commands = std::iter::repeat_n(0.0, of.delay_cycles).collect();
-        Self { coeffs, state, inputs, outputs, drive: of.drive(), commands, measured: 0.0 }
+        Self { coeffs, state, inputs, outputs, machine: of.machine.at_rest(), measured: 0.0 }
     }
 
     /// A cycle: measured position and commanded position [um], feedforward [um/s], forces on both masses [N].
@@ -73,9 +69,8 @@ impl<R: Real> Running<R> {
         let v_command = of.kv * (x - measured) + v;
         (self.inputs.v_motor, self.inputs.v_command) = (R::lit(v_motor), R::lit(v_command));
         <Ipc as Block<R>>::step(&mut self.state, &self.coeffs, &self.inputs, &mut self.outputs);
-        self.commands.push_back(v_command + self.outputs.v_add.to_f64());
-        let command = self.commands.pop_front().expect("it has just been pushed");
-        self.drive.advance(command * 1e-6, of.cycle_ns, forces);
+        self.machine.forces = forces;
+        self.machine.step((v_command + self.outputs.v_add.to_f64()) * 1e-6);
     }
 }
 
@@ -90,13 +85,14 @@ pub fn growth(of: &Loop) -> f64 {
     (coeffs.limit, coeffs.lower_limit, coeffs.sum_limit, coeffs.rest) = (1e14, -1e14, 1e15, 0.0);
     (coeffs.fade_cycles, coeffs.fade_step) = (1, 1.0);
     let mut running = Running::new(of, coeffs);
-    running.drive.push(FROM * 1e-6);
+    running.machine.push(FROM * 1e-6);
     let (mut peaks, mut peak, mut parts) = (Vec::new(), 0.0_f64, 1.0);
     for cycle in 1_u32.. {
         let time = f64::from(cycle) * of.cycle();
-        let measured = running.drive.x[0] * 1e6;
+        let measured = running.machine.now().x * 1e6;
         running.cycle(of, measured, 0.0, 0.0, [0.0; 2]);
-        peak = peak.max(running.drive.largest_velocity() * 1e6);
+        let now = running.machine.now();
+        peak = peak.max(now.v_motor.abs().max(now.v_load.abs()) * 1e6);
         if peak > TO {
             return (TO / FROM).ln() / time;
         }
@@ -128,7 +124,7 @@ pub fn run<R: Real>(of: &Loop, coeffs: Coeffs<R>, stimulus: &mut Stimulus, after
         let time = cycle as f64 * of.cycle();
         let v = stimulus.velocity[cycle];
         x += v * of.cycle();
-        let measured = of.measure(running.drive.x[0] * 1e6, stimulus);
+        let measured = of.measure(running.machine.now().x * 1e6, stimulus);
         let forces = stimulus.forces(cycle);
         running.cycle(of, measured, x, v, forces);
         let (outputs, v_add) = (&running.outputs, running.outputs.v_add.to_f64().abs());

@@ -1,8 +1,8 @@
-//! Random loops: mechanics, drive, and the stages of the block, right ones and wrong ones. Nothing is run here.
+//! Random loops: the machine, and the stages of the block, right ones and wrong ones. Nothing is run here.
 
-use super::drive::Drive;
 use super::stimulus::Stimulus;
 use crate::random::rng::Rng;
+use machine::two_masses::TwoMasses;
 use portable::RealKind;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -37,10 +37,8 @@ struct Stage {
 pub struct Loop {
     /// what may be wrong
     pub cause: Cause,
-    /// cycle time [ns]
-    pub cycle_ns: u32,
-    /// cycles from a command to the measured velocity
-    pub delay_cycles: usize,
+    /// mechanics, drive, cycle time, delay
+    pub machine: TwoMasses,
     /// gain of the position controller [1/s]
     pub kv: f64,
     /// largest velocity [um/s]
@@ -50,7 +48,6 @@ pub struct Loop {
     /// limit [0.1 %]
     v_add_max_fact: u32,
     stages: Vec<Stage>,
-    drive: Drive,
     /// increment of the encoder, and its noise [um]
     increment: f64,
     noise: f64,
@@ -80,7 +77,7 @@ impl Loop {
         let stiffness = (TAU * locked).powi(2) * mass[1];
         let damping = 2.0 * between(rng, 0.01, 0.08) * (stiffness * mass[1]).sqrt();
         let gain = total * TAU * between(rng, 30.0, 80.0);
-        let drive = Drive::new(mass, [stiffness, damping], [gain, gain / between(rng, 0.015, 0.05)]);
+        let integral_gain = gain / between(rng, 0.015, 0.05);
         let mut stages: Vec<Stage> = Vec::new();
         for resonance in [locked, free].into_iter().take(rng.between(1, 2)) {
             let off =
@@ -96,14 +93,12 @@ impl Loop {
         let [vb_max, v_add_max_fact] = [between(rng, 1e5, 1e6), between(rng, 50.0, 300.0)].map(|of| of as u32);
         Self {
             cause,
-            cycle_ns,
-            delay_cycles,
+            machine: TwoMasses { mass, stiffness, damping, gain, integral_gain, cycle_ns, delay_cycles },
             kv: between(rng, 10.0, 30.0),
             vb_max,
             acceleration: between(rng, 0.5e6, 5e6),
             v_add_max_fact,
             stages,
-            drive,
             increment: between(rng, 1e-3, 1.0),
             noise: between(rng, 1e-3, 0.3),
         }
@@ -119,13 +114,7 @@ impl Loop {
     /// Cycle time [s].
     #[must_use]
     pub fn cycle(&self) -> f64 {
-        f64::from(self.cycle_ns) / 1e9
-    }
-
-    /// Its drive, at rest.
-    #[must_use]
-    pub fn drive(&self) -> Drive {
-        self.drive.clone()
+        f64::from(self.machine.cycle_ns) / 1e9
     }
 
     /// Lowest and highest f0 [Hz].
@@ -144,7 +133,7 @@ impl Loop {
     /// The mass of both [kg].
     #[must_use]
     pub fn mass(&self) -> f64 {
-        self.drive.mass.iter().sum()
+        self.machine.mass.iter().sum()
     }
 
     /// A position as the encoder shows it [um].
@@ -161,7 +150,7 @@ impl Loop {
         let mut text = format!(
             "cycle_time = '{}ns'\n[axis.X]\nreal = '{real}'\nwatch = {watch}\ngetriebe = [{{ dynamik.vb_max = {} }}]\n\
              [axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = {}\n",
-            self.cycle_ns, self.vb_max, self.v_add_max_fact
+            self.machine.cycle_ns, self.vb_max, self.v_add_max_fact
         );
         for Stage { damping, order, f0, q, weight } in &self.stages {
             let mode = match damping {

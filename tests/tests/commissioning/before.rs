@@ -3,7 +3,7 @@
 use crate::machine::mean;
 use crate::page::Page;
 use crate::{SENSOR, Session};
-use axgen_tests::plant::measure::spectrum;
+use machine::measure::spectrum;
 
 pub fn connect(session: &mut Session, page: &mut Page) {
     page.section("1");
@@ -47,8 +47,8 @@ pub fn connect(session: &mut Session, page: &mut Page) {
     let run = session.machine.make_move(1.0);
     let dwell = run.dwell();
     assert!(window <= dwell.len() as f64 * run.record.cycle);
-    let v_motor = mean(run.record.signals[dwell.clone()].iter().map(|signals| signals.v_ist1));
-    let command = run.record.v_command[dwell.start] * 1e6;
+    let v_motor = mean(run.record.signals[dwell.clone()].iter().map(|signals| signals.v_motor));
+    let command = run.record.v_planned[dwell.start] * 1e6;
     assert!(v_motor > 0.0 && (v_motor / command - 1.0).abs() <= agreement / 100.0, "{v_motor} {command}");
     step.done();
 
@@ -78,7 +78,7 @@ pub fn record(session: &mut Session, page: &mut Page) {
         for path in [step.name("write this frequency to ", ", generate"), step.name("write NOT_ACTIVE to ", ".")] {
             assert!(path.starts_with(&format!("lr_param.improved_position_control.stage[{n}].")), "{path}");
         }
-        let v: Vec<f64> = run.record.signals.iter().map(|signals| signals.v_ist1).collect();
+        let v: Vec<f64> = run.record.signals.iter().map(|signals| signals.v_motor).collect();
         let (signal, part) = if is_direct {
             (v.as_slice(), run.dwell())
         } else {

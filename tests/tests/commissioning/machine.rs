@@ -1,8 +1,11 @@
 //! The machine that a commissioning page is followed on: the demonstration plant, the block that is loaded, the files of somebody who has a
 //! PC beside it. Nothing of the page here.
 
-use axgen_tests::plant::measure::{amplitude, dwells, peak, ramps};
-use axgen_tests::plant::{self, Plant, Record, Sequence, Signals, subject::Subject};
+use axgen_tests::subject::Subject;
+use machine::closed_loop::{self, Position, Record, Signals};
+use machine::measure::{amplitude, dwells, peak, ramps};
+use machine::plant::DEMONSTRATION;
+use machine::sequence::Sequence;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -16,7 +19,6 @@ pub struct Machine {
     pub set: &'static str,
     cycle_time: Option<String>,
     block: Subject,
-    plant: Plant,
 }
 
 /// What a move shows.
@@ -35,7 +37,7 @@ impl Machine {
             fs::copy(examples.join(file), folder.path().join(file)).unwrap();
         }
         let block = Subject::of(&folder.path().join(set), cycle_time.as_deref());
-        Self { folder, axgen, set, cycle_time, block, plant: Plant::default() }
+        Self { folder, axgen, set, cycle_time, block }
     }
 
     pub fn path(&self, name: &str) -> PathBuf {
@@ -108,15 +110,15 @@ impl Machine {
     /// Stands still for a time [s]; gives v_add of each cycle.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
     pub fn rest(&mut self, time: f64) -> Vec<f64> {
-        let cycles = libm::round(time / self.plant.control.cycle) as usize;
+        let cycles = libm::round(time / DEMONSTRATION.cycle) as usize;
         (0..cycles).map(|_| self.block.step(&Signals::default())).collect()
     }
 
     /// The move in which the axis vibrates, with so much rest before and after it [s]; behind that rest it is recorded for half a second more.
     pub fn make_move(&mut self, quiet: f64) -> Move {
-        let sequence = Sequence { rest_before: quiet, rest_after: quiet + 0.5, ..Sequence::default() };
+        let sequence = Sequence { rest_before: quiet, rest_after: quiet + 0.5, ..Sequence::DEMONSTRATION };
         let (mut v_add_calculated, mut was_limited, block) = (Vec::new(), false, &mut self.block);
-        let record = plant::run(&self.plant, &sequence, |signals| {
+        let record = closed_loop::run(DEMONSTRATION.at_rest(), &Position::DEMONSTRATION, &sequence, |signals| {
             let v_add = block.step(signals);
             assert_eq!((block.get("fault"), block.get("error_id")), (0.0, 0.0), "{signals:?}");
             v_add_calculated.push(block.get("v_add_calculated"));
@@ -140,7 +142,7 @@ impl Machine {
 impl Move {
     /// Amplitude within a band [Hz] of the motor's velocity while it vibrates, at constant speed [um/s].
     pub fn of_motor(&self, band: [f64; 2]) -> f64 {
-        let v: Vec<f64> = self.record.signals.iter().map(|signals| signals.v_ist1).collect();
+        let v: Vec<f64> = self.record.signals.iter().map(|signals| signals.v_motor).collect();
         mean(dwells(&self.record).map(|window| amplitude(&v[window], self.record.cycle, band)))
     }
 

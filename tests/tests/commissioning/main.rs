@@ -11,10 +11,10 @@ mod machine;
 mod page;
 mod weights;
 
+use crate::machine::{Machine, Move};
 use after::{hand_over, stop, undo};
 use axgen_tests::environment;
 use before::{connect, dry_run, record};
-use machine::{Machine, Move};
 use page::{Page, Step};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};

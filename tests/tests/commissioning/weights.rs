@@ -2,7 +2,7 @@
 
 use crate::page::{Page, Step, Table};
 use crate::{LIMIT, Session};
-use axgen_tests::plant::measure::figures;
+use machine::measure::figures;
 
 /// What this machine needs [m].
 const FOLLOWING_ERROR: f64 = 3e-3;

@@ -1,10 +1,8 @@
-//! The crate nc: what programs say, what is refused, and how a mover moves.
+//! The crate nc: what programs say, and what is refused.
 #![forbid(unsafe_code)]
 
 mod garbage;
 mod manual;
 mod meaning;
-mod profile;
-mod random_motion;
 mod refused;
 mod support;

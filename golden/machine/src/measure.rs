@@ -1,7 +1,7 @@
-//! What a record of the demonstration plant shows: amplitudes of its vibrations, ring-down, following error. By a plain Fourier sum: the
+//! What a record shows of the vibrations of the demonstration plant: amplitudes, ring-down, following error. By a plain Fourier sum: the
 //! frequencies that are asked for are few.
 
-use super::Record;
+use super::closed_loop::Record;
 use std::f64::consts::TAU;
 
 /// The columns of the table of the application example.
@@ -20,7 +20,7 @@ pub struct Figures {
 /// All of them.
 #[must_use]
 pub fn figures(record: &Record) -> Figures {
-    let errors = record.command.iter().zip(&record.q1).map(|(x, q1)| (x - q1).abs());
+    let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
     Figures {
         at_speed: mean(dwells(record).map(|window| amplitude(&record.sensor[window], record.cycle, [50.0, 56.0]))),
         at_ramps: mean(ramps(record).map(|window| amplitude(&record.sensor[window], record.cycle, [9.5, 12.5]))),

@@ -1,9 +1,10 @@
-//! How near the loop of the demonstration plant is to instability: Ms and the gain margin, from impulse responses. The block is linear, below
-//! its limit; the excitation is left out.
+//! How near the loop of a plant is to instability: Ms and the gain margin, from impulse responses. The block is linear, below its limit; the
+//! mesh is left out.
 
-use super::control::{Machine, Signals};
-use super::measure::fourier;
-use super::{Mechanics, Plant};
+use machine::closed_loop::{Position, Signals, UM};
+use machine::measure::fourier;
+use machine::plant::Plant;
+use machine::{Machine, Measured};
 use std::f64::consts::TAU;
 
 /// Cycles of an impulse response: 16 s at 1 ms, in which every vibration of the plant is gone.
@@ -24,24 +25,24 @@ pub struct Margins {
     pub gain_margin: f64,
 }
 
-/// Margins of the plant with improved position control, which adds to a position controller that gets no command; the closure has its fade
+/// Margins of a plant with improved position control, which adds to a position controller that gets no command; the closure has its fade
 /// behind it, and is at rest.
 ///
 /// # Panics
 /// If L never reaches a phase of -180 degrees.
 #[must_use]
 pub fn margins(plant: &Plant, mut ipc: impl FnMut(&Signals) -> f64) -> Margins {
-    let without = Mechanics { excitation: 0.0, ..plant.mechanics };
-    let mut machine = Machine::new(&Plant { mechanics: without, control: plant.control });
+    let mut machine = plant.without_mesh().at_rest();
+    let mut actual = Measured::default();
     // The position ends somewhere, its change at 0: the change is transformed, and divided by 1 - z^-1.
     let (mut moved, mut added, mut before) = (Vec::new(), Vec::new(), 0.0);
     for n in 0..CYCLES {
-        let signals = machine.sample(0.0, 0.0);
-        moved.push(signals.v_soll - before);
-        before = signals.v_soll;
-        // The loop is open: SET_POINT sees no v_soll here, for it is outside of the loop.
-        added.push(ipc(&Signals { v_soll: 0.0, ..signals }));
-        machine.advance(if n == 0 { IMPULSE } else { 0.0 });
+        let signals = Position::DEMONSTRATION.signals(0.0, 0.0, &actual);
+        moved.push(signals.v_command - before);
+        before = signals.v_command;
+        // The loop is open: SET_POINT sees no v_command here, for it is outside of the loop.
+        added.push(ipc(&Signals { v_command: 0.0, ..signals }));
+        actual = machine.step(if n == 0 { IMPULSE / UM } else { 0.0 });
     }
     let mut found = Margins { ms: 0.0, gain_margin: f64::INFINITY };
     let mut last: Option<[f64; 2]> = None;
@@ -61,7 +62,7 @@ pub fn margins(plant: &Plant, mut ipc: impl FnMut(&Signals) -> f64) -> Margins {
         }
         last = Some(l);
     }
-    assert!(found.gain_margin.is_finite(), "plant: no gain margin");
+    assert!(found.gain_margin.is_finite(), "sensitivity: no gain margin");
     found
 }
 

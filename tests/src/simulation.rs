@@ -10,14 +10,12 @@
 //! Ts/2 on average. What feedforward calls Ta is everything between command and velocity, so that here
 //! `Ta = time constant of the drive + Ts/2`. Only + - * / of doubles: the same bits on every host.
 
-pub mod drive;
-pub mod planned;
-
-use drive::{Drive, Loop};
 use generator::blocks;
 use generator::config::ListOptions;
 use generator::pipeline::read_with;
-use planned::Move;
+use machine::Machine;
+use machine::seven_phases::Move;
+use machine::velocity_loop::{Loop, VelocityLoop};
 use portable::{Block, Portable};
 use reference::axis::{Axis, Coeffs};
 use std::path::Path;
@@ -27,9 +25,6 @@ pub const KV: f64 = 30.0;
 
 /// Velocity that one increment of the drive's velocity command stands for [um/s]: a millionth of 1 m/min.
 pub const INCREMENT: f64 = 1.0 / 60.0;
-
-/// Substeps of the drive in a cycle.
-const SUBSTEPS: u32 = 20;
 
 /// What is simulated.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +59,7 @@ pub struct Sample {
 #[must_use]
 pub fn run(bench: &Bench<'_>, of: &Move, until_ns: u64) -> Vec<Sample> {
     let coeffs = coefficients(bench);
-    let mut drive = Drive::new(bench.drive, bench.drive_ns, bench.cycle_ns / SUBSTEPS);
+    let mut drive = VelocityLoop::new(bench.drive, bench.drive_ns, bench.cycle_ns);
     let (mut state, mut outputs) = (<Axis as Block<f64>>::state(), <Axis as Block<f64>>::outputs());
     let mut inputs = <Axis as Block<f64>>::inputs(&coeffs);
     inputs.feedforward_active = true;
@@ -77,15 +72,13 @@ pub fn run(bench: &Bench<'_>, of: &Move, until_ns: u64) -> Vec<Sample> {
             break;
         }
         let planned = of.at(ns);
-        (inputs.x_command, inputs.x_actual) = (planned.x, drive.x);
+        let x_actual = drive.now().x;
+        (inputs.x_command, inputs.x_actual) = (planned.x, x_actual);
         (inputs.v_interpolator, inputs.a_interpolator, inputs.j_interpolator) = (planned.v, planned.a, planned.j);
         <Axis as Block<f64>>::step(&mut state, &coeffs, &inputs, &mut outputs);
         assert!(!outputs.fault && !outputs.limited, "simulation: {ns} ns: {outputs:?}");
-        samples.push(Sample { ns, v: planned.v, lag: planned.x - drive.x });
-        let v_drive = f64::from(outputs.manipulated_variable) * INCREMENT;
-        for _ in 0..SUBSTEPS {
-            drive.advance(v_drive);
-        }
+        samples.push(Sample { ns, v: planned.v, lag: planned.x - x_actual });
+        drive.step(f64::from(outputs.manipulated_variable) * INCREMENT);
     }
     samples
 }

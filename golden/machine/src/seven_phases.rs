@@ -1,4 +1,4 @@
-//! A jerk-limited move as an interpolator plans it. Nothing of the control is here.
+//! A jerk-limited move by its formula, as an interpolator plans it. Nothing of the control is here.
 
 /// A move from standstill to standstill in seven phases, which last whole microseconds.
 #[derive(Clone, Copy, Debug)]

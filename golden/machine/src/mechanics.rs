@@ -1,13 +1,14 @@
-//! The mechanics of the demonstration plant and the drive's current loop: differential equations, and nothing that is sampled.
+//! Three masses on two springs and the drive's current loop: differential equations, and nothing that is sampled. With a bed of infinite
+//! mass they are two masses on one spring.
 
 use std::f64::consts::TAU;
 
-/// Masses, springs, dampers, the excitation by the teeth, and the lag of the current loop.
+/// Masses, springs, dampers, the mesh, and the lag of the current loop.
 ///
 /// ```text
 /// Fc = k1 (q1 - (x2 - xb)) + c1 d/dt(q1 - (x2 - xb))
 /// m1 q1'' = Fm - Fc + Fr        m2 x2'' = Fc        m3 xb'' = -Fc - k2 xb - c2 xb'
-/// Fr = excitation sin(2 pi q1 / pitch)              current_lag Fm' = F - Fm
+/// Fr = mesh.force sin(2 pi q1 / mesh.pitch)              current_lag Fm' = F - Fm
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mechanics {
@@ -25,29 +26,19 @@ pub struct Mechanics {
     pub k2: f64,
     /// damping between bed and ground [Ns/m]
     pub c2: f64,
-    /// amplitude of the force of the teeth on m1 [N]
-    pub excitation: f64,
-    /// pitch of the teeth [m]
-    pub pitch: f64,
+    /// what the teeth do
+    pub mesh: Mesh,
     /// time constant of the current loop [s]
     pub current_lag: f64,
 }
 
-impl Default for Mechanics {
-    fn default() -> Self {
-        Self {
-            m1: 700.0,
-            m2: 1300.0,
-            m3: 4000.0,
-            k1: 9.0e7,
-            c1: 34_210.0,
-            k2: 2.619e7,
-            c2: 25_890.0,
-            excitation: 1569.0,
-            pitch: 0.010,
-            current_lag: 0.4e-3,
-        }
-    }
+/// The mesh of rack and pinion: a force on the motor that depends on its position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mesh {
+    /// amplitude [N]; 0: the teeth are ideal
+    pub force: f64,
+    /// pitch of the teeth [m]
+    pub pitch: f64,
 }
 
 /// Where everything is: q1, q1', x2, x2', xb, xb' [m, m/s], Fm [N].
@@ -61,13 +52,13 @@ impl Place {
         self.0[0]
     }
 
-    /// The motor's velocity v_ist1 [m/s].
+    /// The motor's velocity [m/s].
     #[must_use]
     pub fn v1(&self) -> f64 {
         self.0[1]
     }
 
-    /// The carriage's velocity against the bed v_ist2 [m/s].
+    /// The carriage's velocity against the bed [m/s].
     #[must_use]
     pub fn v2(&self) -> f64 {
         self.0[3] - self.0[5]
@@ -87,14 +78,14 @@ impl Mechanics {
 
     /// The acceleration of the carriage x2'' [m/s^2].
     #[must_use]
-    pub fn sensor(&self, place: &Place) -> f64 {
+    pub fn a2(&self, place: &Place) -> f64 {
         self.contact(place) / self.m2
     }
 
     fn derivative(&self, place: &Place, force: f64) -> [f64; 7] {
         let [q1, v1, _, v2, xb, vb, fm] = place.0;
         let contact = self.contact(place);
-        let teeth = self.excitation * libm::sin(TAU * q1 / self.pitch);
+        let teeth = self.mesh.force * libm::sin(TAU * q1 / self.mesh.pitch);
         let a1 = (fm - contact + teeth) / self.m1;
         let ab = (-contact - self.k2 * xb - self.c2 * vb) / self.m3;
         [v1, a1, v2, contact / self.m2, vb, ab, (force - fm) / self.current_lag]

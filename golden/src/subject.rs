@@ -1,30 +1,32 @@
-//! The reference of a block in the loop: what it gets and gives by name, cycle by cycle, and the record of both. No motion.
+//! The reference of a block in a loop: its inputs and outputs by name, cycle by cycle, and the record of both. No machine, no program.
 
-use super::refused;
+use crate::csv::{self, Reals};
 use crate::engine::{self, Cycle};
 use crate::samples::{Samples, Shape};
 use compiler::program::Type;
 use generator::blocks::{Block, Designed};
-use nc::Mistake;
 use portable::{Literal, RealKind};
 
-/// Longer scenarios are a mistake of their program.
-const MOST: usize = 200_000;
-
-/// A block in the loop.
-pub(super) struct Recorder {
+/// A block between two cycles.
+pub struct Subject {
     step: Cycle,
     given: Vec<Literal>,
     answers: Vec<Literal>,
-    pub(super) inputs: Samples,
-    pub(super) outputs: Samples,
+    /// what it got so far, and what it gave
+    pub inputs: Samples,
+    pub outputs: Samples,
 }
 
-impl Recorder {
-    pub(super) fn start(designed: &Designed, block: &Block) -> Self {
+impl Subject {
+    /// Before the first cycle, with the start values of its inputs.
+    ///
+    /// # Panics
+    /// If the axis does not have the block.
+    #[must_use]
+    pub fn start(designed: &Designed, block: &Block) -> Self {
         let shape = |variables| Shape::of(variables, designed.axis.real);
         let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
-        let start = |shape: &Shape| shape.signals.iter().map(|signal| signal.start).collect();
+        let start = |shape: &Shape| shape.signals.iter().map(|signal| signal.start.at_run_time()).collect();
         Self {
             step: engine::start(designed, block),
             given: start(&inputs),
@@ -34,38 +36,48 @@ impl Recorder {
         }
     }
 
-    /// Sets an input from this cycle on; one that the block does not have is passed over.
-    pub(super) fn set(&mut self, name: &str, value: f64) {
-        let Some(at) = self.inputs.shape.place(name) else { return };
+    /// Sets an input from this cycle on; an input that the block does not have is passed over. Whether it has it.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        let Some(at) = self.inputs.shape.place(name) else { return false };
         self.given[at] = literal(value, self.inputs.shape.signals[at].ty, self.inputs.shape.real);
+        true
     }
 
-    /// What the block gave in the cycle before; none: it does not have the output.
-    pub(super) fn output(&self, name: &str) -> Option<f64> {
-        let at = self.outputs.shape.place(name)?;
-        Some(number(self.answers[at]))
+    /// What an input is, until it is set its start value. None: the block does not have it.
+    #[must_use]
+    pub fn input(&self, name: &str) -> Option<f64> {
+        self.inputs.shape.place(name).map(|at| number(self.given[at]))
     }
 
-    /// What the block gave in the cycle before; of an output that it does not have 0.
-    pub(super) fn get(&self, name: &str) -> f64 {
+    /// What an output was in the last cycle, before the first one its start value. None: the block does not have it.
+    #[must_use]
+    pub fn output(&self, name: &str) -> Option<f64> {
+        self.outputs.shape.place(name).map(|at| number(self.answers[at]))
+    }
+
+    /// The same; of an output that the block does not have 0.
+    #[must_use]
+    pub fn get(&self, name: &str) -> f64 {
         self.output(name).unwrap_or(0.0)
     }
 
     /// One cycle.
-    pub(super) fn cycle(&mut self, line: usize) -> Result<(), Mistake> {
-        if self.inputs.len() >= MOST {
-            let found = format!("a block that is not over after {MOST} cycles of the scenario");
-            return Err(refused(line, found, "a scenario that ends", "another program, or a longer cycle time"));
-        }
+    pub fn step(&mut self) {
         self.inputs.push(&self.given);
         (self.step)(&self.given, &mut self.answers);
         self.outputs.push(&self.answers);
-        if self.get("fault") != 0.0 {
-            let found = format!("error {} of the block at sample {}", self.get("error_id"), self.inputs.len() - 1);
-            let instead = "other parameters, or another program; `axgen explain` says what the error means";
-            return Err(refused(line, found, "a scenario without an error", instead));
-        }
-        Ok(())
+    }
+
+    /// What went in and came out so far is forgotten.
+    pub fn record_anew(&mut self) {
+        self.inputs.bytes.clear();
+        self.outputs.bytes.clear();
+    }
+
+    /// What went in and came out since then, or since the start, as CSV.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        csv::write(&[&self.inputs, &self.outputs], Reals::Decimal)
     }
 }
 

@@ -3,7 +3,7 @@
 #![expect(clippy::float_cmp, reason = "the end of a motion is exact")]
 
 use crate::profile::{hold, run};
-use nc::profile::{Limits, Mover, Sample};
+use machine::profile::{Limits, Mover, Sample};
 use proptest::prelude::*;
 
 /// A number, every order of magnitude as probable as another.

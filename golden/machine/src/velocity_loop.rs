@@ -1,7 +1,8 @@
-//! A drive with its velocity loop, and the axis that it moves: exact between two changes of its command. No control here.
+//! An axis that is only its velocity loop: exact between two changes of its command. No control here.
 
-use super::planned::seconds;
-use std::collections::VecDeque;
+use super::line::Line;
+use super::machine::{Machine, Measured};
+use super::seven_phases::seconds;
 
 /// How the velocity follows its command. `Ta` is the equivalent time constant, the lag behind a ramp.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,48 +18,49 @@ pub enum Loop {
     },
 }
 
+/// Substeps in a cycle: a dead time is a whole number of them.
+const SUBSTEPS: u32 = 20;
+
 /// Terms of the Taylor series. A substep is at most 0.04 of Ta and of T2^2/Ta, wherever this is used: the first term that is
 /// left out is below the last bit of a double, 0.04^9/9! < 2^-52.
 const TERMS: usize = 9;
 
-/// A drive, and where its axis is.
+/// A velocity loop, and where its axis is.
 #[derive(Clone, Debug)]
-pub struct Drive {
+pub struct VelocityLoop {
     of: Loop,
     /// equivalent time constant [s]
     t_a: f64,
-    /// length of a substep [s]
+    /// cycle Ts, and length of a substep [s]
+    cycle: f64,
     h: f64,
-    /// commands on their way [um/s]
-    delayed: VecDeque<f64>,
-    /// acceleration, of a PT2 [um/s^2]
+    /// substeps of a dead time, and commands on their way
+    substeps: u32,
+    delayed: Line<f64>,
+    /// acceleration, of a PT2
     a: f64,
-    /// velocity [um/s]
     v: f64,
-    /// position [um]
-    pub x: f64,
+    x: f64,
 }
 
-impl Drive {
-    /// A drive at rest.
+impl VelocityLoop {
+    /// At rest.
     ///
     /// # Panics
     /// If a dead time is not a whole number of substeps.
     #[must_use]
-    pub fn new(of: Loop, t_a_ns: u32, substep_ns: u32) -> Self {
-        let mut delayed = VecDeque::new();
-        if of == Loop::DeadTime {
-            assert_eq!(t_a_ns % substep_ns, 0, "drive: a dead time of {t_a_ns} ns in substeps of {substep_ns} ns");
-            delayed.extend((0..t_a_ns / substep_ns).map(|_| 0.0));
-        }
-        let (t_a, h) = (seconds(t_a_ns.into()), seconds(substep_ns.into()));
-        Self { of, t_a, h, delayed, a: 0.0, v: 0.0, x: 0.0 }
+    pub fn new(of: Loop, t_a_ns: u32, cycle_ns: u32) -> Self {
+        let substep_ns = cycle_ns / SUBSTEPS;
+        let substeps = if of == Loop::DeadTime { t_a_ns / substep_ns } else { 0 };
+        let is_whole = of != Loop::DeadTime || substeps * substep_ns == t_a_ns;
+        assert!(is_whole, "velocity loop: a dead time of {t_a_ns} ns in substeps of {substep_ns} ns");
+        let [t_a, cycle, h] = [t_a_ns, cycle_ns, substep_ns].map(|ns| seconds(ns.into()));
+        Self { of, t_a, cycle, h, substeps, delayed: Line::new(substeps as usize, 0.0), a: 0.0, v: 0.0, x: 0.0 }
     }
 
-    /// One substep with a constant velocity command [um/s].
-    pub fn advance(&mut self, v_command: f64) {
-        self.delayed.push_back(v_command);
-        let u = self.delayed.pop_front().expect("it has just been pushed");
+    /// One substep with a constant velocity command.
+    fn advance(&mut self, v_command: f64) {
+        let u = self.delayed.next(v_command);
         let d = self.derivatives(u);
         self.x += self.h * taylor(&d[..TERMS], self.h, 1);
         self.v = taylor(&d[..TERMS], self.h, 0);
@@ -87,6 +89,25 @@ impl Drive {
             }
         }
         d
+    }
+}
+
+impl Machine for VelocityLoop {
+    fn cycle(&self) -> f64 {
+        self.cycle
+    }
+
+    fn delay_cycles(&self) -> usize {
+        self.substeps.div_ceil(SUBSTEPS) as usize
+    }
+
+    fn now(&self) -> Measured {
+        Measured { x: self.x, v_motor: self.v, v_load: self.v, a_load: self.a }
+    }
+
+    fn step(&mut self, v_cmd: f64) -> Measured {
+        (0..SUBSTEPS).for_each(|_| self.advance(v_cmd));
+        self.now()
     }
 }
 

@@ -2,7 +2,7 @@
 
 #![expect(clippy::float_cmp, reason = "the end of a motion is exact")]
 
-use nc::profile::{Error, Limits, Mover, Sample};
+use machine::profile::{Error, Limits, Mover, Sample};
 
 /// 0.001 deg: 1000 rpm, reached in about half a second.
 const SPINDLE: Limits = Limits { velocity: 6e6, acceleration: 1.2e7, jerk: 1.2e8 };

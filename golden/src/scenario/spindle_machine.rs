@@ -1,10 +1,10 @@
 //! The machine around a spindle's block: the interpolator, and the drive with what it gets. No program, no operator.
 
-use super::drive::{Actual, Command, Drive, Setup};
-use super::grid::shortest;
-use super::interpolator::{Commanded, Interpolator, Job, Seen, State};
 use generator::axis::{Axis, Changeover, Ratio, Spindle};
-use nc::profile::{Error, Limits};
+use machine::grid::shortest;
+use machine::profile::{Error, Limits};
+use machine::spindle::drive::{Actual, Command, Drive, Setup};
+use machine::spindle::interpolator::{Commanded, Interpolator, Job, Seen, State};
 
 /// Within which the acceleration is there [s].
 const JERK_TIME: f64 = 0.05;
@@ -19,8 +19,9 @@ pub(crate) struct Machine<'a> {
     cycle: f64,
     interpolator: Interpolator,
     drive: Drive,
-    /// what arrived in this cycle
+    /// what arrived in this cycle, and what arrives in the next one
     pub(crate) actual: Actual,
+    arriving: Actual,
 }
 
 impl<'a> Machine<'a> {
@@ -36,14 +37,14 @@ impl<'a> Machine<'a> {
         };
         let kv = f64::from(spindle.kv) / 100.0;
         let setup = Setup { cycle, delay_cycles: spindle.delay_cycles, kv, weight, position_mode };
-        let drive = Drive::at(setup, x);
-        let actual = Actual { x, v: 0.0, mode: position_mode.unwrap_or(0) };
-        Ok(Self { spindle, limits, cycle, interpolator: Interpolator::at(limits, cycle, x)?, drive, actual })
+        let (drive, actual) = Drive::at(setup, x);
+        let interpolator = Interpolator::at(limits, cycle, x)?;
+        Ok(Self { spindle, limits, cycle, interpolator, drive, actual, arriving: actual })
     }
 
     /// One cycle: actual values, then the interpolator.
     pub(crate) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
-        self.actual = self.drive.actual();
+        self.actual = self.arriving;
         self.interpolator.next(seen)
     }
 
@@ -57,13 +58,13 @@ impl<'a> Machine<'a> {
     /// `spindle_axis` is that controller. `feedforward`: whether it is active, and its percentage.
     pub(crate) fn obey(&mut self, outputs: Outputs<'_>, feedforward: [f64; 2]) {
         let command = self.command(outputs, feedforward);
-        self.drive.obey(command);
+        self.arriving = self.drive.step(command);
     }
 
     /// One cycle of a drive that is off: the spindle coasts.
     pub(crate) fn coast(&mut self) {
         let Actual { x, v, mode } = self.actual;
-        self.drive.obey(Command { x, v, mode });
+        self.arriving = self.drive.step(Command { x, v, mode });
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "an operation mode is an integer of 32 bits")]

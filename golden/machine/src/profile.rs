@@ -1,5 +1,5 @@
-//! The motion of one spindle or axis: jerk-limited, from any moving start, to a speed or a position, sample by sample. Nothing of NC
-//! programs, and no unit: lengths are what the caller has, times are seconds.
+//! The motion of one spindle or axis: jerk-limited, from any moving start, to a speed or a position, sample by sample. No
+//! unit: lengths are what the caller has, times are seconds.
 //!
 //! The profiles are those of `rsruckig`, the fastest within the limits. It decides by absolute differences of about 1e-8, so it is
 //! given velocities relative to the largest one, and positions relative to where the motion begins.

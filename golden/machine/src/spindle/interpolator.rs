@@ -1,26 +1,26 @@
-//! The interpolator of a spindle: the job that the block puts out, as command position and velocity. It knows no NC program.
+//! The interpolator of a spindle: its job, as command position and velocity. It knows no NC program.
 
-use super::grid::{TURN, angle, rate};
-use nc::profile::{Error, Limits, Mover};
+use crate::grid::{TURN, angle, rate};
+use crate::profile::{Error, Limits, Mover};
 
 /// Speed of homing [0.001 deg/s]: 50 rpm.
 const HOMING: f64 = 300_000.0;
 
-/// What the block put out in the cycle before.
+/// What the control of the changeover put out in the cycle before: state, job, commands.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen {
-    pub(crate) state: State,
-    pub(crate) job: Job,
-    pub(crate) job_number: f64,
-    pub(crate) job_speed: f64,
-    pub(crate) job_position: f64,
-    pub(crate) x_spindle: f64,
-    pub(crate) v_spindle: f64,
+pub struct Seen {
+    pub state: State,
+    pub job: Job,
+    pub job_number: f64,
+    pub job_speed: f64,
+    pub job_position: f64,
+    pub x_spindle: f64,
+    pub v_spindle: f64,
 }
 
-/// The output `state`.
+/// State of the changeover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum State {
+pub enum State {
     Position,
     ToVelocity,
     Velocity,
@@ -28,9 +28,9 @@ pub(crate) enum State {
     ToPosition,
 }
 
-/// The output `job`.
+/// What a spindle is asked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Job {
+pub enum Job {
     Stop,
     Turn,
     Orient,
@@ -38,17 +38,17 @@ pub(crate) enum Job {
     Home,
 }
 
-/// What the block gets.
+/// Where the spindle shall be.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Commanded {
-    pub(crate) x: f64,
-    pub(crate) v: f64,
+pub struct Commanded {
+    pub x: f64,
+    pub v: f64,
     /// whether the motion of the job is over
-    pub(crate) is_done: bool,
+    pub is_done: bool,
 }
 
 /// An interpolator.
-pub(crate) struct Interpolator {
+pub struct Interpolator {
     limits: Limits,
     cycle: f64,
     mover: Mover,
@@ -61,14 +61,14 @@ pub(crate) struct Interpolator {
 
 impl Interpolator {
     /// At rest.
-    pub(crate) fn at(limits: Limits, cycle: f64, x: f64) -> Result<Self, Error> {
+    pub fn at(limits: Limits, cycle: f64, x: f64) -> Result<Self, Error> {
         let mover = Mover::at(limits, cycle, x, 0.0)?;
         Ok(Self { limits, cycle, mover, job: 0.0, after_stop: None, last: Commanded { x, v: 0.0, is_done: false } })
     }
 
-    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the block put out. In VELOCITY only the velocity
+    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the control put out. In VELOCITY only the velocity
     /// counts: the position stays.
-    pub(crate) fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
+    pub fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
         match seen.state {
             State::Brake => return Ok(self.last),
             State::ToPosition => {

@@ -1,4 +1,4 @@
-//! The moves of the demonstration plant: forward and back with a rest between. Nothing of the control is here.
+//! Moves forward and back with a rest between, as an interpolator gives them. Nothing of the control is here.
 
 /// Rest, ramp up, dwell, ramp down, rest, and the same backward.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,18 +19,17 @@ pub struct Sequence {
     pub rest_after: f64,
 }
 
-impl Default for Sequence {
-    fn default() -> Self {
-        Self {
-            rest_before: 0.3,
-            speed: 0.53,
-            acceleration: 2.4,
-            rise: 33.3e-3,
-            dwell: 1.5,
-            rest_between: 0.9,
-            rest_after: 1.2,
-        }
-    }
+impl Sequence {
+    /// The moves in which the demonstration plant vibrates.
+    pub const DEMONSTRATION: Self = Self {
+        rest_before: 0.3,
+        speed: 0.53,
+        acceleration: 2.4,
+        rise: 33.3e-3,
+        dwell: 1.5,
+        rest_between: 0.9,
+        rest_after: 1.2,
+    };
 }
 
 /// A sequence, cycle by cycle. The position is where the axis shall be a cycle later: `x[n] = x[n-1] + Ts v[n+1]`.

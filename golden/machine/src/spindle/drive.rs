@@ -1,0 +1,90 @@
+//! A spindle's drive and the bus to it: actual values some cycles late, operation modes that change some cycles late, a velocity
+//! loop of first order and, in position control, a position loop with the feedforward of the drive. No controller of the CNC.
+//!
+//! ```text
+//! v_target = Kv (x_command - x) + w dx_command/dt      in position control: the steady lag is (1 - w) v / Kv
+//! v_target = v_command                                 in velocity control
+//! tau dv/dt = v_target - v,  dx/dt = v
+//! ```
+
+use super::display::Display;
+use crate::drive::TIME_CONSTANT;
+use crate::grid::{angle, rate, shortest};
+use crate::line::Line;
+use crate::velocity::{Follows, Velocity};
+
+/// Cycles after which the drive is in a mode that it is asked for.
+const MODE_CYCLES: u32 = 3;
+
+/// Numbers of a drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Setup {
+    /// [s]
+    pub cycle: f64,
+    /// cycles between a command and the actual value that it causes
+    pub delay_cycles: u32,
+    /// gain of its position loop [1/s]
+    pub kv: f64,
+    /// weight of its feedforward
+    pub weight: f64,
+    /// the number of the mode in which it controls the position; none: it never does
+    pub position_mode: Option<i32>,
+}
+
+/// What a drive is asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct Command {
+    pub x: f64,
+    pub v: f64,
+    pub mode: i32,
+}
+
+/// What a drive shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Actual {
+    /// 0 <= x < 360 000 [0.001 deg]
+    pub x: f64,
+    pub v: f64,
+    pub mode: i32,
+}
+
+/// A drive that turns.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    setup: Setup,
+    follows: Follows,
+    velocity: Velocity,
+    x: f64,
+    /// command position of the cycle before
+    x_before: f64,
+    display: Display<i32>,
+    /// on the way to the CNC
+    sent: Line<Actual>,
+}
+
+impl Drive {
+    /// At rest; and what the CNC reads of it.
+    #[must_use]
+    pub fn at(setup: Setup, x: f64) -> (Self, Actual) {
+        let mode = setup.position_mode.unwrap_or(0);
+        let rest = Actual { x: angle(x), v: 0.0, mode };
+        let (follows, velocity) = (Follows::time_constant(setup.cycle, TIME_CONSTANT), Velocity::default());
+        let sent = Line::new(setup.delay_cycles as usize, rest);
+        (Self { setup, follows, velocity, x, x_before: x, display: Display::of(mode), sent }, rest)
+    }
+
+    /// One cycle with a command. Gives what the CNC reads when it computes the next one.
+    pub fn step(&mut self, command: Command) -> Actual {
+        let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
+        self.display.ask(command.mode, Some(MODE_CYCLES));
+        let mode = self.display.mode;
+        let v_target = if position_mode == Some(mode) {
+            kv * shortest(command.x - self.x) + weight * shortest(command.x - self.x_before) / cycle
+        } else {
+            command.v
+        };
+        self.x_before = command.x;
+        self.x += self.velocity.next(self.follows, v_target) * cycle;
+        self.sent.next(Actual { x: angle(self.x), v: rate(self.velocity.v), mode })
+    }
+}
