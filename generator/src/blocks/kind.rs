@@ -22,10 +22,10 @@ pub trait Part: Sync {
     /// What it is called where names have to be short.
     fn short_name(&self) -> &'static str;
 
-    /// Its coefficients, in double precision.
-    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs
-    where
-        Self: Reference<f64> + Sized;
+    /// The reference that an axis runs, where it is another one.
+    fn other(&self, _: &Designed) -> Option<&'static dyn Typed> {
+        None
+    }
 
     /// What its coefficients mean: a path among them, or the beginning of one, and a text.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
@@ -85,6 +85,12 @@ pub trait Part: Sync {
     }
 }
 
+/// A reference that an axis may run.
+pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
+    /// Its coefficients, in double precision.
+    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
+}
+
 /// What a block does.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
@@ -104,7 +110,7 @@ pub struct Certified {
 }
 
 /// The last pass.
-const VERIFIED: &str = "verified";
+pub(super) const VERIFIED: &str = "verified";
 
 /// A number that code may compare with what it expects.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,16 +185,37 @@ impl Block {
     }
 }
 
-impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
+/// A reference in the real type of an axis; `part`: what its block's folder says.
+pub trait Typed: Sync {
+    /// The program after the pass of that name; none: as the specialiser gives it.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+
+    /// The block, ready to be printed.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
+
+    /// A run of so many samples for a user's own board.
+    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner;
+
+    /// Before its first cycle.
+    fn start(&self, designed: &Designed) -> Box<dyn Run>;
+
+    /// All its coefficients.
+    fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
+}
+
+impl<P: Part + Design> Kind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
     }
 
     fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => program::<f64, P>(self, designed, last),
-            RealKind::F32 => program::<f32, P>(self, designed, last),
-        }
+        typed(self, designed).program(self, designed, last)
     }
 
     fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
@@ -196,83 +223,113 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
     }
 
     fn block(&self, designed: &Designed) -> Result<Block, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => block::<f64, P>(self, designed),
-            RealKind::F32 => block::<f32, P>(self, designed),
-        }
+        typed(self, designed).block(self, designed)
     }
 
     fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        typed(self, designed).runner(self, designed, block, samples)
+    }
+
+    fn start(&self, designed: &Designed) -> Box<dyn Run> {
+        typed(self, designed).start(designed)
+    }
+
+    fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
+        typed(self, designed).coefficients(designed)
+    }
+}
+
+/// The reference that an axis runs as this block.
+fn typed<'p, P: Part + Design>(part: &'p P, designed: &Designed) -> &'p dyn Typed {
+    part.other(designed).unwrap_or(part)
+}
+
+impl<B: Design> Typed for B {
+    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
         match designed.axis.real {
-            RealKind::F64 => runner::<f64, P>(self, designed, block, samples),
-            RealKind::F32 => runner::<f32, P>(self, designed, block, samples),
+            RealKind::F64 => program::<f64, B>(part, designed, last),
+            RealKind::F32 => program::<f32, B>(part, designed, last),
+        }
+    }
+
+    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => block::<f64, B>(part, designed),
+            RealKind::F32 => block::<f32, B>(part, designed),
+        }
+    }
+
+    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        match designed.axis.real {
+            RealKind::F64 => runner::<f64, B>(part, designed, block, samples),
+            RealKind::F32 => runner::<f32, B>(part, designed, block, samples),
         }
     }
 
     fn start(&self, designed: &Designed) -> Box<dyn Run> {
-        let (coeffs, real) = (P::design(designed), designed.axis.real);
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
         match real {
-            RealKind::F64 => Box::new(Running::<f64, P>::start(coeffs)),
-            RealKind::F32 => Box::new(Running::<f32, P>::start(rounded(&coeffs, real))),
+            RealKind::F64 => Box::new(Running::<f64, B>::start(coeffs)),
+            RealKind::F32 => Box::new(Running::<f32, B>::start(rounded(&coeffs, real))),
         }
     }
 
     fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
-        let (coeffs, real) = (P::design(designed), designed.axis.real);
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
         match real {
             RealKind::F64 => leaves(&coeffs),
-            RealKind::F32 => leaves(&rounded::<_, <P as Reference<f32>>::Coeffs>(&coeffs, real)),
+            RealKind::F32 => leaves(&rounded::<_, <B as Reference<f32>>::Coeffs>(&coeffs, real)),
         }
     }
 }
 
 /// The program after the pass of that name; none: as the specialiser gives it.
-fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
-    part: &P,
+fn program<R: Real, B: Design + Reference<R>>(
+    part: &dyn Part,
     designed: &Designed,
     last: Option<&str>,
 ) -> Result<Program, Defect> {
     let notes = part.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, P>(&rounded(&P::design(designed), R::KIND), &notes);
+    let specialised = specialise::block::<R, B>(&rounded(&B::design(designed), R::KIND), &notes);
     if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
 }
 
 /// Specialises one block and records what it does.
-fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &Designed) -> Result<Block, Defect> {
-    let coeffs = || rounded(&P::design(designed), R::KIND);
+fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
+    let coeffs = || rounded(&B::design(designed), R::KIND);
     let ranges = part.ranges(designed);
     let notes = part.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, P>(&coeffs(), &notes);
+    let specialised = specialise::block::<R, B>(&coeffs(), &notes);
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
-    let self_test = self_test::record::<R, P>(coeffs(), &own, &state_paths, ranges);
+    let self_test = self_test::record::<R, B>(coeffs(), &own, &state_paths, ranges);
     let certificate = part.certificate(designed, &program)?;
     let start = part.start_cycles(designed);
     let drill = part.drill(designed);
     let led = (&*drill, designed.axis.cycle_time_ns);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
+    let trial = trial::recording::<R, B>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
     let shown = shown(part, designed, &program);
     shown.refuse(program.block)?;
     Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
 }
 
 /// What is certain of the outputs of a program.
-fn shown<P: Part>(part: &P, designed: &Designed, program: &Program) -> Shown {
+fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
     // Where nothing adds a velocity, it is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
     ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
 }
 
 /// Runs the reference of a block for a user's own board.
-fn runner<R: Real, P: Part + Reference<f64> + Reference<R>>(
-    part: &P,
+fn runner<R: Real, B: Design + Reference<R>>(
+    part: &dyn Part,
     designed: &Designed,
     block: &Block,
     samples: usize,
 ) -> Runner {
-    let coeffs = rounded(&P::design(designed), R::KIND);
+    let coeffs = rounded(&B::design(designed), R::KIND);
     let (ranges, drill) = (part.ranges(designed), part.drill(designed));
-    runner::record::<R, P>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
+    runner::record::<R, B>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }

@@ -93,7 +93,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
     // The last block of the registry that holds it.
     let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
-    let is_tunable = axis.ipc.tuning.is_some();
+    let is_tunable = axis.ipc.tuning().is_some();
     let stages: Vec<Stage> = designed.stage.iter().flatten().enumerate().map(Stage::from).collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::max);
     Page {
@@ -103,7 +103,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
         ipc: block_name(&axis.name, IPC),
         is_inside,
         is_tunable,
-        takes_sets: axis.ipc.takes_sets,
+        takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,
         parameters,
         unit: axis.control.velocity_unit(),

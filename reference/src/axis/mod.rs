@@ -174,7 +174,7 @@ pub fn improve<R: Real>(
     copy!(ipc_inputs = inputs: v_motor, v_direct, tuning_weight, tuning_limit, mode);
     ipc_inputs.position_controlled = loop_closed;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    ipc::any_cycle(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
     } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() && !outputs.fault {

@@ -243,10 +243,13 @@ impl<R: Real> Block<R> for SpindleAxis {
 
     const NAME: &'static str = "spindle_axis";
     const ENABLE: Option<Enable> = Some(spindle::ENABLE);
-    const USUAL_FIRST: bool = true;
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(_: &Coeffs<R>) -> bool {
+        true
+    }
 
     fn memory() -> State<R> {
         State::default()

@@ -344,10 +344,13 @@ impl<R: Real> Block<R> for TunableIpc {
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
     const ENABLE: Option<Enable> =
         Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") });
-    const USUAL_FIRST: bool = true;
     const SET: Option<&'static str> = Some("params");
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(_: &Coeffs<R>) -> bool {
+        true
+    }
 
     fn memory() -> State<R> {
         State::default()

@@ -37,7 +37,7 @@ impl Subject {
         let names = shapes.each_ref().map(|shape| shape.signals.iter().map(|signal| signal.name.clone()).collect());
         let inputs = shapes[0].signals.iter().map(|signal| signal.start.at_run_time()).collect();
         let recorded = shapes.map(|shape| Samples::with_capacity(shape, 0));
-        let mut reference = blocks::of_name(&designed.axis, "ipc").expect("named above").start(designed);
+        let mut reference = blocks::named("ipc").expect("named above").start(designed);
         let cycle: Cycle = Box::new(move |inputs, outputs| reference.step(inputs, outputs));
         Self { cycle, real, names, inputs, outputs: Vec::new(), recorded }
     }
