@@ -1,12 +1,12 @@
-//! A block as its folder describes it, and as the registry has it: everything that can be asked of it, whatever its types are.
+//! What follows from what a block's folder says: verified program, self-test, recorded run, whatever the types of its reference are.
 
 use super::designed::Designed;
-use super::values::{self, Values};
+use super::part::{Certified, Design, Part};
+use crate::design::rounding::rounded;
 use crate::noise::{Run, Running};
 use crate::runner::{self, Runner};
 use crate::self_test::{self, SelfTest};
-use crate::trial::{self, Drill, Recording};
-use crate::{axis::Axis, design::rounding::rounded};
+use crate::trial::{self, Recording};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
@@ -14,199 +14,16 @@ use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
 
-/// What a block's folder says of it: what the parameters of an axis make of a reference.
-pub trait Part: Sync {
-    /// Whether the parameters of an axis ask for it.
-    fn is_asked_for(&self, axis: &Axis) -> bool;
-
-    /// What it is called where names have to be short.
-    fn short_name(&self) -> &'static str;
-
-    /// The reference that an axis runs, where it is another one.
-    fn other(&self, _: &Designed) -> Option<&'static dyn Typed> {
-        None
-    }
-
-    /// What its coefficients mean: a path among them, or the beginning of one, and a text.
-    fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
-
-    /// What it takes from other blocks of its axis beside parameters, for the digest.
-    fn terms(&self, _: &Axis) -> String {
-        String::new()
-    }
-
-    /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and where limits do.
-    fn ranges(&self, designed: &Designed) -> [f64; 2];
-
-    /// How many cycles it takes from its start until it acts in full.
-    fn start_cycles(&self, _: &Designed) -> usize {
-        0
-    }
-
-    /// What it is led through in a self-test, beside noise.
-    fn drill(&self, _: &Designed) -> Vec<Drill> {
-        Vec::new()
-    }
-
-    /// What it does, for the summary of an axis.
-    fn summary(&self, designed: &Designed) -> Summary;
-
-    /// What it means for the machine: tables and verdicts in words, a line each.
-    fn verdict(&self, designed: &Designed) -> Vec<String> {
-        self.summary(designed).lines
-    }
-
-    /// What it does as named values, for the semantic diff.
-    fn values(&self, _: &Designed) -> Values {
-        Values::new()
-    }
-
-    /// What differs between two versions of an axis, as far as this block shows it: in words, a line each.
-    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
-        values::differences(&self.values(old), &self.values(new))
-    }
-
-    /// The same of an axis that has no older version.
-    fn description(&self, designed: &Designed) -> Vec<String> {
-        values::description(&self.values(designed))
-    }
-
-    /// The largest |v_add|, where it puts one out.
-    fn limit(&self, _: &Designed) -> Option<Figure> {
-        None
-    }
-
-    /// What is certain of its program.
-    ///
-    /// # Errors
-    /// The program does something else than what was designed.
-    fn certificate(&self, _: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified::default())
-    }
-}
-
-/// A reference that an axis may run.
-pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
-    /// Its coefficients, in double precision.
-    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
-}
-
-/// What a block does.
-#[derive(Clone, Debug, Default)]
-pub struct Summary {
-    /// behind the first line of its axis
-    pub head: String,
-    /// lines of its own
-    pub lines: Vec<String>,
-}
-
-/// What is certain of a block.
-#[derive(Clone, Debug, Default)]
-pub struct Certified {
-    /// in words, a line each
-    pub lines: Vec<String>,
-    /// for code
-    pub figures: Vec<Figure>,
-}
-
 /// The last pass.
 pub(super) const VERIFIED: &str = "verified";
 
-/// A number that code may compare with what it expects.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Figure {
-    /// in capital letters
-    pub name: &'static str,
-    /// what it is, with its unit
-    pub doc: String,
-    /// in the real type of the block
-    pub value: Literal,
-}
-
-/// A block that an axis may have, in the real type of the axis.
+/// A block that an axis may have.
 pub trait Kind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
-    /// The program after the pass of that name; none: as the specialiser gives it.
-    ///
-    /// # Errors
-    /// A defect of the block or of a pass.
-    fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-
-    /// What is certain of its outputs, whatever its state and its inputs hold.
-    ///
-    /// # Errors
-    /// A defect of the block or of a pass.
-    fn shown(&self, designed: &Designed) -> Result<Shown, Defect>;
-
-    /// The block, ready to be printed.
-    ///
-    /// # Errors
-    /// A defect of the block or of a pass.
-    fn block(&self, designed: &Designed) -> Result<Block, Defect>;
-
-    /// A run of so many samples for a user's own board, of a block of that axis.
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner;
-
-    /// The reference, before its first cycle.
-    fn start(&self, designed: &Designed) -> Box<dyn Run>;
-
-    /// All its coefficients.
-    fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
-}
-
-/// A block of one axis, ready to be printed.
-#[derive(Clone, Debug)]
-pub struct Block {
-    /// verified
-    pub program: Program,
-    /// the same with the signals that the axis has
-    pub own: Own,
-    /// what the coefficients under a path mean, for a reviewer
-    pub(crate) notes: BTreeMap<String, String>,
-    pub(crate) self_test: SelfTest,
-    /// a recorded run
-    pub(crate) trial: Recording,
-    /// what is certain of its range, and its measured response
-    pub certificate: Certified,
-    /// what is certain of its outputs, whatever its state and its inputs hold
-    pub shown: Shown,
-    /// what is in it, without the values of its coefficients: the same text, the same structure
-    pub structure: String,
-    /// the paths of all parts of the reference's state
-    state_paths: Vec<String>,
-}
-
-impl Block {
-    /// The inputs of the run that its self-test on the controller has, sample by sample.
-    pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
-        self.trial.inputs()
-    }
-}
-
-/// A reference in the real type of an axis; `part`: what its block's folder says.
-pub trait Typed: Sync {
-    /// The program after the pass of that name; none: as the specialiser gives it.
-    ///
-    /// # Errors
-    /// A defect of the block or of a pass.
-    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-
-    /// The block, ready to be printed.
-    ///
-    /// # Errors
-    /// A defect of the block or of a pass.
-    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
-
-    /// A run of so many samples for a user's own board.
-    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner;
-
-    /// Before its first cycle.
-    fn start(&self, designed: &Designed) -> Box<dyn Run>;
-
-    /// All its coefficients.
-    fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
+    /// The reference that an axis runs as this block.
+    fn typed(&self, designed: &Designed) -> &dyn Typed;
 }
 
 impl<P: Part + Design> Kind for P {
@@ -214,34 +31,61 @@ impl<P: Part + Design> Kind for P {
         <P as Reference<f64>>::NAME
     }
 
-    fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
-        typed(self, designed).program(self, designed, last)
-    }
-
-    fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
-        Ok(shown(self, designed, &Kind::program(self, designed, Some(VERIFIED))?))
-    }
-
-    fn block(&self, designed: &Designed) -> Result<Block, Defect> {
-        typed(self, designed).block(self, designed)
-    }
-
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
-        typed(self, designed).runner(self, designed, block, samples)
-    }
-
-    fn start(&self, designed: &Designed) -> Box<dyn Run> {
-        typed(self, designed).start(designed)
-    }
-
-    fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
-        typed(self, designed).coefficients(designed)
+    fn typed(&self, designed: &Designed) -> &dyn Typed {
+        self.other(designed).unwrap_or(self)
     }
 }
 
-/// The reference that an axis runs as this block.
-fn typed<'p, P: Part + Design>(part: &'p P, designed: &Designed) -> &'p dyn Typed {
-    part.other(designed).unwrap_or(part)
+impl dyn Kind + '_ {
+    /// The program after the pass of that name; none: as the specialiser gives it.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
+        self.typed(designed).program(self, designed, last)
+    }
+
+    /// What is certain of its outputs, whatever its state and its inputs hold.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
+        Ok(shown(self, designed, &self.program(designed, Some(VERIFIED))?))
+    }
+
+    /// The block, ready to be printed.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn block(&self, designed: &Designed) -> Result<Block, Defect> {
+        self.typed(designed).block(self, designed)
+    }
+
+    /// A run of so many samples for a user's own board, of a block of that axis.
+    pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        self.typed(designed).runner(self, designed, block, samples)
+    }
+
+    /// The reference, before its first cycle.
+    pub fn start(&self, designed: &Designed) -> Box<dyn Run> {
+        self.typed(designed).start(designed)
+    }
+
+    /// All its coefficients.
+    pub fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
+        self.typed(designed).coefficients(designed)
+    }
+}
+
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`Kind`] does.
+pub trait Typed: Sync {
+    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
+    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner;
+    fn start(&self, designed: &Designed) -> Box<dyn Run>;
+    fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
 }
 
 impl<B: Design> Typed for B {
@@ -332,4 +176,33 @@ fn runner<R: Real, B: Design + Reference<R>>(
     let coeffs = rounded(&B::design(designed), R::KIND);
     let (ranges, drill) = (part.ranges(designed), part.drill(designed));
     runner::record::<R, B>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
+}
+
+/// A block of one axis, ready to be printed.
+#[derive(Clone, Debug)]
+pub struct Block {
+    /// verified
+    pub program: Program,
+    /// the same with the signals that the axis has
+    pub own: Own,
+    /// what the coefficients under a path mean, for a reviewer
+    pub(crate) notes: BTreeMap<String, String>,
+    pub(crate) self_test: SelfTest,
+    /// a recorded run
+    pub(crate) trial: Recording,
+    /// what is certain of its range, and its measured response
+    pub certificate: Certified,
+    /// what is certain of its outputs, whatever its state and its inputs hold
+    pub shown: Shown,
+    /// what is in it, without the values of its coefficients: the same text, the same structure
+    pub structure: String,
+    /// the paths of all parts of the reference's state
+    state_paths: Vec<String>,
+}
+
+impl Block {
+    /// The inputs of the run that its self-test on the controller has, sample by sample.
+    pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
+        self.trial.inputs()
+    }
 }

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! designed  an axis with everything that design makes of it, once
-//! kind      what a block's folder says of it; what follows: verified program, self-test, recorded run
+//! part      what a block's folder says of it
+//! kind      what follows: verified program, self-test, recorded run
 //! values    named values beside each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
@@ -13,6 +14,7 @@ mod designed;
 pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
+mod part;
 pub(crate) mod position_control;
 pub(crate) mod spindle;
 mod spindle_axis;
@@ -22,7 +24,8 @@ pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use kind::{Block, Certified, Design, Figure, Kind, Part, Summary, Typed};
+pub use kind::{Block, Kind, Typed};
+pub use part::{Certified, Design, Figure, Part, Summary};
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;

@@ -26,11 +26,9 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
-    let numbers = match numbers? {
-        // What never acts needs no sets.
-        Numbers::Sets if !is_active || master(e).is_some() => Numbers::Fixed,
-        numbers => numbers,
-    };
+    let numbers = numbers?;
+    // What never acts needs no sets.
+    let needs_none = numbers == Numbers::Sets && (!is_active || master(e).is_some());
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
     let ipc =
         Ipc { enable: enable?, v_add_max_fact, v_max, fade, ride_through, numbers, watch: watch?, delay_cycles, stage };
