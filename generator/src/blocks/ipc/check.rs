@@ -26,12 +26,21 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
-    let numbers = numbers?;
     // What never acts needs no sets.
-    let needs_none = numbers == Numbers::Sets && (!is_active || master(e).is_some());
+    let needs_sets = is_active && master(e).is_none();
+    let numbers = numbers.map(|numbers| if numbers == Numbers::Sets && !needs_sets { Numbers::Fixed } else { numbers });
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
-    let ipc =
-        Ipc { enable: enable?, v_add_max_fact, v_max, fade, ride_through, numbers, watch: watch?, delay_cycles, stage };
+    let ipc = Ipc {
+        enable: enable?,
+        v_add_max_fact,
+        v_max,
+        fade,
+        ride_through,
+        numbers: numbers?,
+        watch: watch?,
+        delay_cycles,
+        stage,
+    };
     fade_cycles(e, &ipc, cycle_time)?;
     Some(ipc)
 }
