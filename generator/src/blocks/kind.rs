@@ -1,7 +1,7 @@
 //! What follows from what a block's folder says: verified program, self-test, recorded run, whatever the types of its reference are.
 
 use super::designed::Designed;
-use super::part::{Certified, Design, Part};
+use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
 use crate::noise::{Run, Running};
 use crate::runner::{self, Runner};
@@ -16,6 +16,17 @@ use std::collections::BTreeMap;
 
 /// The last pass.
 pub(super) const VERIFIED: &str = "verified";
+
+/// A reference that an axis may run.
+pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
+    /// Its coefficients, in double precision.
+    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
+
+    /// What an axis runs in its place, if it does.
+    fn other(_: &Designed) -> Option<&'static dyn Typed> {
+        None
+    }
+}
 
 /// A block that an axis may have.
 pub trait Kind: Part {
@@ -32,7 +43,7 @@ impl<P: Part + Design> Kind for P {
     }
 
     fn typed(&self, designed: &Designed) -> &dyn Typed {
-        self.other(designed).unwrap_or(self)
+        P::other(designed).unwrap_or(self)
     }
 }
 

@@ -24,8 +24,8 @@ pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use kind::{Block, Kind, Typed};
-pub use part::{Certified, Design, Figure, Part, Summary};
+pub use kind::{Block, Design, Kind, Typed};
+pub use part::{Certified, Figure, Part, Summary};
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;

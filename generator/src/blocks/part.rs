@@ -1,13 +1,12 @@
 //! What a block's folder says of it, and the forms in which it says it. What follows is in `kind`.
 
 use super::designed::Designed;
-use super::kind::Typed;
 use super::values::{self, Values};
 use crate::axis::Axis;
 use crate::trial::Drill;
 use compiler::pass::Defect;
 use compiler::program::Program;
-use portable::{Block as Reference, Literal};
+use portable::Literal;
 
 /// What a block's folder says of it: what the parameters of an axis make of a reference.
 pub trait Part: Sync {
@@ -16,11 +15,6 @@ pub trait Part: Sync {
 
     /// What it is called where names have to be short.
     fn short_name(&self) -> &'static str;
-
-    /// The reference that an axis runs, where it is another one.
-    fn other(&self, _: &Designed) -> Option<&'static dyn Typed> {
-        None
-    }
 
     /// What its coefficients mean: a path among them, or the beginning of one, and a text.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
@@ -78,12 +72,6 @@ pub trait Part: Sync {
     fn certificate(&self, _: &Designed, _: &Program) -> Result<Certified, Defect> {
         Ok(Certified::default())
     }
-}
-
-/// A reference that an axis may run.
-pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
-    /// Its coefficients, in double precision.
-    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
 }
 
 /// What a block does.

@@ -13,6 +13,7 @@ pub(crate) mod sets;
 pub(crate) mod stage;
 mod sum_limit;
 mod verdict;
+mod with_sets;
 
 use super::kind::VERIFIED;
 use super::{Certified, Design, Figure, Part, Summary, Typed};
@@ -29,6 +30,10 @@ impl Design for Ipc {
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.ipc
     }
+
+    fn other(designed: &Designed) -> Option<&'static dyn Typed> {
+        designed.axis.ipc.takes_sets().then_some(&TunableIpc)
+    }
 }
 
 impl Part for Ipc {
@@ -37,17 +42,13 @@ impl Part for Ipc {
         axis.ipc.is_active() || axis.control.is_empty()
     }
 
-    fn other(&self, designed: &Designed) -> Option<&'static dyn Typed> {
-        designed.axis.ipc.takes_sets().then_some(&TunableIpc)
-    }
-
     fn short_name(&self) -> &'static str {
         "ipc"
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let notes = notes::notes(designed);
-        if designed.axis.ipc.takes_sets() { sets::notes(designed, notes) } else { notes }
+        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes) } else { notes }
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
@@ -71,7 +72,7 @@ impl Part for Ipc {
             format!("stage[{index}] {what}")
         };
         let stages = ipc.stage.iter().enumerate().map(line);
-        Summary { head, lines: stages.chain(ipc.takes_sets().then(|| sets::line(designed))).collect() }
+        Summary { head, lines: stages.chain(ipc.takes_sets().then(|| with_sets::line(designed))).collect() }
     }
 
     fn verdict(&self, designed: &Designed) -> Vec<String> {
@@ -102,7 +103,7 @@ impl Part for Ipc {
         }
         if designed.axis.ipc.takes_sets() {
             let program = Ipc.program(self, designed, Some(VERIFIED))?;
-            return Ok(sets::as_generated(certified(designed, &program)?));
+            return Ok(with_sets::as_generated(certified(designed, &program)?));
         }
         certified(designed, program)
     }

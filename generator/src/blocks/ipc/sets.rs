@@ -1,56 +1,16 @@
-//! The block `ipc` of an axis whose numbers come from parameter sets: what such a set is told by, and what is said of the block beside what is said of
-//! one with constants.
+//! What the parameter sets of an axis are told by. What is said of the block that takes them is in `with_sets`.
 
-use super::notes::note;
 use crate::axis::Axis;
-use crate::blocks::{Certified, Design, Designed};
 use crate::design::rounding::rounded;
 use compiler::leaves;
 use portable::{Literal, RealKind};
 use reference::ipc::Coeffs as IpcCoeffs;
-use reference::tunable_ipc::{Coeffs, TunableIpc, params};
+use reference::tunable_ipc::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
-
-impl Design for TunableIpc {
-    fn design(designed: &Designed) -> Coeffs<f64> {
-        let [structure, set_id] = designed.sets;
-        Coeffs { structure, set_id, ipc: designed.ipc }
-    }
-}
 
 /// A number that sets are told by, as names and heads of files have it and as a PLC shows it.
 pub(crate) fn shown(number: u32) -> String {
     format!("{number:08x} = {number}")
-}
-
-/// Its notes, made of those of the block with constants.
-pub(super) fn notes(designed: &Designed, of_constants: Vec<(String, String)>) -> Vec<(String, String)> {
-    let [structure, set] = designed.sets;
-    let own = [
-        note("structure", format!("parameter sets for the set structure {} are taken over", shown(structure))),
-        note("set_id", format!("the set that the block was generated with has the number {}", shown(set))),
-    ];
-    // Of a stage another set has other numbers.
-    let of_ipc = of_constants.into_iter().map(|(path, text)| {
-        let text = if path.starts_with("stage") { format!("as generated: {text}") } else { text };
-        (format!("ipc.{path}"), text)
-    });
-    own.into_iter().chain(of_ipc).collect()
-}
-
-/// The line of its summary.
-pub(super) fn line(designed: &Designed) -> String {
-    let [structure, set] = designed.sets.map(shown);
-    format!("takes parameter sets of the set structure {structure}; this one is {set}")
-}
-
-/// The certificate of the block with constants, whose program does the same with the set that the block was generated with.
-pub(super) fn as_generated(mut of_constants: Certified) -> Certified {
-    of_constants.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
-    for figure in of_constants.figures.iter_mut().filter(|figure| figure.name == "BOUND") {
-        figure.doc.push_str(", with the set that the block was generated with");
-    }
-    of_constants
 }
 
 /// What the sets of an axis are told by: their structure, and the number of the one that its parameters make.
