@@ -47,7 +47,7 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
 
 /// Whether a parameter set brings the change to the block on the machine, where a version takes sets.
 fn by_set(old: &Designed, new: &Designed) -> Option<String> {
-    let has_sets = [old, new].iter().any(|of| of.axis.ipc.takes_sets);
+    let has_sets = [old, new].iter().any(|of| of.axis.ipc.takes_sets());
     let judgement = has_sets.then(|| judge(old, new))?;
     let command = format!("axgen params-of NEW --axis {} --on OLD", new.axis.name);
     let reasons = judgement.reasons();

@@ -40,7 +40,7 @@ fn chosen<'s>(set: &'s Set, axes: &'s [String]) -> impl ParallelIterator<Item = 
 
 /// The digest of the effective parameters of a block of an axis.
 fn parameters_digest(axis: &Axis, block: &str) -> String {
-    let terms = blocks::of_name(axis, block).map_or_else(String::new, |kind| kind.terms(axis));
+    let terms = blocks::named(block).map_or_else(String::new, |kind| kind.terms(axis));
     digest((axis.canonical_of(block).to_owned() + &terms).as_bytes())
 }
 
@@ -50,7 +50,7 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
         axis: &of.axis.name,
         real: of.axis.real,
         blocks: blocks::names(&of.axis),
-        takes_sets: of.axis.ipc.takes_sets.then_some(blocks::IPC),
+        takes_sets: of.axis.ipc.takes_sets().then_some(blocks::IPC),
     };
     set.axes.iter().map(unit).collect()
 }
@@ -58,7 +58,7 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 /// What the head of a file says of an axis and of one of its blocks.
 pub fn header(axis: &Axis, block: &Block) -> Header {
     let name = block.program.block;
-    let kind = blocks::of_name(axis, name);
+    let kind = blocks::named(name);
     Header {
         name: axis.name.clone(),
         real: axis.real,

@@ -204,7 +204,7 @@ fn listed<'a>(
 
 /// The block that takes the sets; none: nothing takes any.
 fn block(designed: &Designed) -> Result<Option<Block>, Defect> {
-    let kind = blocks::of_name(&designed.axis, IPC).filter(|_| designed.axis.ipc.takes_sets);
+    let kind = blocks::named(IPC).filter(|_| designed.axis.ipc.takes_sets());
     kind.map(|kind| kind.block(designed)).transpose()
 }
 

@@ -3,7 +3,7 @@
 
 use crate::axis::{Filter, Stage};
 use crate::blocks::ipc::filter;
-use crate::blocks::{self, Designed, IPC, Part, Value, differences};
+use crate::blocks::{self, Design, Designed, IPC, Value, differences};
 use crate::design::rounding::rounded;
 use crate::number::pair;
 use crate::parameters::words::{StageMode, Words};
@@ -68,7 +68,7 @@ pub fn judge(old: &Designed, new: &Designed) -> Judgement {
 
 /// The same in the real type of the block on the machine.
 fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
-    let refused = match (old.axis.ipc.takes_sets, new.axis.ipc.takes_sets) {
+    let refused = match (old.axis.ipc.takes_sets(), new.axis.ipc.takes_sets()) {
         (false, _) => Some(Refusal::NoSetsBefore),
         (true, false) => Some(Refusal::NoSetsAfter),
         (true, true) => refusal::<R>(old, new),

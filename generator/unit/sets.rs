@@ -1,6 +1,6 @@
 //! Random filters, the same in every run. No assertion.
 
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
 use portable::RealKind;
 
 /// Cycle times [ns].
@@ -73,8 +73,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
                 v_max,
                 fade: random.unit(),
                 ride_through: 0,
-                tuning: None,
-                takes_sets: false,
+                numbers: Numbers::Fixed,
                 watch: false,
                 delay_cycles: None,
                 stage,

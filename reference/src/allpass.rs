@@ -7,7 +7,7 @@
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable, stored};
+use portable::{Real, copy, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1 and the signs of `y = a2 x + s1; s1 = a1 x - a1 y + s2; s2 = x - a2 y`.
 ///
@@ -66,13 +66,9 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        coeffs.a = offered.a;
-        coeffs.b = offered.b;
-        coeffs.c = offered.c;
+        copy!(coeffs = offered: a, b, c);
     } else {
-        coeffs.a1 = offered.a1;
-        coeffs.a2 = offered.a2;
-        coeffs.preset = offered.preset;
+        copy!(coeffs = offered: a1, a2, preset);
     }
 }
 

@@ -6,7 +6,7 @@
 use crate::check_word::{Forming, add_three, largest_number};
 use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable, stored};
+use portable::{Real, copy, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
@@ -93,13 +93,9 @@ pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        coeffs.a = offered.a;
-        coeffs.b = offered.b;
-        coeffs.c = offered.c;
+        copy!(coeffs = offered: a, b, c);
     } else {
-        coeffs.b2 = offered.b2;
-        coeffs.a1 = offered.a1;
-        coeffs.a2 = offered.a2;
+        copy!(coeffs = offered: b2, a1, a2);
     }
 }
 

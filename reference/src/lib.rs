@@ -30,5 +30,4 @@ pub mod stage;
 pub mod sum;
 pub mod trapezoidal;
 pub mod tunable_ipc;
-pub mod tuned_ipc;
 pub mod turn;

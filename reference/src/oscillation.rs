@@ -25,7 +25,7 @@
 use crate::check_word::{Forming, add, largest_number};
 use crate::section::{State, anti_denormal, are_poles_inside, is_driven_by_change, is_stable_biquad};
 use crate::{trapezoidal, turn};
-use portable::{Real, in_range, portable, stored};
+use portable::{Real, copy, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
 ///
@@ -100,18 +100,9 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
-        coeffs.h = offered.h;
-        coeffs.r = offered.r;
-        coeffs.g = offered.g;
-        coeffs.g2 = offered.g2;
+        copy!(coeffs = offered: h, r, g, g2);
     } else {
-        coeffs.b0 = offered.b0;
-        coeffs.b1 = offered.b1;
-        coeffs.b2 = offered.b2;
-        coeffs.a1 = offered.a1;
-        coeffs.a2 = offered.a2;
-        coeffs.preset_s1 = offered.preset_s1;
-        coeffs.preset_s2 = offered.preset_s2;
+        copy!(coeffs = offered: b0, b1, b2, a1, a2, preset_s1, preset_s2);
     }
 }
 

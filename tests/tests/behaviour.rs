@@ -3,7 +3,7 @@
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::is_exhaustive;
-use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Prototype, Stage};
+use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Numbers, Prototype, Stage};
 use generator::blocks;
 use generator::blocks::Designed;
 use golden::case::{self, Case};
@@ -55,7 +55,7 @@ fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
 fn assert_states_normal(case: &Case) {
     let count = if is_exhaustive() { 200_000 } else { 50_000 };
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
-    let kind = blocks::of_name(&case.axis.axis, case.block.program.block).expect("the axis has the block");
+    let kind = blocks::named(case.block.program.block).expect("the axis has the block");
     let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());
     for sample in 0..samples.len() {
         samples.read(sample, &mut values);
@@ -94,8 +94,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         v_max: 500_000.0,
         fade: 0.0,
         ride_through: 0,
-        tuning: None,
-        takes_sets: false,
+        numbers: Numbers::Fixed,
         watch: false,
         delay_cycles: None,
         stage: [Some(stage), None, None],

@@ -4,14 +4,16 @@ use axgen_tests::environment::is_exhaustive;
 use axgen_tests::model::subject;
 use axgen_tests::random::rng::Rng;
 use axgen_tests::subject::Subject;
+use compiler::leaves;
 use compiler::program::Type;
 use generator::blocks::{Designed, blocks};
 use golden::compare::{Difference, compare};
 use golden::engine::{self, ENGINES, Engine};
 use golden::samples::{Samples, Shape};
 use machine::closed_loop::Signals;
-use portable::{Literal, Real, RealKind};
+use portable::{Block, Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
+use reference::ipc::{self, Ipc};
 
 /// Cycles of a run.
 const RUN: usize = 20_000;
@@ -119,7 +121,10 @@ fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
                 let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
                 has_held_and_acted(&expected);
                 if block.program.block == "ipc" {
-                    is_what_the_other_block_does(designed, &inputs, &expected);
+                    match designed.axis.real {
+                        RealKind::F64 => is_what_any_cycle_does::<f64>(designed, &inputs, &expected),
+                        RealKind::F32 => is_what_any_cycle_does::<f32>(designed, &inputs, &expected),
+                    }
                 }
                 for engine in ENGINES {
                     let found = engine::run(engine, designed, block, &inputs).unwrap();
@@ -135,15 +140,23 @@ fn random_tuning_in_every_cycle_gives_the_same_bits_in_every_engine() {
     assert!(cycles >= if is_exhaustive() { 1_000_000 } else { 100_000 });
 }
 
-/// The block that begins with the usual cycle does what the one does that others contain.
-fn is_what_the_other_block_does(designed: &Designed, inputs: &Samples, expected: &Samples) {
-    let mut other = generator::blocks::named("ipc").expect("the registry has it").start(designed);
-    let [mut given, mut found, mut wanted] = [const { Vec::new() }; 3];
+/// The block begins with the usual cycle, and does what any cycle does.
+fn is_what_any_cycle_does<R: Real>(designed: &Designed, inputs: &Samples, expected: &Samples)
+where
+    Ipc: Block<R, Coeffs = ipc::Coeffs<R>, State = ipc::State<R>, Inputs = ipc::Inputs<R>, Outputs = ipc::Outputs<R>>,
+{
+    let kind = generator::blocks::named("ipc").expect("the registry has it");
+    let mut coefficients = kind.coefficients(designed).into_iter();
+    let coeffs = ipc::Coeffs::<R>::build(&mut || coefficients.next().expect("all of them"));
+    let (mut state, mut outputs) = (<Ipc as Block<R>>::state(), ipc::Outputs::<R>::default());
+    let [mut given, mut wanted] = [const { Vec::new() }; 2];
     for sample in 0..inputs.len() {
         inputs.read(sample, &mut given);
         expected.read(sample, &mut wanted);
-        other.step(&given, &mut found);
-        assert_eq!(found, wanted, "{:?}, sample {sample}", designed.axis.real);
+        let mut next = given.iter();
+        let now = ipc::Inputs::<R>::build(&mut || *next.next().expect("all of them"));
+        ipc::any_cycle(&mut state, &coeffs, &now, &mut outputs);
+        assert_eq!(leaves(&outputs), wanted, "{:?}, sample {sample}", designed.axis.real);
     }
 }
 

@@ -16,10 +16,8 @@ pub struct Ipc {
     pub fade: f64,
     /// bad samples in a row in whose place the last good one stands
     pub ride_through: u32,
-    /// what the caller may tune; none: nothing
-    pub tuning: Option<Tuning>,
-    /// whether all numbers come from parameter sets
-    pub takes_sets: bool,
+    /// where its numbers come from
+    pub numbers: Numbers,
     /// whether the loop is watched
     pub watch: bool,
     /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of
@@ -32,6 +30,16 @@ pub struct Ipc {
 impl Ipc {
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
     pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
+
+    /// What the caller may tune; none: nothing.
+    pub fn tuning(&self) -> Option<Tuning> {
+        if let Numbers::Weights(tuning) = self.numbers { Some(tuning) } else { None }
+    }
+
+    /// Whether all numbers come from parameter sets.
+    pub fn takes_sets(&self) -> bool {
+        self.numbers == Numbers::Sets
+    }
 
     pub(crate) fn is_active(&self) -> bool {
         self.stage.iter().any(Option::is_some)
@@ -50,6 +58,17 @@ impl Ipc {
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
         lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
     }
+}
+
+/// Where the numbers of the block come from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Numbers {
+    /// from the parameters
+    Fixed,
+    /// from the parameters; of weights and limit a part acts, which the caller tunes
+    Weights(Tuning),
+    /// from parameter sets
+    Sets,
 }
 
 /// Inputs that tune, each a part of what the parameters ask for, 0 to 1: their starts.

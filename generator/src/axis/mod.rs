@@ -8,7 +8,7 @@ mod spindle;
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
 pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use drive_model::{DriveModel, MeasuredDrive};
-pub use ipc::{Filter, Ipc, Mode, Stage, Tuning};
+pub use ipc::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
 pub use reference::position_control::Location;
 pub use spindle::{Bus, Changeover, Spindle};
 

@@ -2,9 +2,8 @@
 //! are made of. No text, no program.
 
 use super::feedforward::design as feedforward;
-use super::ipc::{design as ipc, stage::StageDesign};
+use super::ipc::{design as ipc, sets, stage::StageDesign};
 use super::position_control::design as position_control;
-use super::sets;
 use super::spindle::design as spindle;
 use crate::axis::Axis;
 use reference::ipc::STAGES;
@@ -39,7 +38,7 @@ impl From<Axis> for Designed {
         let feedforward = feedforward::coefficients(&axis);
         let position_control = position_control::coefficients(&axis);
         let spindle = spindle::coefficients(&axis);
-        let sets = if axis.ipc.takes_sets { sets::sets(&axis, &ipc) } else { [0; 2] };
+        let sets = if axis.ipc.takes_sets() { sets::sets(&axis, &ipc) } else { [0; 2] };
         Self { axis, stage, ipc, sets, feedforward, position_control, spindle }
     }
 }

@@ -1,12 +1,12 @@
-//! A block as its folder describes it, and as the registry has it: everything that can be asked of it, whatever its types are.
+//! What follows from what a block's folder says: verified program, self-test, recorded run, whatever the types of its reference are.
 
 use super::designed::Designed;
-use super::values::{self, Values};
+use super::part::{Certified, Part};
+use crate::design::rounding::rounded;
 use crate::noise::{Run, Running};
 use crate::runner::{self, Runner};
 use crate::self_test::{self, SelfTest};
-use crate::trial::{self, Drill, Recording};
-use crate::{axis::Axis, design::rounding::rounded};
+use crate::trial::{self, Recording};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
@@ -14,140 +14,179 @@ use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
 
-/// What a block's folder says of it: what the parameters of an axis make of a reference.
-pub trait Part: Sync {
-    /// Whether the parameters of an axis ask for it.
-    fn is_asked_for(&self, axis: &Axis) -> bool;
+/// The last pass.
+pub(super) const VERIFIED: &str = "verified";
 
-    /// What it is called where names have to be short.
-    fn short_name(&self) -> &'static str;
-
+/// A reference that an axis may run.
+pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
     /// Its coefficients, in double precision.
-    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs
-    where
-        Self: Reference<f64> + Sized;
+    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
 
-    /// What its coefficients mean: a path among them, or the beginning of one, and a text.
-    fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
-
-    /// What it takes from other blocks of its axis beside parameters, for the digest.
-    fn terms(&self, _: &Axis) -> String {
-        String::new()
-    }
-
-    /// The ranges of the noise on its real inputs in a self-test: where no limit acts, and where limits do.
-    fn ranges(&self, designed: &Designed) -> [f64; 2];
-
-    /// How many cycles it takes from its start until it acts in full.
-    fn start_cycles(&self, _: &Designed) -> usize {
-        0
-    }
-
-    /// What it is led through in a self-test, beside noise.
-    fn drill(&self, _: &Designed) -> Vec<Drill> {
-        Vec::new()
-    }
-
-    /// What it does, for the summary of an axis.
-    fn summary(&self, designed: &Designed) -> Summary;
-
-    /// What it means for the machine: tables and verdicts in words, a line each.
-    fn verdict(&self, designed: &Designed) -> Vec<String> {
-        self.summary(designed).lines
-    }
-
-    /// What it does as named values, for the semantic diff.
-    fn values(&self, _: &Designed) -> Values {
-        Values::new()
-    }
-
-    /// What differs between two versions of an axis, as far as this block shows it: in words, a line each.
-    fn differences(&self, old: &Designed, new: &Designed) -> Vec<String> {
-        values::differences(&self.values(old), &self.values(new))
-    }
-
-    /// The same of an axis that has no older version.
-    fn description(&self, designed: &Designed) -> Vec<String> {
-        values::description(&self.values(designed))
-    }
-
-    /// The largest |v_add|, where it puts one out.
-    fn limit(&self, _: &Designed) -> Option<Figure> {
+    /// What an axis runs in its place, if it does.
+    fn other(_: &Designed) -> Option<&'static dyn Typed> {
         None
     }
-
-    /// What is certain of its program.
-    ///
-    /// # Errors
-    /// The program does something else than what was designed.
-    fn certificate(&self, _: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified::default())
-    }
 }
 
-/// What a block does.
-#[derive(Clone, Debug, Default)]
-pub struct Summary {
-    /// behind the first line of its axis
-    pub head: String,
-    /// lines of its own
-    pub lines: Vec<String>,
-}
-
-/// What is certain of a block.
-#[derive(Clone, Debug, Default)]
-pub struct Certified {
-    /// in words, a line each
-    pub lines: Vec<String>,
-    /// for code
-    pub figures: Vec<Figure>,
-}
-
-/// The last pass.
-const VERIFIED: &str = "verified";
-
-/// A number that code may compare with what it expects.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Figure {
-    /// in capital letters
-    pub name: &'static str,
-    /// what it is, with its unit
-    pub doc: String,
-    /// in the real type of the block
-    pub value: Literal,
-}
-
-/// A block that an axis may have, in the real type of the axis.
+/// A block that an axis may have.
 pub trait Kind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
+    /// The reference that an axis runs as this block.
+    fn typed(&self, designed: &Designed) -> &dyn Typed;
+}
+
+impl<P: Part + Design> Kind for P {
+    fn name(&self) -> &'static str {
+        <P as Reference<f64>>::NAME
+    }
+
+    fn typed(&self, designed: &Designed) -> &dyn Typed {
+        P::other(designed).unwrap_or(self)
+    }
+}
+
+impl dyn Kind + '_ {
     /// The program after the pass of that name; none: as the specialiser gives it.
     ///
     /// # Errors
     /// A defect of the block or of a pass.
-    fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+    pub fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
+        self.typed(designed).program(self, designed, last)
+    }
 
     /// What is certain of its outputs, whatever its state and its inputs hold.
     ///
     /// # Errors
     /// A defect of the block or of a pass.
-    fn shown(&self, designed: &Designed) -> Result<Shown, Defect>;
+    pub fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
+        Ok(shown(self, designed, &self.program(designed, Some(VERIFIED))?))
+    }
 
     /// The block, ready to be printed.
     ///
     /// # Errors
     /// A defect of the block or of a pass.
-    fn block(&self, designed: &Designed) -> Result<Block, Defect>;
+    pub fn block(&self, designed: &Designed) -> Result<Block, Defect> {
+        self.typed(designed).block(self, designed)
+    }
 
     /// A run of so many samples for a user's own board, of a block of that axis.
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner;
+    pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        self.typed(designed).runner(self, designed, block, samples)
+    }
 
     /// The reference, before its first cycle.
-    fn start(&self, designed: &Designed) -> Box<dyn Run>;
+    pub fn start(&self, designed: &Designed) -> Box<dyn Run> {
+        self.typed(designed).start(designed)
+    }
 
     /// All its coefficients.
+    pub fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
+        self.typed(designed).coefficients(designed)
+    }
+}
+
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`Kind`] does.
+pub trait Typed: Sync {
+    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
+    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner;
+    fn start(&self, designed: &Designed) -> Box<dyn Run>;
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
+}
+
+impl<B: Design> Typed for B {
+    fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => program::<f64, B>(part, designed, last),
+            RealKind::F32 => program::<f32, B>(part, designed, last),
+        }
+    }
+
+    fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => block::<f64, B>(part, designed),
+            RealKind::F32 => block::<f32, B>(part, designed),
+        }
+    }
+
+    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        match designed.axis.real {
+            RealKind::F64 => runner::<f64, B>(part, designed, block, samples),
+            RealKind::F32 => runner::<f32, B>(part, designed, block, samples),
+        }
+    }
+
+    fn start(&self, designed: &Designed) -> Box<dyn Run> {
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
+        match real {
+            RealKind::F64 => Box::new(Running::<f64, B>::start(coeffs)),
+            RealKind::F32 => Box::new(Running::<f32, B>::start(rounded(&coeffs, real))),
+        }
+    }
+
+    fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
+        match real {
+            RealKind::F64 => leaves(&coeffs),
+            RealKind::F32 => leaves(&rounded::<_, <B as Reference<f32>>::Coeffs>(&coeffs, real)),
+        }
+    }
+}
+
+/// The program after the pass of that name; none: as the specialiser gives it.
+fn program<R: Real, B: Design + Reference<R>>(
+    part: &dyn Part,
+    designed: &Designed,
+    last: Option<&str>,
+) -> Result<Program, Defect> {
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, B>(&rounded(&B::design(designed), R::KIND), &notes);
+    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
+}
+
+/// Specialises one block and records what it does.
+fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
+    let coeffs = || rounded(&B::design(designed), R::KIND);
+    let ranges = part.ranges(designed);
+    let notes = part.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, B>(&coeffs(), &notes);
+    let structure = structure::of(&specialised);
+    let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
+    let program = pass::run(specialised, None)?;
+    let own = legalise::own(&program)?;
+    let self_test = self_test::record::<R, B>(coeffs(), &own, &state_paths, ranges);
+    let certificate = part.certificate(designed, &program)?;
+    let start = part.start_cycles(designed);
+    let drill = part.drill(designed);
+    let led = (&*drill, designed.axis.cycle_time_ns);
+    let trial = trial::recording::<R, B>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
+    let shown = shown(part, designed, &program);
+    shown.refuse(program.block)?;
+    Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
+}
+
+/// What is certain of the outputs of a program.
+fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
+    // Where nothing adds a velocity, it is 0.
+    let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
+    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
+}
+
+/// Runs the reference of a block for a user's own board.
+fn runner<R: Real, B: Design + Reference<R>>(
+    part: &dyn Part,
+    designed: &Designed,
+    block: &Block,
+    samples: usize,
+) -> Runner {
+    let coeffs = rounded(&B::design(designed), R::KIND);
+    let (ranges, drill) = (part.ranges(designed), part.drill(designed));
+    runner::record::<R, B>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }
 
 /// A block of one axis, ready to be printed.
@@ -177,102 +216,4 @@ impl Block {
     pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
         self.trial.inputs()
     }
-}
-
-impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
-    fn name(&self) -> &'static str {
-        <P as Reference<f64>>::NAME
-    }
-
-    fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => program::<f64, P>(self, designed, last),
-            RealKind::F32 => program::<f32, P>(self, designed, last),
-        }
-    }
-
-    fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
-        Ok(shown(self, designed, &Kind::program(self, designed, Some(VERIFIED))?))
-    }
-
-    fn block(&self, designed: &Designed) -> Result<Block, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => block::<f64, P>(self, designed),
-            RealKind::F32 => block::<f32, P>(self, designed),
-        }
-    }
-
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
-        match designed.axis.real {
-            RealKind::F64 => runner::<f64, P>(self, designed, block, samples),
-            RealKind::F32 => runner::<f32, P>(self, designed, block, samples),
-        }
-    }
-
-    fn start(&self, designed: &Designed) -> Box<dyn Run> {
-        let (coeffs, real) = (P::design(designed), designed.axis.real);
-        match real {
-            RealKind::F64 => Box::new(Running::<f64, P>::start(coeffs)),
-            RealKind::F32 => Box::new(Running::<f32, P>::start(rounded(&coeffs, real))),
-        }
-    }
-
-    fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
-        let (coeffs, real) = (P::design(designed), designed.axis.real);
-        match real {
-            RealKind::F64 => leaves(&coeffs),
-            RealKind::F32 => leaves(&rounded::<_, <P as Reference<f32>>::Coeffs>(&coeffs, real)),
-        }
-    }
-}
-
-/// The program after the pass of that name; none: as the specialiser gives it.
-fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
-    part: &P,
-    designed: &Designed,
-    last: Option<&str>,
-) -> Result<Program, Defect> {
-    let notes = part.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, P>(&rounded(&P::design(designed), R::KIND), &notes);
-    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
-}
-
-/// Specialises one block and records what it does.
-fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &Designed) -> Result<Block, Defect> {
-    let coeffs = || rounded(&P::design(designed), R::KIND);
-    let ranges = part.ranges(designed);
-    let notes = part.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, P>(&coeffs(), &notes);
-    let structure = structure::of(&specialised);
-    let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
-    let program = pass::run(specialised, None)?;
-    let own = legalise::own(&program)?;
-    let self_test = self_test::record::<R, P>(coeffs(), &own, &state_paths, ranges);
-    let certificate = part.certificate(designed, &program)?;
-    let start = part.start_cycles(designed);
-    let drill = part.drill(designed);
-    let led = (&*drill, designed.axis.cycle_time_ns);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
-    let shown = shown(part, designed, &program);
-    shown.refuse(program.block)?;
-    Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
-}
-
-/// What is certain of the outputs of a program.
-fn shown<P: Part>(part: &P, designed: &Designed, program: &Program) -> Shown {
-    // Where nothing adds a velocity, it is 0.
-    let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
-    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
-}
-
-/// Runs the reference of a block for a user's own board.
-fn runner<R: Real, P: Part + Reference<f64> + Reference<R>>(
-    part: &P,
-    designed: &Designed,
-    block: &Block,
-    samples: usize,
-) -> Runner {
-    let coeffs = rounded(&P::design(designed), R::KIND);
-    let (ranges, drill) = (part.ranges(designed), part.drill(designed));
-    runner::record::<R, P>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! designed  an axis with everything that design makes of it, once
-//! kind      what a block's folder says of it; what follows: verified program, self-test, recorded run
+//! part      what a block's folder says of it
+//! kind      what follows: verified program, self-test, recorded run
 //! values    named values beside each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
@@ -13,19 +14,18 @@ mod designed;
 pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
+mod part;
 pub(crate) mod position_control;
-mod sets;
 pub(crate) mod spindle;
 mod spindle_axis;
-mod tunable_ipc;
-mod tuned_ipc;
 mod values;
 
 pub use crate::trial::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
-pub use kind::{Block, Certified, Figure, Kind, Part, Summary};
-pub(crate) use tunable_ipc::shown;
+pub(crate) use ipc::sets::shown;
+pub use kind::{Block, Design, Kind, Typed};
+pub use part::{Certified, Figure, Part, Summary};
 pub(crate) use values::{Value, differences};
 
 use crate::axis::Axis;
@@ -33,10 +33,8 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 8] = [
+pub(crate) const BLOCKS: [&dyn Kind; 6] = [
     &reference::ipc::Ipc,
-    &reference::tuned_ipc::TunedIpc,
-    &reference::tunable_ipc::TunableIpc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,
@@ -59,14 +57,9 @@ pub fn names(axis: &Axis) -> Vec<&'static str> {
     of_axis(axis).map(Kind::name).collect()
 }
 
-/// The block of that name, with its own numbers.
+/// The block of that name.
 pub fn named(name: &str) -> Option<&'static dyn Kind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
-}
-
-/// The block of that name that an axis has: with parameter sets `ipc` is another one.
-pub fn of_name(axis: &Axis, name: &str) -> Option<&'static dyn Kind> {
-    of_axis(axis).find(|kind| kind.name() == name)
 }
 
 /// The blocks of an axis, ready to be printed.

@@ -1,6 +1,6 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{Certified, Drill, Figure, Part, Summary, ipc};
+use super::{Certified, Design, Drill, Figure, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
 use crate::trial::Set;
 use compiler::pass::Defect;
@@ -10,20 +10,22 @@ use reference::ipc::mode_off;
 use reference::spindle::Spindle;
 use reference::spindle_axis::{Coeffs, SpindleAxis};
 
-impl Part for SpindleAxis {
-    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // What takes parameter sets stands by itself.
-        axis.control.spindle.is_some() && !axis.ipc.takes_sets
-    }
-
-    fn short_name(&self) -> &'static str {
-        "sx"
-    }
-
+impl Design for SpindleAxis {
     fn design(designed: &Designed) -> Coeffs<f64> {
         // The loop of a drive, and of another block, has an encoder of its own.
         let spindle = reference::spindle::Coeffs { closes_loop: !designed.spindle.in_drive, ..designed.spindle };
         Coeffs { spindle, axis: Axis::design(designed) }
+    }
+}
+
+impl Part for SpindleAxis {
+    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
+        // What takes parameter sets stands by itself.
+        axis.control.spindle.is_some() && !axis.ipc.takes_sets()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "sx"
     }
 
     /// Those of its parts.

@@ -100,7 +100,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
     // The last block of the registry that holds it.
     let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
-    let is_tunable = axis.ipc.tuning.is_some();
+    let is_tunable = axis.ipc.tuning().is_some();
     // The drive that the set states, else the ideal one.
     let drive = closed_loop::stated(&axis.drive).unwrap_or(Drive::IDEAL);
     let points = closed_loop::points(designed, &[drive]);
@@ -115,7 +115,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
         ipc: block_name(&axis.name, IPC),
         is_inside,
         is_tunable,
-        takes_sets: axis.ipc.takes_sets,
+        takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,
         parameters,
         unit: axis.control.velocity_unit(),

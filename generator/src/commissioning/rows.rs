@@ -94,7 +94,7 @@ pub(super) fn limits(ipc: &Ipc) -> Vec<Limit> {
     let row = |percent: u32| {
         let v_add_max_fact = (ipc.v_add_max_fact * percent).div_ceil(100);
         let part = f64::from(percent) / 100.0;
-        let limit = match ipc.tuning {
+        let limit = match ipc.tuning() {
             Some(_) => ipc.limit() * part,
             None => Ipc { v_add_max_fact, ..ipc.clone() }.limit(),
         };

@@ -6,7 +6,7 @@ mod lines;
 mod range;
 mod response;
 
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::blocks::ipc::certificate::{Certificate, certify};
 use crate::blocks::{Block, blocks};
@@ -51,8 +51,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
             v_max: 530_000.0,
             fade: 0.1,
             ride_through: 0,
-            tuning: None,
-            takes_sets: false,
+            numbers: Numbers::Fixed,
             watch: false,
             delay_cycles: None,
             stage,

@@ -1,6 +1,6 @@
 //! Numbers of designs that were computed elsewhere, kept to 1e-13.
 
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::design;
 use crate::design::band::{Band, band, warped};
@@ -121,8 +121,7 @@ fn rack_and_pinion() -> Axis {
             v_max: 200_000.0,
             fade: 0.1,
             ride_through: 0,
-            tuning: None,
-            takes_sets: false,
+            numbers: Numbers::Fixed,
             watch: false,
             delay_cycles: None,
             stage,

@@ -14,7 +14,7 @@ pub type Cycle = Box<dyn FnMut(&[Literal], &mut Vec<Literal>)>;
 /// If the axis does not have the block.
 #[must_use]
 pub fn start(designed: &Designed, block: &Block) -> Cycle {
-    let kind = blocks::of_name(&designed.axis, block.program.block).expect("engine: the axis has the block");
+    let kind = blocks::named(block.program.block).expect("engine: the axis has the block");
     let mut reference = kind.start(designed);
     Box::new(move |inputs, outputs| reference.step(inputs, outputs))
 }

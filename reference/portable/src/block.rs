@@ -48,9 +48,6 @@ pub trait Block<R: Real> {
     const NAME: &'static str;
     /// What turns the block off from outside; `None`: nothing does.
     const ENABLE: Option<Enable>;
-    /// Whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle. C then calls that as a function of
-    /// its own: a usual cycle saves no register for it.
-    const USUAL_FIRST: bool = false;
     /// The real inputs that are no samples of a signal but parts of something, from 0 to 1.
     const FRACTIONS: &'static [&'static str] = &[];
     /// The struct among the inputs that is a parameter set: it stays until another one is offered.
@@ -59,6 +56,12 @@ pub trait Block<R: Real> {
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.
     const STEP: Fn;
+
+    /// Whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle. C then calls that as a function of
+    /// its own: a usual cycle saves no register for it.
+    fn is_usual_first(_: &Self::Coeffs) -> bool {
+        false
+    }
 
     /// Memory in which nothing has been written yet.
     fn memory() -> Self::State;

@@ -22,5 +22,5 @@ pub use ir::{
     Argument, Arm, Binary, Body, CodeBlock, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,
 };
 pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, Variant, VariantDef, scalar};
-pub use portable_macro::portable;
+pub use portable_macro::{copy, portable};
 pub use real::{Real, RealKind, is_within_i32};

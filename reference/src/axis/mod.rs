@@ -20,7 +20,7 @@ use crate::signal::{
     error_v_interpolator, error_x_command, sample_limit,
 };
 use crate::{call_rate, feedforward, ipc, position_control};
-use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable, within};
+use portable::{Block, Enable, Fn, Off, Real, copy, in_range, note, portable, within};
 use position_control::Location;
 
 /// Where the additive velocity comes from.
@@ -99,19 +99,14 @@ pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_out
     take(outputs, control_outputs);
     outputs.limited = false;
     outputs.held = false;
-    outputs.fault = control_outputs.fault;
-    outputs.error_id = control_outputs.error_id;
+    copy!(outputs = control_outputs: fault, error_id);
 }
 
 /// Takes over what the drive gets.
 #[portable]
 pub fn take<R: Real>(outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
-    outputs.v_command = control_outputs.v_command;
-    outputs.manipulated_variable = control_outputs.manipulated_variable;
-    outputs.x_drive = control_outputs.x_drive;
-    outputs.xerr = control_outputs.xerr;
-    outputs.additive_velocity = control_outputs.additive_velocity;
-    outputs.additive_torque = control_outputs.additive_torque;
+    copy!(outputs = control_outputs:
+        v_command, manipulated_variable, x_drive, xerr, additive_velocity, additive_torque);
 }
 
 /// Feedforward, if the axis has it.
@@ -125,11 +120,8 @@ pub fn feed_forward<R: Real>(
 ) {
     if coeffs.has_feedforward {
         let mut feedforward_inputs = feedforward::Inputs::<R>::default();
-        feedforward_inputs.v_interpolator = inputs.v_interpolator;
-        feedforward_inputs.a_interpolator = inputs.a_interpolator;
-        feedforward_inputs.j_interpolator = inputs.j_interpolator;
-        feedforward_inputs.feedforward_active = inputs.feedforward_active;
-        feedforward_inputs.feedforward_percentage = inputs.feedforward_percentage;
+        copy!(feedforward_inputs = inputs:
+            v_interpolator, a_interpolator, j_interpolator, feedforward_active, feedforward_percentage);
         feedforward_inputs.position_controlled = true;
         feedforward::step(&mut state.feedforward, &coeffs.feedforward, &feedforward_inputs, feedforward_outputs);
         if feedforward_outputs.fault {
@@ -179,16 +171,10 @@ pub fn improve<R: Real>(
     // Where the drive has the position controller, the interpolator's velocity is the command (P-AXIS-00753).
     ipc_inputs.v_command =
         if coeffs.position_control.location == Location::Cnc { v_command } else { inputs.v_interpolator };
-    ipc_inputs.v_motor = inputs.v_motor;
-    ipc_inputs.v_direct = inputs.v_direct;
-    for i in 0..ipc::STAGES {
-        ipc_inputs.tuning_weight[i] = inputs.tuning_weight[i];
-    }
-    ipc_inputs.tuning_limit = inputs.tuning_limit;
-    ipc_inputs.mode = inputs.mode;
+    copy!(ipc_inputs = inputs: v_motor, v_direct, tuning_weight, tuning_limit, mode);
     ipc_inputs.position_controlled = loop_closed;
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    ipc::step(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
+    ipc::any_cycle(&mut state.ipc, &coeffs.ipc, &ipc_inputs, &mut ipc_outputs);
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
     } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() && !outputs.fault {
@@ -198,9 +184,7 @@ pub fn improve<R: Real>(
     if ipc_outputs.limited {
         outputs.limited = true;
     }
-    outputs.held = ipc_outputs.held;
-    outputs.v_add = ipc_outputs.v_add;
-    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
+    copy!(outputs = ipc_outputs: held, v_add, v_add_calculated);
     ipc_outputs.v_add
 }
 
@@ -274,16 +258,13 @@ pub fn act<R: Real>(
 ) {
     clear(outputs, coeffs);
     let mut control_inputs = position_control::Inputs::<R>::default();
-    control_inputs.x_command = inputs.x_command;
-    control_inputs.x_actual = inputs.x_actual;
-    control_inputs.following_error = inputs.following_error;
+    copy!(control_inputs = inputs: x_command, x_actual, following_error);
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
     feed_forward(state, coeffs, inputs, outputs, &mut feedforward_outputs);
     if coeffs.position_control.feedforward {
         outputs.v_feedforward = feedforward_outputs.v_feedforward;
     }
-    control_inputs.v_feedforward = feedforward_outputs.v_feedforward;
-    control_inputs.v_additive = feedforward_outputs.v_additive;
+    copy!(control_inputs = feedforward_outputs: v_feedforward, v_additive);
     control_inputs.torque_feedforward = feedforward_outputs.additive_torque;
     let mut control_outputs = position_control::Outputs::<R>::default();
     control_outputs.v_command = position_control::command(&coeffs.position_control, &control_inputs);
@@ -295,8 +276,7 @@ pub fn act<R: Real>(
         &mut control_outputs,
     );
     if coeffs.position_control.location == Location::Cnc {
-        outputs.v_command = control_outputs.v_command;
-        outputs.manipulated_variable = control_outputs.manipulated_variable;
+        copy!(outputs = control_outputs: v_command, manipulated_variable);
     } else {
         outputs.x_drive = control_outputs.x_drive;
     }

@@ -358,9 +358,33 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
         && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
 
-/// One cycle. Only the inputs that a stage looks at are checked.
+/// One cycle. With parts that the caller tunes it begins with the usual one, in which every part is what its input asks for, too, and nothing but
+/// the sections changes: it does what `any_cycle` does there, and asks for less.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if coeffs.tuning.active {
+        if may_act_in_full(coeffs, inputs)
+            && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
+            && state.fade == coeffs.fade_cycles
+            && !(coeffs.watch.active && state.watch.tripped)
+            && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
+            && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs)
+        {
+            outputs.held = false;
+            call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
+            act_in_full(state, coeffs, inputs, outputs);
+            tell_trip(state, coeffs, outputs);
+        } else {
+            any_cycle(state, coeffs, inputs, outputs);
+        }
+    } else {
+        any_cycle(state, coeffs, inputs, outputs);
+    }
+}
+
+/// Any cycle. Only the inputs that a stage looks at are checked.
+#[portable]
+pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     rearm(state, coeffs, inputs.mode, inputs.reset);
     count_call(state, coeffs, inputs.cycle_counter);
     go_on(state, coeffs, inputs, outputs);
@@ -464,6 +488,10 @@ impl<R: Real> Block<R> for Ipc {
     const FRACTIONS: &'static [&'static str] = tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(coeffs: &Coeffs<R>) -> bool {
+        coeffs.tuning.active
+    }
 
     fn memory() -> State<R> {
         State::default()

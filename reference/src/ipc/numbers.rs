@@ -5,7 +5,7 @@ use super::signals::STAGES;
 use super::{Coeffs, watch};
 use crate::check_word::{Forming, Word, add, largest_number, limit_scale};
 use crate::{stage, turn};
-use portable::{Real, in_range, portable, stored};
+use portable::{Real, copy, in_range, portable, stored};
 
 /// The numbers of the set in use.
 #[portable]
@@ -48,9 +48,7 @@ pub struct Params<R> {
 /// Reads the numbers of an offered set, each of them once: what another task writes afterwards is not seen.
 #[portable]
 pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Params<R>) {
-    numbers.limit = offered.limit;
-    numbers.lower_limit = offered.lower_limit;
-    numbers.sum_limit = offered.sum_limit;
+    copy!(numbers = offered: limit, lower_limit, sum_limit);
     if structure.watch.active {
         numbers.watch.quiet = offered.watch.quiet;
     }
@@ -64,9 +62,7 @@ pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &
 /// Takes other numbers over.
 #[portable]
 pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &Numbers<R>) {
-    numbers.limit = others.limit;
-    numbers.lower_limit = others.lower_limit;
-    numbers.sum_limit = others.sum_limit;
+    copy!(numbers = others: limit, lower_limit, sum_limit);
     if structure.watch.active {
         numbers.watch.quiet = others.watch.quiet;
     }

@@ -3,7 +3,7 @@
 use super::signals::{Inputs, STAGES};
 use super::sources::{self, are_in_range, reads_command, reads_direct, reads_motor};
 use crate::{signal::sample_limit, stage};
-use portable::{Real, in_range, portable};
+use portable::{Real, copy, in_range, portable};
 
 /// Coefficients.
 #[portable]
@@ -41,17 +41,8 @@ pub fn replace<R: Real>(
     inputs: &Inputs<R>,
     replaced: &mut Inputs<R>,
 ) -> bool {
-    replaced.v_command = inputs.v_command;
-    replaced.v_motor = inputs.v_motor;
-    replaced.v_direct = inputs.v_direct;
-    for i in 0..STAGES {
-        replaced.tuning_weight[i] = inputs.tuning_weight[i];
-    }
-    replaced.tuning_limit = inputs.tuning_limit;
-    replaced.mode = inputs.mode;
-    replaced.position_controlled = inputs.position_controlled;
-    replaced.reset = inputs.reset;
-    replaced.task_cycle_ns = inputs.task_cycle_ns;
+    copy!(replaced = inputs:
+        v_command, v_motor, v_direct, tuning_weight, tuning_limit, mode, position_controlled, reset, task_cycle_ns);
     let mut held = false;
     if are_in_range(stages, inputs) {
         state.bad = 0u32;

@@ -9,7 +9,7 @@ use crate::signal::{
     error_direction, error_drive_off, error_none, error_only_velocity, error_requests, error_s_position, error_s_word,
     error_waiting, sample_limit,
 };
-use portable::{Real, in_range, note, portable};
+use portable::{Real, copy, in_range, note, portable};
 
 /// How many requests may wait.
 pub(super) const WAITING: usize = 4;
@@ -51,12 +51,7 @@ pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let new_m5 = inputs.m5 && !state.before.m5;
     let new_putax = inputs.putax && !state.before.putax;
     let new_g74 = inputs.g74 && !state.before.g74;
-    state.before.m3 = inputs.m3;
-    state.before.m4 = inputs.m4;
-    state.before.m5 = inputs.m5;
-    state.before.m19 = inputs.m19;
-    state.before.putax = inputs.putax;
-    state.before.g74 = inputs.g74;
+    copy!(state.before = inputs: m3, m4, m5, m19, putax, g74);
     let mut error_taken = error_none();
     if !inputs.reset && (new_g74 || new_putax || new_m19 || new_m5 || new_turn) {
         let mut wanted = Job::Turn;
@@ -143,13 +138,9 @@ pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let is_fast =
         state.request[0].speed > coeffs.v_velocity_control_on || -state.request[0].speed > coeffs.v_velocity_control_on;
     state.turns_fast = state.request[0].kind == Job::Turn && is_fast;
-    state.present.kind = state.request[0].kind;
-    state.present.speed = state.request[0].speed;
-    state.present.position = state.request[0].position;
+    state.present = state.request[0];
     for place in 1..WAITING {
-        state.request[place - 1].kind = state.request[place].kind;
-        state.request[place - 1].speed = state.request[place].speed;
-        state.request[place - 1].position = state.request[place].position;
+        state.request[place - 1] = state.request[place];
     }
     state.queued -= 1u32;
     state.jobs = if state.jobs < u32::MAX { state.jobs + 1u32 } else { 0u32 };

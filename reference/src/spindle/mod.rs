@@ -220,9 +220,12 @@ impl<R: Real> Block<R> for Spindle {
 
     const NAME: &'static str = "spindle";
     const ENABLE: Option<Enable> = Some(ENABLE);
-    const USUAL_FIRST: bool = true;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(_: &Coeffs<R>) -> bool {
+        true
+    }
 
     fn memory() -> State<R> {
         State::default()

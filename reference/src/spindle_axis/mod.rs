@@ -19,7 +19,7 @@ use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, process_data, spindle};
-use portable::{Block, Enable, Fn, Real, note, portable, within};
+use portable::{Block, Enable, Fn, Real, copy, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -51,26 +51,10 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// What the changeover looks at.
 #[portable]
 pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>) {
-    spindle_inputs.x_command = inputs.x_command;
-    spindle_inputs.v_interpolator = inputs.v_interpolator;
-    spindle_inputs.x_actual = inputs.x_actual;
-    spindle_inputs.v_actual = inputs.v_actual;
-    spindle_inputs.s_word = inputs.s_word;
-    spindle_inputs.s_position = inputs.s_position;
-    spindle_inputs.m3 = inputs.m3;
-    spindle_inputs.m4 = inputs.m4;
-    spindle_inputs.m5 = inputs.m5;
-    spindle_inputs.m19 = inputs.m19;
-    spindle_inputs.putax = inputs.putax;
-    spindle_inputs.g74 = inputs.g74;
-    spindle_inputs.job_done = inputs.job_done;
-    spindle_inputs.drive_on = inputs.drive_on;
-    spindle_inputs.operation_mode_display = inputs.operation_mode_display;
-    spindle_inputs.feedforward_active = inputs.feedforward_active;
-    spindle_inputs.feedforward_percentage = inputs.feedforward_percentage;
-    spindle_inputs.reset = inputs.reset;
-    spindle_inputs.task_cycle_ns = inputs.task_cycle_ns;
-    spindle_inputs.cycle_counter = inputs.cycle_counter;
+    copy!(spindle_inputs = inputs:
+        x_command, v_interpolator, x_actual, v_actual, s_word, s_position, m3, m4, m5, m19, putax, g74, job_done,
+        drive_on, operation_mode_display, feedforward_active, feedforward_percentage, reset, task_cycle_ns,
+        cycle_counter);
 }
 
 /// Whether the drive may follow the position command in this cycle: then the axis acts.
@@ -121,17 +105,9 @@ pub fn act<R: Real>(
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
     }
     axis_inputs.v_interpolator = spindle_outputs.v_spindle;
-    axis_inputs.a_interpolator = inputs.a_interpolator;
-    axis_inputs.j_interpolator = inputs.j_interpolator;
-    axis_inputs.v_motor = inputs.v_motor;
-    axis_inputs.v_direct = inputs.v_direct;
-    for i in 0..ipc::STAGES {
-        axis_inputs.tuning_weight[i] = inputs.tuning_weight[i];
-    }
-    axis_inputs.tuning_limit = inputs.tuning_limit;
-    axis_inputs.mode = inputs.mode;
-    axis_inputs.feedforward_active = inputs.feedforward_active;
-    axis_inputs.feedforward_percentage = inputs.feedforward_percentage;
+    copy!(axis_inputs = inputs:
+        a_interpolator, j_interpolator, v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active,
+        feedforward_percentage);
     axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
     if gives_up {
         give_up(&mut state.spindle, axis_outputs.v_command);
@@ -146,26 +122,10 @@ pub fn put_out<R: Real>(
     axis_outputs: &axis::Outputs<R>,
     outputs: &mut Outputs<R>,
 ) {
-    outputs.x_spindle = spindle_outputs.x_spindle;
-    outputs.v_spindle = spindle_outputs.v_spindle;
-    outputs.job_speed = spindle_outputs.job_speed;
-    outputs.job_position = spindle_outputs.job_position;
-    outputs.v_command = axis_outputs.v_command;
-    outputs.v_feedforward = axis_outputs.v_feedforward;
-    outputs.v_add = axis_outputs.v_add;
-    outputs.v_add_calculated = axis_outputs.v_add_calculated;
-    outputs.x_drive = axis_outputs.x_drive;
-    outputs.spindle_state = spindle_outputs.spindle_state;
-    outputs.job = spindle_outputs.job;
-    outputs.job_number = spindle_outputs.job_number;
-    outputs.waiting = spindle_outputs.waiting;
-    outputs.operation_mode = spindle_outputs.operation_mode;
-    outputs.velocity_command = spindle_outputs.velocity_command;
-    outputs.manipulated_variable = axis_outputs.manipulated_variable;
-    outputs.additive_torque = axis_outputs.additive_torque;
-    outputs.additive_velocity = axis_outputs.additive_velocity;
-    outputs.held = axis_outputs.held;
-    outputs.tripped = axis_outputs.tripped;
+    copy!(outputs = spindle_outputs: x_spindle, v_spindle, job_speed, job_position);
+    copy!(outputs = axis_outputs: v_command, v_feedforward, v_add, v_add_calculated, x_drive);
+    copy!(outputs = spindle_outputs: spindle_state, job, job_number, waiting, operation_mode, velocity_command);
+    copy!(outputs = axis_outputs: manipulated_variable, additive_torque, additive_velocity, held, tripped);
     outputs.limited =
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
@@ -199,8 +159,7 @@ pub fn open<R: Real>(
         axis_outputs.limited = open_datum.limited;
     }
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
-    outputs.error_id = spindle_outputs.error_id;
-    outputs.fault = spindle_outputs.fault;
+    copy!(outputs = spindle_outputs: error_id, fault);
     tell_trip(coeffs, &axis_outputs, outputs);
     outputs.loop_closed = spindle_outputs.loop_closed;
 }
@@ -284,10 +243,13 @@ impl<R: Real> Block<R> for SpindleAxis {
 
     const NAME: &'static str = "spindle_axis";
     const ENABLE: Option<Enable> = Some(spindle::ENABLE);
-    const USUAL_FIRST: bool = true;
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(_: &Coeffs<R>) -> bool {
+        true
+    }
 
     fn memory() -> State<R> {
         State::default()

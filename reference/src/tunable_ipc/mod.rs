@@ -27,7 +27,7 @@ use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
 use crate::{call_rate, filter, stage, turn};
-use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable, with_numbers};
+use portable::{Block, Enable, Fn, Off, Real, copy, from_u32, in_range, note, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -207,25 +207,15 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// What the cycle of [`crate::ipc`] gets.
 #[portable]
 pub fn hand_over<R: Real>(inputs: &Inputs<R>, mode: i32, ipc_inputs: &mut ipc::Inputs<R>) {
-    ipc_inputs.v_command = inputs.v_command;
-    ipc_inputs.v_motor = inputs.v_motor;
-    ipc_inputs.v_direct = inputs.v_direct;
+    copy!(ipc_inputs = inputs: v_command, v_motor, v_direct);
     ipc_inputs.mode = mode;
-    ipc_inputs.position_controlled = inputs.position_controlled;
-    ipc_inputs.reset = inputs.reset;
-    ipc_inputs.task_cycle_ns = inputs.task_cycle_ns;
+    copy!(ipc_inputs = inputs: position_controlled, reset, task_cycle_ns);
 }
 
 /// Puts out what that cycle gives; `refused`: why an offered set is.
 #[portable]
 pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32, outputs: &mut Outputs<R>) {
-    outputs.v_add = ipc_outputs.v_add;
-    outputs.v_add_calculated = ipc_outputs.v_add_calculated;
-    outputs.limited = ipc_outputs.limited;
-    outputs.held = ipc_outputs.held;
-    outputs.tripped = ipc_outputs.tripped;
-    outputs.fault = ipc_outputs.fault;
-    outputs.error_id = ipc_outputs.error_id;
+    copy!(outputs = ipc_outputs: v_add, v_add_calculated, limited, held, tripped, fault, error_id);
     if refused != error_none() && !ipc_outputs.fault {
         outputs.fault = set_id == 0u32;
         outputs.error_id = refused;
@@ -354,10 +344,13 @@ impl<R: Real> Block<R> for TunableIpc {
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
     const ENABLE: Option<Enable> =
         Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") });
-    const USUAL_FIRST: bool = true;
     const SET: Option<&'static str> = Some("params");
     const INIT: Fn = init::Ir::<R>::IR;
     const STEP: Fn = step::Ir::<R>::IR;
+
+    fn is_usual_first(_: &Coeffs<R>) -> bool {
+        true
+    }
 
     fn memory() -> State<R> {
         State::default()

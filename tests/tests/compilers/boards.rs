@@ -72,7 +72,7 @@ pub struct Emitted {
 impl Emitted {
     /// Makes them, with a runner of so many samples.
     pub fn of(designed: &Designed, block: &Block, samples: usize) -> Self {
-        let kind = blocks::of_name(&designed.axis, block.program.block).expect("a block of the axis");
+        let kind = blocks::named(block.program.block).expect("a block of the axis");
         let header = header(&designed.axis, block);
         let target = TARGETS[0].with_runners(samples).expect("C has runners");
         let mut files = target.files(&header, block).expect("C prints every block");

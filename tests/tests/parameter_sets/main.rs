@@ -50,7 +50,7 @@ fn coeffs<R: Real>(of: &Designed) -> Coeffs<R>
 where
     TunableIpc: portable::Block<R, Coeffs = Coeffs<R>>,
 {
-    let kind = generator::blocks::of_name(&of.axis, "ipc").unwrap();
+    let kind = generator::blocks::named("ipc").unwrap();
     let mut coefficients = kind.coefficients(of).into_iter();
     Coeffs::build(&mut || coefficients.next().unwrap())
 }

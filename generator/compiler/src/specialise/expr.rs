@@ -77,7 +77,7 @@ impl Specialiser<'_> {
     }
 
     /// The value of a scalar.
-    fn read(&mut self, part: Part) -> Expr {
+    pub(super) fn read(&mut self, part: Part) -> Expr {
         let Some(cell) = part.cell() else {
             panic!("specialise: in {}: a struct or an array is no scalar; borrow it", self.frame().function)
         };

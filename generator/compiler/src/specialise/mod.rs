@@ -27,7 +27,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let program = Program {
         block: B::NAME,
         switch: None,
-        usual_first: B::USUAL_FIRST,
+        usual_first: B::is_usual_first(coeffs),
         fractions: B::FRACTIONS,
         set: B::SET,
         real: R::KIND,

@@ -1,7 +1,7 @@
 //! Statements, branches and loops: the order of effects, and what is known after a branch.
 
 use super::Specialiser;
-use super::part::{Cell, Named, Part};
+use super::part::{Cell, Leaf, Named, Part};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
 
@@ -58,9 +58,13 @@ impl Specialiser<'_> {
                     portable::Projection::Field { name } => Some(*name),
                     portable::Projection::Index { .. } => None,
                 });
-                let name = self.distinct(place.root, name.unwrap_or(place.root));
+                let (name, part) = (name.unwrap_or(place.root), self.place(place));
+                if let (None, portable::Expr::Read { place: source }) = (part.cell(), value) {
+                    let source = self.place(source);
+                    return self.copy(part, source, place.root, name);
+                }
+                let name = self.distinct(place.root, name);
                 let value = self.named_value(value, &name);
-                let part = self.place(place);
                 self.assign(part, &name, value);
             }
             portable::Statement::Note { text } => self.statements.push(Statement::Note((*text).to_owned())),
@@ -96,6 +100,16 @@ impl Specialiser<'_> {
 
     fn declare(&mut self, name: &'static str, part: Part) {
         self.frame_mut().names.push(Named { name, part, path: None });
+    }
+
+    /// Assigns a struct or an array, scalar by scalar. rustc has seen that both are of one type.
+    fn copy(&mut self, target: Part, source: Part, root: &str, name: &str) {
+        for position in 0..target.ty.leaves() {
+            let field = Leaf::at(target.ty, position).field.map_or(name, |(field, _)| field);
+            let name = self.distinct(root, field);
+            let value = self.read(Part::scalar(source.first + position));
+            self.assign(Part::scalar(target.first + position), &name, value);
+        }
     }
 
     fn assign(&mut self, part: Part, name: &str, value: Expr) {

@@ -2,7 +2,7 @@
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
-use super::{Certified, Figure, Part, Summary, feedforward, ipc, position_control, spindle};
+use super::{Certified, Design, Figure, Part, Summary, feedforward, ipc, position_control, spindle};
 use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::pass::Defect;
@@ -12,16 +12,7 @@ use reference::call_rate;
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
 
-impl Part for Axis {
-    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // What takes parameter sets stands by itself.
-        axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets
-    }
-
-    fn short_name(&self) -> &'static str {
-        "ax"
-    }
-
+impl Design for Axis {
     fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
@@ -41,6 +32,17 @@ impl Part for Axis {
             position_control: reference::position_control::Coeffs { call_rate: uncounted, ..designed.position_control },
             call_rate: call_rate::Coeffs { active: axis.counts_calls },
         }
+    }
+}
+
+impl Part for Axis {
+    fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
+        // What takes parameter sets stands by itself.
+        axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "ax"
     }
 
     /// Its own, and those of its parts.

@@ -6,9 +6,15 @@ pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
 
-use super::{Part, Summary, values::Values};
+use super::{Design, Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
 use reference::feedforward::{Coeffs, Feedforward};
+
+impl Design for Feedforward {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.feedforward
+    }
+}
 
 impl Part for Feedforward {
     fn is_asked_for(&self, axis: &Axis) -> bool {
@@ -17,10 +23,6 @@ impl Part for Feedforward {
 
     fn short_name(&self) -> &'static str {
         "ff"
-    }
-
-    fn design(designed: &Designed) -> Coeffs<f64> {
-        designed.feedforward
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {

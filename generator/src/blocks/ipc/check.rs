@@ -1,7 +1,7 @@
 //! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
 
 use super::filter;
-use crate::axis::{Filter, Ipc, Mode, Stage, Tuning};
+use crate::axis::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
 use crate::parameters::words::{Boolean, Enable, FilterType, StageMode, Tunable, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
@@ -17,7 +17,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let v_max = v_max(e, real);
     let fade = e.duration(key(Name::Fade));
     let ride_through = e.integer(key(Name::RideThrough));
-    let tunable = tunable(e);
+    let numbers = numbers(e);
     let watch = watch(e);
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
@@ -26,7 +26,9 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
     let stage = [first?, second?, third?];
-    let (tuning, takes_sets) = tunable?;
+    // What never acts needs no sets.
+    let needs_sets = is_active && master(e).is_none();
+    let numbers = numbers.map(|numbers| if numbers == Numbers::Sets && !needs_sets { Numbers::Fixed } else { numbers });
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
     let ipc = Ipc {
         enable: enable?,
@@ -34,9 +36,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
         v_max,
         fade,
         ride_through,
-        tuning,
-        // What never acts needs no sets.
-        takes_sets: takes_sets && is_active && master(e).is_none(),
+        numbers: numbers?,
         watch: watch?,
         delay_cycles,
         stage,
@@ -45,15 +45,15 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     Some(ipc)
 }
 
-/// The inputs that tune, and whether all numbers come from parameter sets; none: an error, which has been said.
-fn tunable(e: &mut Effective<'_>) -> Option<(Option<Tuning>, bool)> {
+/// Where the numbers come from; none: an error, which has been said.
+fn numbers(e: &mut Effective<'_>) -> Option<Numbers> {
     match e.word::<Tunable>(key(Name::Tunable))? {
-        Tunable::Nothing => Some((None, false)),
-        Tunable::All => Some((None, true)),
+        Tunable::Nothing => Some(Numbers::Fixed),
+        Tunable::All => Some(Numbers::Sets),
         Tunable::Weights => {
             let limit = e.real(key(Name::TuningLimit));
             let [first, second, third] = [0, 1, 2].map(|i| e.real((Name::TuningWeight, [i, 0])));
-            Some((Some(Tuning { limit: limit?, weight: [first?, second?, third?] }), false))
+            Some(Numbers::Weights(Tuning { limit: limit?, weight: [first?, second?, third?] }))
         }
     }
 }

@@ -32,7 +32,7 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         rest: libm::ldexp(ipc.v_max, rest_exponent(axis.real)),
         fade_cycles,
         fade_step: 1.0 / f64::from(fade_cycles),
-        tuning: ipc.tuning.map_or_else(Default::default, |start| tuning::Coeffs {
+        tuning: ipc.tuning().map_or_else(Default::default, |start| tuning::Coeffs {
             active: true,
             weight: start.weight,
             limit: start.limit,

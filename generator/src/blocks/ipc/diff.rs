@@ -31,7 +31,7 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if rides[0] != rides[1] {
         lines.push(format!("rides through {} -> {} bad samples in a row", rides[0], rides[1]));
     }
-    let tunes = [old, new].map(|of| of.axis.ipc.tuning);
+    let tunes = [old, new].map(|of| of.axis.ipc.tuning());
     if tunes[0] != tunes[1] {
         let [old, new] = tunes.map(|of| of.map_or_else(|| "nothing".to_owned(), started));
         lines.push(format!("the caller tunes {old} -> {new}"));
@@ -43,6 +43,11 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     for (index, (old, new)) in old.stage.iter().zip(&new.stage).enumerate() {
         let line = of_stages(old.as_ref(), new.as_ref());
         lines.extend(line.map(|line| format!("stage[{index}]: {line}")));
+    }
+    let takes = [old, new].map(|of| of.axis.ipc.takes_sets());
+    if takes[0] != takes[1] {
+        let [old, new] = takes.map(|takes| if takes { "taken over" } else { "none" });
+        lines.push(format!("parameter sets {old} -> {new}"));
     }
     lines
 }
@@ -59,6 +64,7 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
     )];
     let stages = of.stage.iter().flatten();
     lines.extend(stages.map(|stage| format!("stage[{}]: {}", stage.index, of_stage(stage))));
+    lines.extend(ipc.takes_sets().then(|| "parameter sets taken over".to_owned()));
     lines
 }
 

@@ -11,12 +11,15 @@ pub(crate) mod feasibility;
 pub(crate) mod filter;
 pub(crate) mod notes;
 mod phase;
+pub(crate) mod sets;
 pub(crate) mod stage;
 mod sum_limit;
 mod unstable;
 mod verdict;
+mod with_sets;
 
-use super::{Certified, Figure, Part, Summary};
+use super::kind::VERIFIED;
+use super::{Certified, Design, Figure, Part, Summary, Typed};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
@@ -24,27 +27,31 @@ use crate::parameters::words::{StageMode, Words};
 use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::ipc::{Coeffs, Ipc};
+use reference::tunable_ipc::TunableIpc;
 
-/// Whether an axis has the block. One of which nothing is asked gets a block that puts out 0, and a warning.
-pub(super) fn is_there(axis: &Axis) -> bool {
-    axis.ipc.is_active() || axis.control.is_empty()
+impl Design for Ipc {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.ipc
+    }
+
+    fn other(designed: &Designed) -> Option<&'static dyn Typed> {
+        designed.axis.ipc.takes_sets().then_some(&TunableIpc)
+    }
 }
 
 impl Part for Ipc {
+    /// An axis of which nothing is asked gets a block that puts out 0, and a warning.
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        is_there(axis) && !axis.ipc.takes_sets && axis.ipc.tuning.is_none()
+        axis.ipc.is_active() || axis.control.is_empty()
     }
 
     fn short_name(&self) -> &'static str {
         "ipc"
     }
 
-    fn design(designed: &Designed) -> Coeffs<f64> {
-        designed.ipc
-    }
-
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
-        notes::notes(designed)
+        let notes = notes::notes(designed);
+        if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes) } else { notes }
     }
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
@@ -67,7 +74,8 @@ impl Part for Ipc {
             let what = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), in_short);
             format!("stage[{index}] {what}")
         };
-        Summary { head, lines: ipc.stage.iter().enumerate().map(line).collect() }
+        let stages = ipc.stage.iter().enumerate().map(line);
+        Summary { head, lines: stages.chain(ipc.takes_sets().then(|| with_sets::line(designed))).collect() }
     }
 
     fn verdict(&self, designed: &Designed) -> Vec<String> {
@@ -96,11 +104,20 @@ impl Part for Ipc {
         if designed.axis.control.master.is_some() {
             return Ok(Certified::default());
         }
-        let certificate = certificate::certify(designed, program);
-        certificate.refuse(designed)?;
-        let figures = limit(designed).into_iter().chain(certificate::figure(&certificate));
-        Ok(Certified { lines: certificate::lines(&certificate), figures: figures.collect() })
+        if designed.axis.ipc.takes_sets() {
+            let program = Ipc.program(self, designed, Some(VERIFIED))?;
+            return Ok(with_sets::as_generated(certified(designed, &program)?));
+        }
+        certified(designed, program)
     }
+}
+
+/// What is certain of the block with constants.
+fn certified(designed: &Designed, program: &Program) -> Result<Certified, Defect> {
+    let certificate = certificate::certify(designed, program);
+    certificate.refuse(designed)?;
+    let figures = limit(designed).into_iter().chain(certificate::figure(&certificate));
+    Ok(Certified { lines: certificate::lines(&certificate), figures: figures.collect() })
 }
 
 /// The largest |v_add| that an axis adds; none: it adds nothing.

@@ -6,9 +6,15 @@ pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
 
-use super::{Part, Summary, values::Values};
+use super::{Design, Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
+
+impl Design for PositionControl {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.position_control
+    }
+}
 
 impl Part for PositionControl {
     fn is_asked_for(&self, axis: &Axis) -> bool {
@@ -17,10 +23,6 @@ impl Part for PositionControl {
 
     fn short_name(&self) -> &'static str {
         "pc"
-    }
-
-    fn design(designed: &Designed) -> Coeffs<f64> {
-        designed.position_control
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {

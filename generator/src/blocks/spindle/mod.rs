@@ -12,9 +12,15 @@ mod offered;
 mod velocities;
 pub(crate) mod words;
 
-use super::{Drill, Part, Summary, values::Values};
+use super::{Design, Drill, Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
 use reference::spindle::{Coeffs, Spindle};
+
+impl Design for Spindle {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.spindle
+    }
+}
 
 impl Part for Spindle {
     fn is_asked_for(&self, axis: &Axis) -> bool {
@@ -23,10 +29,6 @@ impl Part for Spindle {
 
     fn short_name(&self) -> &'static str {
         "sp"
-    }
-
-    fn design(designed: &Designed) -> Coeffs<f64> {
-        designed.spindle
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {

@@ -3,7 +3,7 @@
 use crate::kind::{self, Kind};
 use crate::reject::Rejections;
 use crate::scope::Scope;
-use crate::{branch, call, expr, outside, place, real, ty};
+use crate::{branch, call, copy, expr, outside, place, real, ty};
 use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{BinOp, Expr, Pat, Stmt};
@@ -34,7 +34,13 @@ fn describe_statement(statement: &Stmt, scope: &mut Scope, rejections: &mut Reje
         Stmt::Item(item) => {
             rejections.push(item, "an item inside a function is not described; write it beside the function")
         }
-        Stmt::Macro(call) => rejections.push(call, outside::MACRO),
+        Stmt::Macro(call) => match copy::assignments(&call.mac) {
+            Some(assignments) => {
+                let described = assignments.iter().map(|each| expression(each, scope, rejections));
+                return quote!(#(#described),*);
+            }
+            None => rejections.push(call, outside::MACRO),
+        },
     }
     TokenStream::new()
 }

@@ -1,11 +1,12 @@
 //! The attribute `#[portable]`: checks that an item keeps to the subset, leaves it as it is, and puts its description
-//! beside it. What the subset is stands in `docs/portable-rust.md`.
+//! beside it; and `copy!`, the only macro that an item may contain. What the subset is stands in `docs/portable-rust.md`.
 #![forbid(unsafe_code)]
 
 mod attribute;
 mod block;
 mod branch;
 mod call;
+mod copy;
 mod expr;
 mod function;
 mod generics;
@@ -50,6 +51,14 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     };
     let errors = rejections.into_compile_errors();
     quote!(#original #description #errors).into()
+}
+
+/// `copy!(to = from: field, field);`: takes fields over by their names, each as `to.field = from.field;`.
+///
+/// rustc checks each of them: both have it, and it is of one type.
+#[proc_macro]
+pub fn copy(fields: TokenStream) -> TokenStream {
+    syn::parse::<copy::Copy>(fields).map_or_else(|error| error.to_compile_error(), |copy| copy.expand()).into()
 }
 
 /// The examples of the guide compile, or fail to, as it says.

@@ -66,7 +66,7 @@ fn set_as<R: Real>(designed: &Designed, structure: &Structure, of: usize) -> Set
 where
     TunableIpc: Reference<R, Coeffs = tunable_ipc::Coeffs<R>, Inputs = tunable_ipc::Inputs<R>>,
 {
-    let kind = blocks::of_name(&designed.axis, "ipc").expect("the axis has the block");
+    let kind = blocks::named("ipc").expect("the axis has the block");
     let mut leaves = kind.coefficients(designed).into_iter();
     let coeffs = Portable::build(&mut || leaves.next().expect("all coefficients"));
     let inputs = compiler::leaves(&<TunableIpc as Reference<R>>::inputs(&coeffs));
@@ -158,7 +158,7 @@ impl Block {
     #[must_use]
     pub fn new(designed: &Designed, structure: &Structure) -> Self {
         let real = designed.axis.real;
-        let [inputs, outputs] = match (designed.axis.ipc.takes_sets, real) {
+        let [inputs, outputs] = match (designed.axis.ipc.takes_sets(), real) {
             (true, RealKind::F64) => signals::<f64, TunableIpc>(),
             (true, RealKind::F32) => signals::<f32, TunableIpc>(),
             (false, RealKind::F64) => signals::<f64, Ipc>(),
@@ -166,7 +166,7 @@ impl Block {
         };
         let inputs = inputs.into_iter().map(|(name, zero)| (Input::of(&name, structure), zero)).collect();
         let outputs = outputs.into_iter().map(|(name, _)| name).collect();
-        let mut reference = blocks::of_name(&designed.axis, "ipc").expect("the axis has the block").start(designed);
+        let mut reference = blocks::named("ipc").expect("the axis has the block").start(designed);
         let run = Box::new(move |inputs: &[Literal], outputs: &mut Vec<Literal>| reference.step(inputs, outputs));
         Self { run, real, inputs, outputs, given: Vec::new(), found: Vec::new() }
     }

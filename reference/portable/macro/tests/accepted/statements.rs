@@ -1,7 +1,7 @@
 //! Locals, assignments, loops, and `if` and `match` without a value.
 
 use crate::text;
-use portable::{Real, note, portable};
+use portable::{Real, copy, note, portable};
 
 const ON: i32 = 1;
 
@@ -105,6 +105,25 @@ fn of_its_own<R: Real>(inner: &mut Inner<R>, x: R) -> R {
 fn copy<R: Real>(to: &mut Inner<R>, from: &Inner<R>) {
     to.x = from.x;
     to.n[1] = from.n[0];
+}
+
+#[portable]
+fn taken_over<R: Real>(inner: &mut [Inner<R>; 2], from: &Inner<R>) {
+    copy!(inner[0] = from: x, n);
+    if from.on {
+        portable::copy!(inner[1] = from:
+            on,);
+    }
+    inner[1] = inner[0];
+}
+
+#[test]
+fn fields_are_taken_over_by_their_names() {
+    let of = text::function(&taken_over::Ir::<f64>::IR);
+    assert!(of.ends_with("{ inner[0].x = from.x; inner[0].n = from.n; if from.on { inner[1].on = from.on; } else {}; inner[1] = inner[0]; }"), "{of}");
+    let mut inner = [Inner::<f64>::default(); 2];
+    taken_over(&mut inner, &Inner { x: 2.0, on: true, n: [3, 4] });
+    assert_eq!((inner[1].x, inner[1].on, inner[1].n), (2.0, false, [3, 4]));
 }
 
 #[test]

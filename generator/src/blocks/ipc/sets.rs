@@ -1,4 +1,4 @@
-//! What the parameter sets of an axis are told by. The block that takes them is elsewhere.
+//! What the parameter sets of an axis are told by. What is said of the block that takes them is in `with_sets`.
 
 use crate::axis::Axis;
 use crate::design::rounding::rounded;
@@ -8,8 +8,13 @@ use reference::ipc::Coeffs as IpcCoeffs;
 use reference::tunable_ipc::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
 
+/// A number that sets are told by, as names and heads of files have it and as a PLC shows it.
+pub(crate) fn shown(number: u32) -> String {
+    format!("{number:08x} = {number}")
+}
+
 /// What the sets of an axis are told by: their structure, and the number of the one that its parameters make.
-pub(super) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
+pub(in crate::blocks) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
     [structure(axis, ipc), set(axis, ipc)]
 }
 

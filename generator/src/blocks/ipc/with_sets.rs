@@ -1,0 +1,43 @@
+//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it beside what is said of one with constants.
+
+use super::notes::note;
+use super::sets::shown;
+use crate::blocks::{Certified, Design, Designed};
+use reference::tunable_ipc::{Coeffs, TunableIpc};
+
+impl Design for TunableIpc {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        let [structure, set_id] = designed.sets;
+        Coeffs { structure, set_id, ipc: designed.ipc }
+    }
+}
+
+/// Its notes, made of those of the block with constants.
+pub(super) fn notes(designed: &Designed, of_constants: Vec<(String, String)>) -> Vec<(String, String)> {
+    let [structure, set] = designed.sets;
+    let own = [
+        note("structure", format!("parameter sets for the set structure {} are taken over", shown(structure))),
+        note("set_id", format!("the set that the block was generated with has the number {}", shown(set))),
+    ];
+    // Of a stage another set has other numbers.
+    let of_ipc = of_constants.into_iter().map(|(path, text)| {
+        let text = if path.starts_with("stage") { format!("as generated: {text}") } else { text };
+        (format!("ipc.{path}"), text)
+    });
+    own.into_iter().chain(of_ipc).collect()
+}
+
+/// The line of its summary.
+pub(super) fn line(designed: &Designed) -> String {
+    let [structure, set] = designed.sets.map(shown);
+    format!("takes parameter sets of the set structure {structure}; this one is {set}")
+}
+
+/// The certificate of the block with constants, whose program does the same with the set that the block was generated with.
+pub(super) fn as_generated(mut of_constants: Certified) -> Certified {
+    of_constants.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
+    for figure in of_constants.figures.iter_mut().filter(|figure| figure.name == "BOUND") {
+        figure.doc.push_str(", with the set that the block was generated with");
+    }
+    of_constants
+}

@@ -1,0 +1,39 @@
+//! `copy!(to = from: field, field)`: fields taken over by their names. An assignment for each, in Rust and in the IR alike.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Expr, ExprAssign, Ident, Token, parse_quote};
+
+const FORM: &str = "fields are taken over by their names; write `copy!(to = from: field, field);`";
+
+/// What a `copy!` stands for, in the order of its fields.
+pub struct Copy(Vec<ExprAssign>);
+
+impl Parse for Copy {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let ExprAssign { left, right, .. } = input.parse().map_err(|error| syn::Error::new(error.span(), FORM))?;
+        input.parse::<Token![:]>().map_err(|error| syn::Error::new(error.span(), FORM))?;
+        let fields = Punctuated::<Ident, Token![,]>::parse_terminated(input)?;
+        if fields.is_empty() {
+            return Err(input.error(FORM));
+        }
+        Ok(Self(fields.iter().map(|field| parse_quote!(#left.#field = #right.#field)).collect()))
+    }
+}
+
+impl Copy {
+    /// The statements in Rust.
+    pub fn expand(&self) -> TokenStream {
+        let assignments = &self.0;
+        quote!(#(#assignments;)*)
+    }
+}
+
+/// The assignments, if the macro is a `copy!`. None of a wrong form, which the macro itself rejects.
+pub fn assignments(call: &syn::Macro) -> Option<Vec<Expr>> {
+    call.path.segments.last().filter(|last| last.ident == "copy")?;
+    let copy = call.parse_body::<Copy>().unwrap_or(Copy(Vec::new()));
+    Some(copy.0.into_iter().map(Expr::Assign).collect())
+}
