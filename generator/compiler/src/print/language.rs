@@ -1,5 +1,6 @@
 //! What a language is to the printer: data and small functions. No walk over a program.
 
+use crate::program::values::Signal;
 use crate::program::{Expr, Program, Type};
 use portable::{Literal, RealKind};
 
@@ -43,8 +44,10 @@ pub struct Language {
     pub(super) logic: [Level; 2],
     /// how an operation is written whose first operand has this type; `None`: by its symbol
     pub(super) form: fn(&Expr, Type, RealKind) -> Option<Form>,
-    /// how each named number of a program appears
-    pub(super) appearances: fn(&Program) -> Vec<Appearance>,
+    /// whether the values of signals are enumerations that the caller sees
+    pub(super) has_enumerations: bool,
+    /// how each named number of a program appears; those of signals are known where they are enumerations
+    pub(super) appearances: fn(&Program, &[Signal]) -> Vec<Appearance>,
     /// what stands before the name of an input, an output, a state, a constant and a local in a statement
     pub(super) before: [&'static str; 5],
     /// between the name of a parameter set and that of its part

@@ -16,6 +16,7 @@ pub use language::{Appearance, Language};
 use names::Names;
 pub use names::identifier;
 
+use crate::program::values::{self, Signal};
 use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable};
 use language::Level;
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
@@ -37,6 +38,7 @@ pub struct Printer<'p> {
     block: &'p str,
     /// as declared
     names: Scope,
+    signals: Vec<Signal>,
     appearances: Vec<Appearance>,
     /// as in a statement
     texts: Scope,
@@ -95,7 +97,8 @@ impl<'p> Printer<'p> {
     /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
-        let appearances = (language.appearances)(program);
+        let signals = if language.has_enumerations { values::of_signals(program) } else { Vec::new() };
+        let appearances = (language.appearances)(program, &signals);
         let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
             let name = match appearance {
                 Appearance::Enumerator | Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
@@ -129,12 +132,17 @@ impl<'p> Printer<'p> {
                 texts.constants[index] = if level == Level::Primary { text } else { format!("({text})") };
             }
         }
-        Self { program, language, block, names, appearances, texts }
+        Self { program, language, block, names, signals, appearances, texts }
     }
 
     /// The names of the variables, as they are declared.
     pub fn names(&self) -> &Scope {
         &self.names
+    }
+
+    /// The signals whose values are enumerations.
+    pub fn signals(&self) -> &[Signal] {
+        &self.signals
     }
 
     /// How each constant appears.
@@ -204,9 +212,10 @@ impl<'d> Layout<'d> {
         match statement {
             Statement::Note(note) => {
                 let [open, next, close] = self.printer.language.comment;
-                let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
+                let lines = comment::wrapped(&[note], NOTE_WIDTH, "\n");
                 let between = self.arena.hardline().append(next);
-                self.arena.text(open).append(self.arena.intersperse(lines, between)).append(close)
+                let lines = self.arena.intersperse(lines.split('\n').map(str::to_owned), between);
+                self.arena.text(open).append(lines).append(close)
             }
             Statement::Assign { target, value } => {
                 self.assignment(self.arena.text(&self.printer.texts[*target]), value)

@@ -24,7 +24,8 @@ pub static LANGUAGE: Language = Language {
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,
-    appearances: |program| vec![Appearance::Declared; program.constants.len()],
+    has_enumerations: false,
+    appearances: |program, _| vec![Appearance::Declared; program.constants.len()],
     before: ["inputs.", "outputs.", "state.", "", ""],
     inside: ".",
     has_structs: true,
