@@ -150,7 +150,10 @@ fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
             });
         });
     }
-    values.iter_mut().zip(asked.iter().zip(&mentioned)).for_each(|(values, (asked, all))| values.others |= asked != all);
+    values
+        .iter_mut()
+        .zip(asked.iter().zip(&mentioned))
+        .for_each(|(values, (asked, all))| values.others |= asked != all);
     values
 }
 
