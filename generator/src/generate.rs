@@ -87,7 +87,7 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(unknown) => unknown.insert(target.legal(block)?),
             };
-            files.extend(target.printed(header, legal));
+            files.extend((target.files)(header, legal));
             files.extend(target.runner(header, legal, |samples| kind.runner(designed, block, samples)));
         }
     }

@@ -23,6 +23,21 @@ pub(crate) struct Dump<'p> {
     with_notes: bool,
 }
 
+/// What is written next.
+pub(crate) enum Piece<'a> {
+    Text(&'a str),
+    Value(Literal),
+    Name(Var),
+    Expr(&'a Expr),
+    /// with parentheses, unless it is simple
+    Operand(&'a Expr),
+    Listed(&'a [Expr]),
+    /// what a statement does, without those inside it
+    Head(&'a Statement),
+}
+
+use Piece::{Head, Listed, Name, Operand, Text, Value};
+
 impl<'p> Dump<'p> {
     pub(crate) fn of(program: &'p Program) -> Self {
         Self { program, text: String::new(), decided: |value| value, with_notes: true }
@@ -33,24 +48,27 @@ impl<'p> Dump<'p> {
         Self { program, text, decided, with_notes: false }
     }
 
+    /// One piece of it alone.
+    pub(crate) fn alone(mut self, piece: Piece<'_>) -> String {
+        self.put([piece]);
+        self.text
+    }
+
     pub(crate) fn whole(mut self) -> String {
         let program = self.program;
         for (kind, list) in [("input ", &program.inputs), ("output", &program.outputs), ("state ", &program.state)] {
             for Variable { path, ty, start, .. } in list {
                 let _ = write!(self.text, "{kind}   {path}: {ty:?} = ");
-                self.literal((self.decided)(*start));
-                self.text.push('\n');
+                self.put([Value((self.decided)(*start)), Text("\n")]);
             }
         }
         for constant in &program.constants {
-            self.put(&["constant ", &constant.path, " = "]);
             let is_decided = matches!(constant.origin, Origin::Coefficient(_));
-            self.literal(if is_decided { (self.decided)(constant.value) } else { constant.value });
-            self.text.push('\n');
+            let value = if is_decided { (self.decided)(constant.value) } else { constant.value };
+            self.put([Text("constant "), Text(&constant.path), Text(" = "), Value(value), Text("\n")]);
         }
         for (index, local) in program.locals.iter().enumerate() {
-            self.text.push_str("local    ");
-            self.name(Var::Local(index));
+            self.put([Text("local    "), Name(Var::Local(index))]);
             match local.ty {
                 Some(ty) => drop(writeln!(self.text, ": {ty:?}")),
                 None => self.text.push_str(": ?\n"),
@@ -63,52 +81,18 @@ impl<'p> Dump<'p> {
         self.text
     }
 
-    /// What a statement does, without those inside it.
-    pub(crate) fn first_line(mut self, statement: &Statement) -> String {
-        self.head(statement);
-        self.text
-    }
-
-    pub(crate) fn expression(mut self, value: &Expr) -> String {
-        self.expr(value);
-        self.text
-    }
-
-    fn head(&mut self, statement: &Statement) {
-        match statement {
-            Statement::Assign { target, .. } => {
-                self.name(*target);
-                self.text.push_str(" = ");
-            }
-            Statement::If { .. } => self.text.push_str("if "),
-            Statement::Choose { .. } => self.text.push_str("choose by "),
-            Statement::Note(_) | Statement::Apart(_) => {}
-        }
-        statement.expr().into_iter().for_each(|expr| self.expr(expr));
-    }
-
     fn statements(&mut self, list: &[Statement], level: usize) {
         let indent = &"    ".repeat(level);
         for statement in list {
             match statement {
                 Statement::Note(_) if !self.with_notes => continue,
-                Statement::Note(note) => self.put(&[indent, "# ", note, "\n"]),
-                Statement::Apart(_) => self.put(&[indent, "apart\n"]),
-                Statement::Assign { .. } | Statement::If { .. } | Statement::Choose { .. } => {
-                    self.text.push_str(indent);
-                    self.head(statement);
-                    self.text.push('\n');
-                }
+                statement => self.put([Text(indent), Head(statement), Text("\n")]),
             }
             for (index, list) in statement.branches().enumerate() {
                 match statement {
-                    Statement::If { otherwise, .. } if index == 1 && !otherwise.is_empty() => {
-                        self.put(&[indent, "else\n"]);
-                    }
+                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([Text(indent), Text("else\n")]),
                     Statement::Choose { arms, .. } => {
-                        self.text.push_str(indent);
-                        self.listed(&arms[index].labels);
-                        self.text.push_str(":\n");
+                        self.put([Text(indent), Listed(&arms[index].labels), Text(":\n")]);
                     }
                     _ => {}
                 }
@@ -117,56 +101,63 @@ impl<'p> Dump<'p> {
         }
     }
 
+    fn put<const N: usize>(&mut self, pieces: [Piece<'_>; N]) {
+        for piece in pieces {
+            match piece {
+                Text(text) => self.text.push_str(text),
+                Value(value) => self.literal(value),
+                Name(var) => self.name(var),
+                Piece::Expr(expr) => self.expr(expr),
+                Operand(expr @ (Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..))) => self.expr(expr),
+                Operand(expr) => self.put([Text("("), Piece::Expr(expr), Text(")")]),
+                Listed(parts) => {
+                    for (index, part) in parts.iter().enumerate() {
+                        self.put([Text(if index == 0 { "" } else { ", " }), Piece::Expr(part)]);
+                    }
+                }
+                Head(Statement::Note(note)) => self.put([Text("# "), Text(note)]),
+                Head(Statement::Assign { target, value }) => {
+                    self.put([Name(*target), Text(" = "), Piece::Expr(value)]);
+                }
+                Head(Statement::If { condition, .. }) => self.put([Text("if "), Piece::Expr(condition)]),
+                Head(Statement::Choose { by, .. }) => self.put([Text("choose by "), Piece::Expr(by)]),
+                Head(Statement::Apart(_)) => self.text.push_str("apart"),
+            }
+        }
+    }
+
     fn expr(&mut self, value: &Expr) {
         match value {
             Expr::Literal(value) => self.literal(*value),
             Expr::Var(var) => self.name(*var),
-            Expr::Unary(operator, operand) => {
-                self.text.push_str(if *operator == Unary::Negate { "-" } else { "not " });
-                self.operand(operand);
-            }
+            Expr::Unary(Unary::Negate, operand) => self.put([Text("-"), Operand(operand)]),
+            Expr::Unary(Unary::Not, operand) => self.put([Text("not "), Operand(operand)]),
             Expr::Binary(operator, left, right) => {
-                self.operand(left);
-                self.put(&[" ", SYMBOLS[*operator as usize], " "]);
-                self.operand(right);
+                let symbol = SYMBOLS[*operator as usize];
+                self.put([Operand(left), Text(" "), Text(symbol), Text(" "), Operand(right)]);
             }
             Expr::Intrinsic(intrinsic, operands) => {
-                match intrinsic {
-                    Intrinsic::FromU32 | Intrinsic::FromI32 => self.text.push_str("real"),
-                    other => self.text.push_str(&format!("{other:?}").to_lowercase()),
-                }
-                self.text.push('(');
-                self.listed(operands);
-                self.text.push(')');
+                let name = match intrinsic {
+                    Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
+                    other => &format!("{other:?}").to_lowercase(),
+                };
+                self.put([Text(name), Text("("), Listed(operands), Text(")")]);
             }
-        }
-    }
-
-    fn operand(&mut self, part: &Expr) {
-        let is_simple = matches!(part, Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..));
-        self.text.push_str(if is_simple { "" } else { "(" });
-        self.expr(part);
-        self.text.push_str(if is_simple { "" } else { ")" });
-    }
-
-    fn listed(&mut self, parts: &[Expr]) {
-        for (index, part) in parts.iter().enumerate() {
-            self.text.push_str(if index == 0 { "" } else { ", " });
-            self.expr(part);
         }
     }
 
     fn name(&mut self, var: Var) {
-        let before = match var {
-            Var::Input(_) => "inputs.",
-            Var::Output(_) => "outputs.",
-            Var::State(_) => "state.",
-            Var::Constant(_) | Var::Local(_) => "",
-        };
-        self.put(&[before, self.program.path(var)]);
-        if let Var::Local(index) = var {
-            // Two locals may have one path: the number tells them apart.
-            let _ = write!(self.text, "%{index}");
+        let path = Text(self.program.path(var));
+        match var {
+            Var::Input(_) => self.put([Text("inputs."), path]),
+            Var::Output(_) => self.put([Text("outputs."), path]),
+            Var::State(_) => self.put([Text("state."), path]),
+            Var::Constant(_) => self.put([path]),
+            Var::Local(index) => {
+                self.put([path]);
+                // Two locals may have one path: the number tells them apart.
+                let _ = write!(self.text, "%{index}");
+            }
         }
     }
 
@@ -179,9 +170,5 @@ impl<'p> Dump<'p> {
             Literal::F32(value) => write!(self.text, "{value:?}"),
             other => write!(self.text, "{other:?}"),
         };
-    }
-
-    fn put(&mut self, texts: &[&str]) {
-        texts.iter().for_each(|text| self.text.push_str(text));
     }
 }

@@ -33,7 +33,7 @@ pub struct Target {
     /// the passes that make a program one that the language can say
     pub passes: &'static [Stage],
     /// the files of a block after these passes
-    files: fn(&Header, &Legal<'_>) -> Vec<File>,
+    pub(crate) files: fn(&Header, &Legal<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
     /// the file of a block's runner; not every language has one
@@ -95,12 +95,7 @@ impl Target {
     /// # Errors
     /// A defect of a legalising pass.
     pub fn files(&self, header: &Header, block: &Block) -> Result<Vec<File>, Defect> {
-        Ok(self.printed(header, &self.legal(block)?))
-    }
-
-    /// The same after the passes.
-    pub(crate) fn printed(&self, header: &Header, block: &Legal<'_>) -> Vec<File> {
-        (self.files)(header, block)
+        Ok((self.files)(header, &self.legal(block)?))
     }
 
     /// The same target with a runner of so many samples beside each block, if the language has runners.
