@@ -31,7 +31,7 @@ pub static LANGUAGE: Language = Language {
     inside: "->",
     has_structs: true,
     has_capitals: false,
-    locals: Some(["const {1} {0}", "{1} {0};"]),
+    locals: Some([|name, ty| format!("const {ty} {name}"), |name, ty| format!("{ty} {name};")]),
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
     // MISRA C:2012 15.7

@@ -56,9 +56,9 @@ pub struct Language {
     pub(super) has_structs: bool,
     /// whether the names of constants are in capitals
     pub(super) has_capitals: bool,
-    /// how a local is declared among the statements: before its value, and without one; `{0}` is its name, `{1}` its type.
-    /// `None`: locals are declared elsewhere
-    pub(super) locals: Option<[&'static str; 2]>,
+    /// how a local of a name and a type is declared among the statements: before its value, and without one. `None`: locals are
+    /// declared elsewhere
+    pub(super) locals: Option<[fn(&str, &str) -> String; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements

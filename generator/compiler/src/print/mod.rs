@@ -181,23 +181,20 @@ impl<'d> Layout<'d> {
     /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
         let Printer { program, language, names, .. } = self.printer;
-        // None where locals are declared elsewhere.
-        let mut declarations =
-            language.locals.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
-        let declared_as = |form: &str, local: usize| {
-            let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-            form.replace("{0}", &names.locals[local]).replace("{1}", language.ty(ty, program.real))
-        };
         let mut doc = self.arena.nil();
-        for statement in list {
-            let locals = declarations.next().unwrap_or_default();
-            let [with_value, without] = language.locals.unwrap_or_default();
+        let Some([with_value, without]) = language.locals else {
+            return list.iter().fold(doc, |doc, it| doc.append(self.hardline).append(self.statement(it, declared)));
+        };
+        let declared_as = |form: fn(&str, &str) -> String, local: usize| {
+            let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
+            self.arena.text(form(&names.locals[local], language.ty(ty, program.real)))
+        };
+        for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
             doc = doc.append(self.hardline);
             if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                let target = self.arena.text(declared_as(with_value, *local));
-                doc = doc.append(self.assignment(target, value));
+                doc = doc.append(self.assignment(declared_as(with_value, *local), value));
                 continue;
             }
             for local in locals {

@@ -31,7 +31,7 @@ pub static LANGUAGE: Language = Language {
     has_structs: true,
     // A `let` of a name that a constant has would be a pattern and no new name.
     has_capitals: true,
-    locals: Some(["let {0}: {1}", "let {0}: {1};"]),
+    locals: Some([|name, ty| format!("let {name}: {ty}"), |name, ty| format!("let {name}: {ty};")]),
     assign: " =",
     choice: ["if ", "} else if ", " {", "} else {", "}"],
     nothing_else: None,
