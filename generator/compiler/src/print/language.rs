@@ -58,7 +58,7 @@ pub struct Language {
     pub(super) has_capitals: bool,
     /// how a local of a name and a type is declared among the statements: before its value, and without one. `None`: locals are
     /// declared elsewhere
-    pub(super) locals: Option<[fn(&str, &str) -> String; 2]>,
+    pub(super) locals: Option<[Declaration; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
@@ -73,6 +73,9 @@ pub struct Language {
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
 }
+
+/// How a name of a type is declared.
+pub(super) type Declaration = fn(&str, &str) -> String;
 
 /// How a choice by a number is written.
 #[derive(Clone, Copy, Debug)]

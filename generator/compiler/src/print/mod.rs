@@ -18,7 +18,7 @@ pub use names::identifier;
 
 use crate::program::values::{self, Signal};
 use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable};
-use language::Level;
+use language::{Declaration, Level};
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
 /// Characters in a line of code, where it can be broken.
@@ -185,7 +185,7 @@ impl<'d> Layout<'d> {
         let Some([with_value, without]) = language.locals else {
             return list.iter().fold(doc, |doc, it| doc.append(self.hardline).append(self.statement(it, declared)));
         };
-        let declared_as = |form: fn(&str, &str) -> String, local: usize| {
+        let declared_as = |form: Declaration, local: usize| {
             let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
             self.arena.text(form(&names.locals[local], language.ty(ty, program.real)))
         };

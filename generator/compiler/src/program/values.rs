@@ -170,7 +170,8 @@ fn meant(program: &Program) -> Table<Option<usize>> {
             _ => is_other[target] = true,
         });
     }
-    (meant.outputs.fill(None), meant.state.fill(None));
+    meant.outputs.fill(None);
+    meant.state.fill(None);
     meant.locals.iter_mut().zip(is_other.locals).filter(|(_, is_other)| *is_other).for_each(|(meant, _)| *meant = None);
     meant.inputs.iter_mut().enumerate().for_each(|(index, meant)| *meant = Some(index));
     meant
