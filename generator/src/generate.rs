@@ -5,6 +5,7 @@ use crate::target::{File, Header, Target, Unit};
 use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
 use rayon::prelude::*;
+use std::collections::btree_map::{BTreeMap, Entry};
 
 /// Makes the files of some axes (all, if none is named) for some targets, and what all axes of the set share there. Hands
 /// each file to `take`; gives its answers, in the order of the axes, the shared files last.
@@ -70,8 +71,8 @@ pub fn header(axis: &Axis, block: &Block) -> Header {
     }
 }
 
-/// The files of an axis: design, specialise and the passes once for each block; then each target prints, and the runners that are
-/// asked for are recorded.
+/// The files of an axis: design, specialise and the passes once for each block, and legalise once for the targets that need the same; then
+/// each target prints, and the runners that are asked for are recorded.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
@@ -79,11 +80,15 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
     let headers: Vec<Header> = blocks.iter().map(|(_, block)| header(&designed.axis, block)).collect();
-    let mut files = Vec::new();
+    let (mut files, mut legal) = (Vec::new(), BTreeMap::new());
     for target in targets {
         for (header, (kind, block)) in headers.iter().zip(&blocks) {
-            files.extend(target.files(header, block)?);
-            files.extend(target.runner(header, block, |samples| kind.runner(designed, block, samples))?);
+            let legal = match legal.entry((block.program.block, target.passes_of(block))) {
+                Entry::Occupied(known) => known.into_mut(),
+                Entry::Vacant(unknown) => unknown.insert(target.legal(block)?),
+            };
+            files.extend((target.files)(header, legal));
+            files.extend(target.runner(header, legal, |samples| kind.runner(designed, block, samples)));
         }
     }
     Ok(files)

@@ -1,8 +1,8 @@
 //! A program as text, for people who look into the pipeline. Nothing reads it back.
 
-use crate::program::{Expr, Program, Statement, Var, Variable};
+use crate::program::{Expr, Origin, Program, Statement, Var, Variable};
 use portable::{Intrinsic, Literal, Unary};
-use std::fmt::{Display, Formatter, Result};
+use std::fmt::{Display, Formatter, Result, Write};
 
 /// The operators, in the order of [`portable::Binary`].
 const SYMBOLS: [&str; 13] = ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "and", "or"];
@@ -10,107 +10,165 @@ const SYMBOLS: [&str; 13] = ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "=="
 /// The whole program: its variables, then its statements.
 impl Display for Program {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        for (kind, list) in [("input", &self.inputs), ("output", &self.outputs), ("state", &self.state)] {
+        f.write_str(&Dump::of(self).whole())
+    }
+}
+
+/// What is written of a program.
+pub(crate) struct Dump<'p> {
+    program: &'p Program,
+    text: String,
+    /// what stands for a value that an axis decides: of a coefficient, or of a variable at the start
+    decided: fn(Literal) -> Literal,
+    with_notes: bool,
+}
+
+/// What is written next.
+pub(crate) enum Piece<'a> {
+    Text(&'a str),
+    Value(Literal),
+    Name(Var),
+    Expr(&'a Expr),
+    /// with parentheses, unless it is simple
+    Operand(&'a Expr),
+    Listed(&'a [Expr]),
+    /// what a statement does, without those inside it
+    Head(&'a Statement),
+}
+
+use Piece::{Head, Listed, Name, Operand, Text, Value};
+
+impl<'p> Dump<'p> {
+    pub(crate) fn of(program: &'p Program) -> Self {
+        Self { program, text: String::new(), decided: |value| value, with_notes: true }
+    }
+
+    /// Without notes, and with another value for each that an axis decides, behind a text.
+    pub(crate) fn bare(program: &'p Program, decided: fn(Literal) -> Literal, text: String) -> Self {
+        Self { program, text, decided, with_notes: false }
+    }
+
+    /// One piece of it alone.
+    pub(crate) fn alone(mut self, piece: Piece<'_>) -> String {
+        self.put([piece]);
+        self.text
+    }
+
+    pub(crate) fn whole(mut self) -> String {
+        let program = self.program;
+        for (kind, list) in [("input ", &program.inputs), ("output", &program.outputs), ("state ", &program.state)] {
             for Variable { path, ty, start, .. } in list {
-                writeln!(f, "{kind:<8} {path}: {ty:?} = {}", literal(*start))?;
+                let _ = write!(self.text, "{kind}   {path}: {ty:?} = ");
+                self.put([Value((self.decided)(*start)), Text("\n")]);
             }
         }
-        for constant in &self.constants {
-            writeln!(f, "constant {} = {}", constant.path, literal(constant.value))?;
+        for constant in &program.constants {
+            let is_decided = matches!(constant.origin, Origin::Coefficient(_));
+            let value = if is_decided { (self.decided)(constant.value) } else { constant.value };
+            self.put([Text("constant "), Text(&constant.path), Text(" = "), Value(value), Text("\n")]);
         }
-        for (index, local) in self.locals.iter().enumerate() {
-            let ty = local.ty.map_or_else(|| "?".to_owned(), |ty| format!("{ty:?}"));
-            writeln!(f, "local    {}: {ty}", name(self, Var::Local(index)))?;
+        for (index, local) in program.locals.iter().enumerate() {
+            self.put([Text("local    "), Name(Var::Local(index))]);
+            match local.ty {
+                Some(ty) => drop(writeln!(self.text, ": {ty:?}")),
+                None => self.text.push_str(": ?\n"),
+            }
         }
-        writeln!(f, "init")?;
-        statements(self, &self.init, 1, f)?;
-        writeln!(f, "step")?;
-        statements(self, &self.step, 1, f)
+        for (name, list) in [("init\n", &program.init), ("step\n", &program.step)] {
+            self.text.push_str(name);
+            self.statements(list, 1);
+        }
+        self.text
     }
-}
 
-/// What a statement does, without those inside it.
-pub(crate) fn first_line(program: &Program, statement: &Statement) -> String {
-    match statement {
-        Statement::Assign { target, value } => format!("{} = {}", name(program, *target), expr(program, value)),
-        Statement::If { condition, .. } => format!("if {}", expr(program, condition)),
-        Statement::Choose { by, .. } => format!("choose by {}", expr(program, by)),
-        Statement::Note(_) | Statement::Apart(_) => String::new(),
-    }
-}
-
-fn statements(program: &Program, list: &[Statement], level: usize, f: &mut Formatter<'_>) -> Result {
-    let indent = "    ".repeat(level);
-    for statement in list {
-        match statement {
-            Statement::Note(note) => writeln!(f, "{indent}# {note}")?,
-            Statement::Assign { .. } => writeln!(f, "{indent}{}", first_line(program, statement))?,
-            Statement::If { then, otherwise, .. } => {
-                writeln!(f, "{indent}{}", first_line(program, statement))?;
-                statements(program, then, level + 1, f)?;
-                if !otherwise.is_empty() {
-                    writeln!(f, "{indent}else")?;
-                    statements(program, otherwise, level + 1, f)?;
+    fn statements(&mut self, list: &[Statement], level: usize) {
+        let indent = &"    ".repeat(level);
+        for statement in list {
+            match statement {
+                Statement::Note(_) if !self.with_notes => continue,
+                statement => self.put([Text(indent), Head(statement), Text("\n")]),
+            }
+            for (index, list) in statement.branches().enumerate() {
+                match statement {
+                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([Text(indent), Text("else\n")]),
+                    Statement::Choose { arms, .. } => {
+                        self.put([Text(indent), Listed(&arms[index].labels), Text(":\n")]);
+                    }
+                    _ => {}
                 }
+                self.statements(list, level + 1);
             }
-            Statement::Apart(body) => {
-                writeln!(f, "{indent}apart")?;
-                statements(program, body, level + 1, f)?;
-            }
-            Statement::Choose { arms, .. } => {
-                writeln!(f, "{indent}{}", first_line(program, statement))?;
-                for arm in arms {
-                    let labels: Vec<String> = arm.labels.iter().map(|label| expr(program, label)).collect();
-                    writeln!(f, "{indent}{}:", labels.join(", "))?;
-                    statements(program, &arm.body, level + 1, f)?;
+        }
+    }
+
+    fn put<const N: usize>(&mut self, pieces: [Piece<'_>; N]) {
+        for piece in pieces {
+            match piece {
+                Text(text) => self.text.push_str(text),
+                Value(value) => self.literal(value),
+                Name(var) => self.name(var),
+                Piece::Expr(expr) => self.expr(expr),
+                Operand(expr @ (Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..))) => self.expr(expr),
+                Operand(expr) => self.put([Text("("), Piece::Expr(expr), Text(")")]),
+                Listed(parts) => {
+                    for (index, part) in parts.iter().enumerate() {
+                        self.put([Text(if index == 0 { "" } else { ", " }), Piece::Expr(part)]);
+                    }
                 }
+                Head(Statement::Note(note)) => self.put([Text("# "), Text(note)]),
+                Head(Statement::Assign { target, value }) => {
+                    self.put([Name(*target), Text(" = "), Piece::Expr(value)]);
+                }
+                Head(Statement::If { condition, .. }) => self.put([Text("if "), Piece::Expr(condition)]),
+                Head(Statement::Choose { by, .. }) => self.put([Text("choose by "), Piece::Expr(by)]),
+                Head(Statement::Apart(_)) => self.text.push_str("apart"),
             }
         }
     }
-    Ok(())
-}
 
-pub(crate) fn expr(program: &Program, value: &Expr) -> String {
-    let inner = |part: &Expr| match part {
-        Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..) => expr(program, part),
-        _ => format!("({})", expr(program, part)),
-    };
-    match value {
-        Expr::Literal(value) => literal(*value),
-        Expr::Var(var) => name(program, *var),
-        Expr::Unary(Unary::Negate, operand) => format!("-{}", inner(operand)),
-        Expr::Unary(Unary::Not, operand) => format!("not {}", inner(operand)),
-        Expr::Binary(operator, left, right) => {
-            format!("{} {} {}", inner(left), SYMBOLS[*operator as usize], inner(right))
-        }
-        Expr::Intrinsic(intrinsic, operands) => {
-            let name = match intrinsic {
-                Intrinsic::FromU32 | Intrinsic::FromI32 => "real".to_owned(),
-                other => format!("{other:?}").to_lowercase(),
-            };
-            format!("{name}({})", operands.iter().map(|part| expr(program, part)).collect::<Vec<_>>().join(", "))
+    fn expr(&mut self, value: &Expr) {
+        match value {
+            Expr::Literal(value) => self.literal(*value),
+            Expr::Var(var) => self.name(*var),
+            Expr::Unary(Unary::Negate, operand) => self.put([Text("-"), Operand(operand)]),
+            Expr::Unary(Unary::Not, operand) => self.put([Text("not "), Operand(operand)]),
+            Expr::Binary(operator, left, right) => {
+                let symbol = SYMBOLS[*operator as usize];
+                self.put([Operand(left), Text(" "), Text(symbol), Text(" "), Operand(right)]);
+            }
+            Expr::Intrinsic(intrinsic, operands) => {
+                let name = match intrinsic {
+                    Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
+                    other => &format!("{other:?}").to_lowercase(),
+                };
+                self.put([Text(name), Text("("), Listed(operands), Text(")")]);
+            }
         }
     }
-}
 
-fn name(program: &Program, var: Var) -> String {
-    match var {
-        Var::Input(index) => format!("inputs.{}", program.inputs[index].path),
-        Var::Output(index) => format!("outputs.{}", program.outputs[index].path),
-        Var::State(index) => format!("state.{}", program.state[index].path),
-        Var::Constant(index) => program.constants[index].path.clone(),
-        // Two locals may have one path: the number tells them apart.
-        Var::Local(index) => format!("{}%{index}", program.locals[index].path),
+    fn name(&mut self, var: Var) {
+        let path = Text(self.program.path(var));
+        match var {
+            Var::Input(_) => self.put([Text("inputs."), path]),
+            Var::Output(_) => self.put([Text("outputs."), path]),
+            Var::State(_) => self.put([Text("state."), path]),
+            Var::Constant(_) => self.put([path]),
+            Var::Local(index) => {
+                self.put([path]);
+                // Two locals may have one path: the number tells them apart.
+                let _ = write!(self.text, "%{index}");
+            }
+        }
     }
-}
 
-fn literal(value: Literal) -> String {
-    match value {
-        Literal::Bool(value) => value.to_string(),
-        Literal::I32(value) => value.to_string(),
-        Literal::U32(value) => value.to_string(),
-        Literal::F64(value) => format!("{value:?}"),
-        Literal::F32(value) => format!("{value:?}"),
-        other => format!("{other:?}"),
+    fn literal(&mut self, value: Literal) {
+        let _ = match value {
+            Literal::Bool(value) => write!(self.text, "{value}"),
+            Literal::I32(value) => write!(self.text, "{value}"),
+            Literal::U32(value) => write!(self.text, "{value}"),
+            Literal::F64(value) => write!(self.text, "{value:?}"),
+            Literal::F32(value) => write!(self.text, "{value:?}"),
+            other => write!(self.text, "{other:?}"),
+        };
     }
 }

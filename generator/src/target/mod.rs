@@ -33,7 +33,7 @@ pub struct Target {
     /// the passes that make a program one that the language can say
     pub passes: &'static [Stage],
     /// the files of a block after these passes
-    files: fn(&Header, &Legal<'_>) -> Vec<File>,
+    pub(crate) files: fn(&Header, &Legal<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
     /// the file of a block's runner; not every language has one
@@ -77,12 +77,25 @@ impl Target {
         legalise::run(&block.own.program, self.passes)
     }
 
+    /// A block with that program.
+    ///
+    /// # Errors
+    /// A defect of a legalising pass.
+    pub fn legal<'b>(&self, block: &'b Block) -> Result<Legal<'b>, Defect> {
+        Ok(Legal { program: self.program(block)?, block })
+    }
+
+    /// The names of the passes that change the program of a block: after the same passes it is the same program.
+    pub(crate) fn passes_of(&self, block: &Block) -> Vec<&'static str> {
+        legalise::needed(&block.own.program, self.passes).iter().map(|(name, _)| *name).collect()
+    }
+
     /// The files of a block.
     ///
     /// # Errors
     /// A defect of a legalising pass.
     pub fn files(&self, header: &Header, block: &Block) -> Result<Vec<File>, Defect> {
-        Ok((self.files)(header, &Legal { program: self.program(block)?, block }))
+        Ok((self.files)(header, &self.legal(block)?))
     }
 
     /// The same target with a runner of so many samples beside each block, if the language has runners.
@@ -92,18 +105,8 @@ impl Target {
     }
 
     /// The file of a block's runner, if one is asked for; `record` runs the reference for so many samples.
-    ///
-    /// # Errors
-    /// A defect of a pass.
-    pub fn runner(
-        &self,
-        header: &Header,
-        block: &Block,
-        record: impl FnOnce(usize) -> Runner,
-    ) -> Result<Option<File>, Defect> {
-        let (Some(file), Some(samples)) = (self.runner, self.samples) else { return Ok(None) };
-        let runner = record(samples);
-        Ok(Some(file(header, &Legal { program: self.program(block)?, block }, &runner)))
+    pub fn runner(&self, header: &Header, block: &Legal<'_>, record: impl FnOnce(usize) -> Runner) -> Option<File> {
+        Some((self.runner?)(header, block, &record(self.samples?)))
     }
 }
 

@@ -4,7 +4,7 @@
 use super::{Header, Legal, unit};
 use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
 use compiler::print::{Appearance, Language, Printer, comment};
-use compiler::program::{Local, Origin, Program, Type, Variable};
+use compiler::program::{Constant, Local, Origin, Program, Type, Variable};
 use portable::Literal;
 use std::borrow::Cow;
 
@@ -121,54 +121,64 @@ impl Outline<'_> {
         self.language.ty(ty, self.block.program.real)
     }
 
-    /// The constants that appear in this way, in their order, a new group where another note of the block begins.
-    pub(super) fn groups(&self, wanted: Appearance) -> Vec<Group> {
-        self.groups_of(wanted, &|_| true)
+    /// The constants that appear in each of these ways.
+    pub(super) fn groups<const N: usize>(&self, wanted: [Appearance; N]) -> [Vec<Group>; N] {
+        self.groups_in(|_, appearance| wanted.iter().position(|wanted| *wanted == appearance))
     }
 
-    /// The same of those, by position, that are asked for.
-    pub(super) fn groups_of(&self, wanted: Appearance, is_asked_for: &dyn Fn(usize) -> bool) -> Vec<Group> {
-        let mut groups: Vec<Group> = Vec::new();
-        let mut said = Vec::new();
+    /// The constants in lists, in their order, a new group where another note of the block begins; `list` says in which list one is.
+    pub(super) fn groups_in<const N: usize>(
+        &self,
+        list: impl Fn(usize, Appearance) -> Option<usize>,
+    ) -> [Vec<Group>; N] {
+        let mut lists = [const { Vec::new() }; N];
+        // How many groups have begun, and at which one each list is.
+        let (mut begun, mut at) = (0, [0; N]);
+        let (mut said, mut notes): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
         let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);
-        let appearances = self.printer.appearances().iter().enumerate();
-        for ((constant, name), (index, appearance)) in constants.iter().zip(names).zip(appearances) {
-            let notes: Vec<&str> = match constant.origin {
-                Origin::Coefficient(_) => {
-                    let notes = &self.block.block.notes;
-                    notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect()
-                }
-                Origin::Function => vec!["the same for every axis"],
-                // It stands in the statements under its own name.
-                Origin::Runtime(_) => continue,
-                Origin::Variant(variant) => vec![variant.of.doc],
-            };
-            let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
-            if groups.is_empty() || !fresh.is_empty() {
-                let note = comment::wrapped(&fresh, COMMENT_WIDTH, self.next_line);
-                groups.push(Group { note, constants: Vec::new() });
+        for (index, (constant, appearance)) in constants.iter().zip(self.printer.appearances()).enumerate() {
+            // What the runtime knows stands in the statements under its own name.
+            let Some(mut fresh) = self.notes(constant) else { continue };
+            fresh.retain(|note| !said.contains(note));
+            if begun == 0 || !fresh.is_empty() {
+                begun += 1;
+                said.extend(&fresh);
+                notes = fresh;
             }
-            let is_wanted = *appearance == wanted && is_asked_for(index);
-            if let (Some(group), true) = (groups.last_mut(), is_wanted) {
-                group.constants.push(Member {
-                    ty: self
-                        .ty(Type::of_literal(constant.value)
-                            .expect("outline: the passes leave what exists at run time"))
-                        .into(),
-                    name: name.clone(),
-                    value: match wanted {
-                        Appearance::Assigned => (self.language.operand)(constant.value).0,
-                        Appearance::Inline | Appearance::Declared | Appearance::Shared | Appearance::Enumerator => {
-                            (self.language.literal)(constant.value)
-                        }
-                    },
-                    doc: self.doc(constant.doc),
-                });
+            let Some(list) = list(index, *appearance) else { continue };
+            if std::mem::replace(&mut at[list], begun) != begun {
+                let note = comment::wrapped(&notes, COMMENT_WIDTH, self.next_line);
+                lists[list].push(Group { note, constants: Vec::new() });
             }
-            said.extend(fresh);
+            if let Some(Group { constants, .. }) = lists[list].last_mut() {
+                constants.push(self.number(constant, &names[index], *appearance));
+            }
         }
-        groups.retain(|group| !group.constants.is_empty());
-        groups
+        lists
+    }
+
+    /// What a constant and those around it belong to; none: it is not the block's.
+    fn notes(&self, constant: &Constant) -> Option<Vec<&str>> {
+        let notes = &self.block.block.notes;
+        match constant.origin {
+            Origin::Coefficient(_) => {
+                Some(notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect())
+            }
+            Origin::Function => Some(vec!["the same for every axis"]),
+            Origin::Runtime(_) => None,
+            Origin::Variant(variant) => Some(vec![variant.of.doc]),
+        }
+    }
+
+    fn number(&self, constant: &Constant, name: &str, appearance: Appearance) -> Member {
+        let ty = Type::of_literal(constant.value).expect("outline: the passes leave what exists at run time");
+        let value = match appearance {
+            Appearance::Assigned => (self.language.operand)(constant.value).0,
+            Appearance::Inline | Appearance::Declared | Appearance::Shared | Appearance::Enumerator => {
+                (self.language.literal)(constant.value)
+            }
+        };
+        Member { ty: self.ty(ty).into(), name: name.to_owned(), doc: self.doc(constant.doc), value }
     }
 }
 

@@ -86,6 +86,7 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         RealKind::F64 => format!("0x{digest:016x}"),
         RealKind::F32 => format!("0x{digest:08x}"),
     };
+    let [constants] = outline.groups([Appearance::Declared]);
     let template = RustFile {
         file: &file,
         axis,
@@ -96,7 +97,7 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         set,
         outputs: outline.outputs(),
         state,
-        constants: outline.groups(Appearance::Declared),
+        constants,
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),

@@ -1,7 +1,13 @@
 //! The unit of an axis in texts that know both: a translatory axis has um, a rotary axis and a spindle 0.001 deg.
 
+use std::borrow::Cow;
+
 /// The text with the unit that the axis has: `um/s or 0.001 deg/s` becomes one of the two.
-pub(super) fn own(text: &str, is_rotary: bool) -> String {
+pub(super) fn own(text: &str, is_rotary: bool) -> Cow<'_, str> {
+    // Most texts know no unit, or one.
+    if !text.contains('0') {
+        return text.into();
+    }
     let (mut own, mut rest) = (String::with_capacity(text.len()), text);
     while let Some(at) = rest.find(BETWEEN) {
         let (before, after) = (&rest[..at], &rest[at + BETWEEN.len()..]);
@@ -15,7 +21,7 @@ pub(super) fn own(text: &str, is_rotary: bool) -> String {
         rest = &after[power.len()..];
     }
     own.push_str(rest);
-    own
+    own.into()
 }
 
 /// What stands between the two.

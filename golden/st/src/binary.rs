@@ -47,30 +47,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let (a, b) = (lowering.typed(a, kind, left), lowering.typed(b, kind, right));
     let (a, b) = (a?, b?);
     let place = node.child_by_field_name("operator").unwrap_or(node);
-    if a.0 != b.0 {
-        let (one, other) = (lowering.name(a.0), lowering.name(b.0));
-        let instead = match (a.0, b.0) {
-            (Kind::Real, integer @ (Kind::Dint | Kind::Udint)) | (integer @ (Kind::Dint | Kind::Udint), Kind::Real) => {
-                format!("`{}_TO_{}`", lowering.name(integer), lowering.name(Kind::Real))
-            }
-            _ => "one type on both sides".to_owned(),
-        };
-        lowering.say(place, format!("`{operator}` of {one} and {other}"), instead);
-        return None;
-    }
-    let Some((code, result, swapped)) = code(&operator, a.0) else {
-        let name = lowering.name(a.0);
-        let instead = match (operator.as_str(), a.0) {
-            (_, Kind::Int | Kind::Uint) => "a DINT that was converted from it",
-            ("AND" | "OR", _) => "BOOLs, or arithmetic",
-            ("/", Kind::Udint) => "a DINT, or reals",
-            ("MOD", _) => "a DINT",
-            (_, Kind::Bool) => "`AND`, `OR`, `NOT`, `=` or `<>`",
-            _ => "an operator of the type",
-        };
-        lowering.say(place, format!("`{operator}` of {name}"), instead);
-        return None;
-    };
+    let (code, result, swapped) = operation(lowering, place, &operator, [a.0, b.0])?;
     if a.0 == Kind::Real && result == Kind::Bool {
         let place = format!("an operand of `{operator}`");
         let good = [left, right].map(|node| lowering.may_be(node, true, &place));
@@ -86,6 +63,39 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         return None;
     }
     Some(lowering.emit(code, result, &if swapped { [b, a] } else { [a, b] }))
+}
+
+/// The operation on two types, as [`code`] has it; none: there is none, which was said.
+fn operation(
+    lowering: &mut Lowering<'_, '_>,
+    place: Node<'_>,
+    operator: &str,
+    [one, other]: [Kind; 2],
+) -> Option<(Code, Kind, bool)> {
+    let names = [one, other].map(|kind| lowering.name(kind));
+    if one != other {
+        let instead = match (one, other) {
+            (Kind::Real, integer @ (Kind::Dint | Kind::Udint)) | (integer @ (Kind::Dint | Kind::Udint), Kind::Real) => {
+                format!("`{}_TO_{}`", lowering.name(integer), lowering.name(Kind::Real))
+            }
+            _ => "one type on both sides".to_owned(),
+        };
+        lowering.say(place, format!("`{operator}` of {} and {}", names[0], names[1]), instead);
+        return None;
+    }
+    let found = code(operator, one);
+    if found.is_none() {
+        let instead = match (operator, one) {
+            (_, Kind::Int | Kind::Uint) => "a DINT that was converted from it",
+            ("AND" | "OR", _) => "BOOLs, or arithmetic",
+            ("/", Kind::Udint) => "a DINT, or reals",
+            ("MOD", _) => "a DINT",
+            (_, Kind::Bool) => "`AND`, `OR`, `NOT`, `=` or `<>`",
+            _ => "an operator of the type",
+        };
+        lowering.say(place, format!("`{operator}` of {}", names[0]), instead);
+    }
+    found
 }
 
 fn is_positive_literal(node: Node<'_>, text: &str) -> bool {

@@ -127,6 +127,15 @@ fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Bloc
     blocks
 }
 
+fn validate_name(name: &str, at: usize, file: &File<'_>, mistakes: &mut Mistakes<'_>) {
+    if let Some((found, instead)) = names::mistake(file.dialect, name) {
+        mistakes.push(at, found, instead);
+    }
+    if let Some(outside) = file.source.name.as_ref().filter(|outside| *outside != name) {
+        mistakes.push(at, format!("the block `{name}` in the file of `{outside}`"), "one name in both places");
+    }
+}
+
 fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block {
     let &File { source, dialect, real, known, addresses } = file;
     let text = source.text.as_str();
@@ -144,16 +153,7 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
             ("identifier", Some("name")) => {
                 said(part, text).clone_into(&mut name);
                 place = part;
-                if let Some((found, instead)) = names::mistake(dialect, &name) {
-                    mistakes.push(at, found, instead);
-                }
-                if let Some(outside) = source.name.as_ref().filter(|outside| **outside != name) {
-                    mistakes.push(
-                        at,
-                        format!("the block `{name}` in the file of `{outside}`"),
-                        "one name in both places",
-                    );
-                }
+                validate_name(&name, at, file, mistakes);
             }
             (kind, _) if kind.starts_with("var_") => {
                 if misplaced(true) {

@@ -77,8 +77,9 @@ impl Emitted {
         let target = TARGETS[0].with_runners(samples).expect("C has runners");
         let mut files = target.files(&header, block).expect("C prints every block");
         let prefix = files[0].name.trim_end_matches(".h").to_owned();
-        let runner = target.runner(&header, block, |samples| kind.runner(designed, block, samples));
-        files.extend(runner.expect("the reference runs"));
+        let legal = target.legal(block).expect("C says every block");
+        let runner = target.runner(&header, &legal, |samples| kind.runner(designed, block, samples));
+        files.push(runner.expect("C has runners"));
         Self { prefix, files }
     }
 }

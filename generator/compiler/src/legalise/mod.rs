@@ -72,6 +72,14 @@ pub const WITH_TASK: &[Stage] = &{
     passes
 };
 
+/// Those of the passes that change a program.
+pub fn needed<'s>(program: &Program, passes: &'s [Stage]) -> &'s [Stage] {
+    match passes {
+        [("filled", _), others @ ..] if !task::is_needed(program) => others,
+        passes => passes,
+    }
+}
+
 /// Runs the passes of a target over a verified program, and verifies what comes out.
 ///
 /// # Errors

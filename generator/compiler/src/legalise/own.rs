@@ -56,7 +56,8 @@ pub fn own(program: &Program) -> Result<Own, Defect> {
     drop_outputs(&mut program, &changing);
     let inputs = retain(&mut program.inputs, &read);
     let outputs = retain(&mut program.outputs, &changing);
-    let place = |all: &[usize], old| all.iter().position(|kept| *kept == old).unwrap_or(usize::MAX);
+    // Those that are not kept are in no statement.
+    let place = |all: &[usize], old| all.binary_search(&old).unwrap_or_else(|next| next);
     let renamed = |var| match var {
         Var::Input(index) => Var::Input(place(&inputs, index)),
         Var::Output(index) => Var::Output(place(&outputs, index)),

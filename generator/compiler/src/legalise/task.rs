@@ -18,9 +18,14 @@ const KNOWN: [(&str, &str, u32); 2] = [
     ("task_cycle_ns", "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleTime", 100),
 ];
 
+/// Whether the block counts its calls.
+pub(super) fn is_needed(program: &Program) -> bool {
+    program.inputs.iter().any(|input| input.path == COUNTER)
+}
+
 /// The program with what the runtime of TwinCAT knows.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
-    if program.inputs.iter().all(|input| input.path != COUNTER) {
+    if !is_needed(&program) {
         return Ok(program);
     }
     for (path, text, times) in KNOWN {

@@ -14,11 +14,17 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 
 /// Coalesces a list of statements, inner lists last: a copy that leaves a branch becomes one inside it.
 fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &Table<usize>) {
-    while let Some((copy, from, to)) = find(list, everywhere, nothing) {
-        list.remove(copy);
-        everywhere[to] += everywhere[from] - 2; // the copy mentioned each of them once
-        everywhere[from] = 0;
-        rename(list, &|var| if var == from { to } else { var });
+    if list.iter().any(|statement| copy(statement).is_some()) {
+        let mut here = nothing.clone();
+        list.iter().for_each(|statement| statement.variables(&mut |var| here[var] += 1));
+        while let Some((position, from, to)) = find(list, everywhere, &here) {
+            list.remove(position);
+            for mentions in [&mut *everywhere, &mut here] {
+                mentions[to] += mentions[from] - 2; // the copy mentioned each of them once
+                mentions[from] = 0;
+            }
+            rename(list, &|var| if var == from { to } else { var });
+        }
     }
     for list in list.iter_mut().flat_map(Statement::branches_mut) {
         coalesce(list, everywhere, nothing);
@@ -27,18 +33,18 @@ fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &
 
 /// A copy from a local that lives in this list alone to a local that nothing before it in this list mentions: the target
 /// can take the value as soon as it exists.
-fn find(list: &[Statement], everywhere: &Table<usize>, nothing: &Table<usize>) -> Option<(usize, Var, Var)> {
-    let mut here = None;
+fn find(list: &[Statement], everywhere: &Table<usize>, here: &Table<usize>) -> Option<(usize, Var, Var)> {
     list.iter().enumerate().find_map(|(position, statement)| {
-        let Statement::Assign { target: to @ Var::Local(_), value: Expr::Var(from @ Var::Local(_)) } = statement else {
-            return None;
-        };
-        let here = here.get_or_insert_with(|| {
-            let mut here = nothing.clone();
-            list.iter().for_each(|statement| statement.variables(&mut |var| here[var] += 1));
-            here
-        });
-        let is_target_free = || !list[..position].iter().any(|earlier| earlier.mentions(*to));
-        (here[*from] == everywhere[*from] && is_target_free()).then_some((position, *from, *to))
+        let (from, to) = copy(statement)?;
+        let is_target_free = || !list[..position].iter().any(|earlier| earlier.mentions(to));
+        (here[from] == everywhere[from] && is_target_free()).then_some((position, from, to))
     })
+}
+
+/// From which local to which other one a statement copies.
+fn copy(statement: &Statement) -> Option<(Var, Var)> {
+    match statement {
+        Statement::Assign { target: to @ Var::Local(_), value: Expr::Var(from @ Var::Local(_)) } => Some((*from, *to)),
+        _ => None,
+    }
 }

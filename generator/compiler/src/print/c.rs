@@ -2,7 +2,8 @@
 
 use super::language::{Appearance, Cases, Form, Language, Level};
 use super::number::decimal;
-use crate::program::{Constant, Expr, Origin, Program, Statement, Type, Var, values};
+use crate::program::values::Signal;
+use crate::program::{Constant, Expr, Origin, Program, Statement, Type, Var};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
@@ -24,12 +25,13 @@ pub static LANGUAGE: Language = Language {
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,
+    has_enumerations: true,
     appearances,
     before: ["inputs->", "outputs->", "state->", "", ""],
     inside: "->",
     has_structs: true,
     has_capitals: false,
-    locals: Some(["const {1} {0}", "{1} {0};"]),
+    locals: Some([|name, ty| format!("const {ty} {name}"), |name, ty| format!("{ty} {name};")]),
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
     // MISRA C:2012 15.7
@@ -64,8 +66,7 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
 
 /// What a caller may write or read by name is a number of an enumeration, as is what chooses a `case`: to C a `const` is none. Any
 /// other number is a constant of the function that reads it; one that both functions of a cycle read stands above them.
-fn appearances(program: &Program) -> Vec<Appearance> {
-    let signals = values::of_signals(program);
+fn appearances(program: &Program, signals: &[Signal]) -> Vec<Appearance> {
     let [all, apart] = [&program.step[..], program.apart()].map(|list| readings(list, program.constants.len()));
     let appearance = |(index, constant): (usize, &Constant)| match constant.origin {
         _ if signals.iter().any(|signal| signal.constants.contains(&index)) => Appearance::Enumerator,

@@ -2,29 +2,24 @@
 
 use std::borrow::Cow;
 
-/// Breaks a text at blanks into lines of at most `width` characters, where a word allows it.
-pub(super) fn lines(text: &str, width: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_ascii_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.len() + 1 + word.len() <= width => {
-                line.push(' ');
-                line.push_str(word);
+/// Texts as the inside of one comment: harmless, each broken at blanks into lines of at most `width` characters, where a word allows it;
+/// lines are joined by what begins one.
+pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> String {
+    let mut wrapped = String::new();
+    for text in texts {
+        let mut column = width;
+        for word in harmless(text.as_ref()).split_ascii_whitespace() {
+            column += 1 + word.len();
+            if column <= width {
+                wrapped.push(' ');
+            } else {
+                wrapped.push_str(if wrapped.is_empty() { "" } else { next_line });
+                column = word.len();
             }
-            _ => {
-                let mut line = String::with_capacity(width.max(word.len()));
-                line.push_str(word);
-                lines.push(line);
-            }
+            wrapped.push_str(word);
         }
     }
-    lines
-}
-
-/// Texts as the inside of one comment: harmless, in lines of at most `width` characters, joined by what begins a line.
-pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> String {
-    let all = texts.iter().flat_map(|text| lines(&harmless(text.as_ref()), width));
-    all.collect::<Vec<_>>().join(next_line)
+    wrapped
 }
 
 /// Keeps a text from ending the comment that it stands in: `*/` and `*)` are taken apart.

@@ -1,5 +1,6 @@
 //! What a language is to the printer: data and small functions. No walk over a program.
 
+use crate::program::values::Signal;
 use crate::program::{Expr, Program, Type};
 use portable::{Literal, RealKind};
 
@@ -43,8 +44,10 @@ pub struct Language {
     pub(super) logic: [Level; 2],
     /// how an operation is written whose first operand has this type; `None`: by its symbol
     pub(super) form: fn(&Expr, Type, RealKind) -> Option<Form>,
-    /// how each named number of a program appears
-    pub(super) appearances: fn(&Program) -> Vec<Appearance>,
+    /// whether the values of signals are enumerations that the caller sees
+    pub(super) has_enumerations: bool,
+    /// how each named number of a program appears; those of signals are known where they are enumerations
+    pub(super) appearances: fn(&Program, &[Signal]) -> Vec<Appearance>,
     /// what stands before the name of an input, an output, a state, a constant and a local in a statement
     pub(super) before: [&'static str; 5],
     /// between the name of a parameter set and that of its part
@@ -53,9 +56,9 @@ pub struct Language {
     pub(super) has_structs: bool,
     /// whether the names of constants are in capitals
     pub(super) has_capitals: bool,
-    /// how a local is declared among the statements: before its value, and without one; `{0}` is its name, `{1}` its type.
-    /// `None`: locals are declared elsewhere
-    pub(super) locals: Option<[&'static str; 2]>,
+    /// how a local of a name and a type is declared among the statements: before its value, and without one. `None`: locals are
+    /// declared elsewhere
+    pub(super) locals: Option<[Declaration; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
     /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
@@ -70,6 +73,9 @@ pub struct Language {
     /// what begins a comment, begins its next line, and ends it
     pub(super) comment: [&'static str; 3],
 }
+
+/// How a name of a type is declared.
+pub(super) type Declaration = fn(&str, &str) -> String;
 
 /// How a choice by a number is written.
 #[derive(Clone, Copy, Debug)]

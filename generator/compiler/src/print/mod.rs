@@ -16,8 +16,9 @@ pub use language::{Appearance, Language};
 use names::Names;
 pub use names::identifier;
 
+use crate::program::values::{self, Signal};
 use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable};
-use language::Level;
+use language::{Declaration, Level};
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
 /// Characters in a line of code, where it can be broken.
@@ -37,6 +38,7 @@ pub struct Printer<'p> {
     block: &'p str,
     /// as declared
     names: Scope,
+    signals: Vec<Signal>,
     appearances: Vec<Appearance>,
     /// as in a statement
     texts: Scope,
@@ -95,7 +97,8 @@ impl<'p> Printer<'p> {
     /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
-        let appearances = (language.appearances)(program);
+        let signals = if language.has_enumerations { values::of_signals(program) } else { Vec::new() };
+        let appearances = (language.appearances)(program, &signals);
         let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
             let name = match appearance {
                 Appearance::Enumerator | Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
@@ -129,12 +132,17 @@ impl<'p> Printer<'p> {
                 texts.constants[index] = if level == Level::Primary { text } else { format!("({text})") };
             }
         }
-        Self { program, language, block, names, appearances, texts }
+        Self { program, language, block, names, signals, appearances, texts }
     }
 
     /// The names of the variables, as they are declared.
     pub fn names(&self) -> &Scope {
         &self.names
+    }
+
+    /// The signals whose values are enumerations.
+    pub fn signals(&self) -> &[Signal] {
+        &self.signals
     }
 
     /// How each constant appears.
@@ -173,23 +181,20 @@ impl<'d> Layout<'d> {
     /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
         let Printer { program, language, names, .. } = self.printer;
-        // None where locals are declared elsewhere.
-        let mut declarations =
-            language.locals.map_or_else(Vec::new, |_| scope::declarations(list, declared)).into_iter();
-        let declared_as = |form: &str, local: usize| {
-            let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-            form.replace("{0}", &names.locals[local]).replace("{1}", language.ty(ty, program.real))
-        };
         let mut doc = self.arena.nil();
-        for statement in list {
-            let locals = declarations.next().unwrap_or_default();
-            let [with_value, without] = language.locals.unwrap_or_default();
+        let Some([with_value, without]) = language.locals else {
+            return list.iter().fold(doc, |doc, it| doc.append(self.hardline).append(self.statement(it, declared)));
+        };
+        let declared_as = |form: Declaration, local: usize| {
+            let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
+            self.arena.text(form(&names.locals[local], language.ty(ty, program.real)))
+        };
+        for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
             doc = doc.append(self.hardline);
             if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                let target = self.arena.text(declared_as(with_value, *local));
-                doc = doc.append(self.assignment(target, value));
+                doc = doc.append(self.assignment(declared_as(with_value, *local), value));
                 continue;
             }
             for local in locals {
@@ -204,9 +209,10 @@ impl<'d> Layout<'d> {
         match statement {
             Statement::Note(note) => {
                 let [open, next, close] = self.printer.language.comment;
-                let lines = comment::lines(&comment::harmless(note), NOTE_WIDTH);
+                let lines = comment::wrapped(&[note], NOTE_WIDTH, "\n");
                 let between = self.arena.hardline().append(next);
-                self.arena.text(open).append(self.arena.intersperse(lines, between)).append(close)
+                let lines = self.arena.intersperse(lines.split('\n').map(str::to_owned), between);
+                self.arena.text(open).append(lines).append(close)
             }
             Statement::Assign { target, value } => {
                 self.assignment(self.arena.text(&self.printer.texts[*target]), value)

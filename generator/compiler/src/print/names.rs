@@ -27,18 +27,20 @@ impl Names {
 
     /// A name for what stands at the path, unlike every name given before.
     pub(super) fn take(&mut self, path: &str) -> String {
-        if let Some(name) = self.take_short(path) {
-            return name;
-        }
         let mut name = identifier(path);
+        if name.len() > self.significant
+            && let Some(short) = self.take_short(path)
+        {
+            return short;
+        }
         if (self.is_reserved)(&name) {
             name.push_str("_value");
         }
         // Mostly a new value of what has a name already.
         let words =
             ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"]
-                .map(str::to_owned)
-                .into_iter();
+                .into_iter()
+                .map(str::to_owned);
         let mut ends = words.chain((2..).map(|number| format!("_{number}")));
         while !self.claim(&name) {
             let end = ends.next().unwrap_or_default();
@@ -50,13 +52,9 @@ impl Names {
         name
     }
 
-    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: the name is short
-    /// enough, or nothing of it can be left out.
+    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: nothing of it can be left out.
     fn take_short(&mut self, path: &str) -> Option<String> {
         let (first, mut rest) = path.split_once('.')?;
-        if identifier(path).len() <= self.significant {
-            return None;
-        }
         while let Some((_, shorter)) = rest.split_once('.') {
             rest = shorter;
             let name = identifier(&format!("{first}.{rest}"));
@@ -69,7 +67,6 @@ impl Names {
 
     /// Takes the name if no other one is equal to it where it counts.
     fn claim(&mut self, name: &str) -> bool {
-        let counts: String = name.chars().take(self.significant).collect();
-        self.taken.insert(counts.to_ascii_lowercase())
+        self.taken.insert(name.get(..self.significant).unwrap_or(name).to_ascii_lowercase())
     }
 }

@@ -24,13 +24,14 @@ pub static LANGUAGE: Language = Language {
     // `&&` beside `||` is legal and misread.
     logic: [Level::And, Level::Comparison],
     form,
-    appearances: |program| vec![Appearance::Declared; program.constants.len()],
+    has_enumerations: false,
+    appearances: |program, _| vec![Appearance::Declared; program.constants.len()],
     before: ["inputs.", "outputs.", "state.", "", ""],
     inside: ".",
     has_structs: true,
     // A `let` of a name that a constant has would be a pattern and no new name.
     has_capitals: true,
-    locals: Some(["let {0}: {1}", "let {0}: {1};"]),
+    locals: Some([|name, ty| format!("let {name}: {ty}"), |name, ty| format!("let {name}: {ty};")]),
     assign: " =",
     choice: ["if ", "} else if ", " {", "} else {", "}"],
     nothing_else: None,

@@ -28,14 +28,19 @@ pub fn of_outputs(program: &Program) -> Vec<Signal> {
 
 fn of_those(program: &Program, signals: impl Iterator<Item = Var>) -> Vec<Signal> {
     let reaching = reaching(program);
-    let integers = signals.filter(|var| matches!(program.ty(*var), Some(Type::I32 | Type::U32)));
-    let values = |var| match var {
-        Var::Input(index) => compared(program, index, &reaching),
+    let mut compared = None;
+    let mut values = |var| match var {
+        Var::Input(index) => compared.get_or_insert_with(|| compared_inputs(program, &reaching))[index].clone(),
         Var::Output(index) => reaching.outputs[index].clone(),
         _ => Values::others(),
     };
+    let integers = signals.filter(|var| is_integer(program, *var));
     let named = integers.filter_map(|var| Some(Signal { var, constants: values(var).named(program)? }));
     named.filter(|signal| !signal.constants.is_empty()).collect()
+}
+
+fn is_integer(program: &Program, var: Var) -> bool {
+    matches!(program.ty(var), Some(Type::I32 | Type::U32))
 }
 
 /// What is known of the values of a variable.
@@ -52,7 +57,9 @@ impl Values {
         Self { others: true, ..Self::default() }
     }
 
-    fn extend(&mut self, more: &Self) {
+    /// Gives whether anything was not known yet.
+    fn extend(&mut self, more: &Self) -> bool {
+        let before = (self.constants.len(), self.literals.len(), self.others);
         self.constants.extend(&more.constants);
         for literal in &more.literals {
             if !self.literals.contains(literal) {
@@ -60,6 +67,7 @@ impl Values {
             }
         }
         self.others |= more.others;
+        before != (self.constants.len(), self.literals.len(), self.others)
     }
 
     /// The constants, if each value is that of one of them.
@@ -69,7 +77,7 @@ impl Values {
     }
 }
 
-/// What reaches every variable, in this cycle or another one.
+/// What reaches every integer, in this cycle or another one.
 fn reaching(program: &Program) -> Table<Values> {
     let mut reaching = Table::filled(program, Values::default());
     for index in 0..program.inputs.len() {
@@ -87,11 +95,9 @@ fn reaching(program: &Program) -> Table<Values> {
     while std::mem::take(&mut grows) {
         for statement in program.statements() {
             statement.assignments(&mut |target, value| {
-                let mut values = reaching[target].clone();
-                values.extend(&of_expression(value, &reaching));
-                if values != reaching[target] {
-                    reaching[target] = values;
-                    grows = true;
+                if is_integer(program, target) && !reaching[target].others {
+                    let values = of_expression(value, &reaching);
+                    grows |= reaching[target].extend(&values);
                 }
             });
         }
@@ -107,53 +113,66 @@ fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
     }
 }
 
-/// What an input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a named number.
-fn compared(program: &Program, input: usize, reaching: &Table<Values>) -> Values {
-    let input = Var::Input(input);
-    let stand_ins = stand_ins(program, input);
-    let is_meant = |var: Var| var == input || stand_ins.contains(&var);
-    let is_input = |expr: &Expr| matches!(expr, Expr::Var(var) if is_meant(*var));
-    let mut values = Values::default();
-    let (mut mentioned, mut asked) = (0, 0);
+/// What each input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a named number.
+fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
+    let meant = meant(program);
+    let input = |expr: &Expr| if let Expr::Var(var) = expr { meant[*var] } else { None };
+    let mut values = vec![Values::default(); program.inputs.len()];
+    let (mut mentioned, mut asked) = (vec![0; values.len()], vec![0; values.len()]);
     for statement in program.statements() {
-        statement.reads(&mut |var| mentioned += usize::from(is_meant(var)));
-        statement.assignments(&mut |target, value| asked += usize::from(is_meant(target) && is_input(value)));
+        statement.reads(&mut |var| meant[var].into_iter().for_each(|input| mentioned[input] += 1));
+        statement.walk(&mut |inner| match inner {
+            Statement::Assign { target, value } => {
+                let taken_over = input(value).filter(|input| meant[*target] == Some(*input));
+                taken_over.into_iter().for_each(|input| asked[input] += 1);
+            }
+            Statement::Choose { by, arms } => {
+                if let Some(input) = input(by) {
+                    asked[input] += 1;
+                    let constant = |label: &Expr| match label {
+                        Expr::Var(Var::Constant(index)) => Some(*index),
+                        _ => None,
+                    };
+                    values[input].constants.extend(arms.iter().flat_map(|arm| &arm.labels).filter_map(constant));
+                }
+            }
+            Statement::Note(_) | Statement::If { .. } | Statement::Apart(_) => {}
+        });
         statement.expressions(&mut |expr| {
             expr.parts(&mut |part| {
-                if let Expr::Binary(Binary::Equal | Binary::NotEqual, left, right) = part {
-                    for (_, other) in [(left, right), (right, left)].into_iter().filter(|(one, _)| is_input(one)) {
-                        asked += 1;
-                        values.extend(&of_expression(other, reaching));
+                let Expr::Binary(Binary::Equal | Binary::NotEqual, left, right) = part else { return };
+                for (one, other) in [(left, right), (right, left)] {
+                    if let Some(input) = input(one) {
+                        asked[input] += 1;
+                        values[input].extend(&of_expression(other, reaching));
                     }
                 }
             });
         });
-        statement.walk(&mut |inner| {
-            if let Statement::Choose { by, arms } = inner
-                && is_input(by)
-            {
-                asked += 1;
-                let constant = |label: &Expr| match label {
-                    Expr::Var(Var::Constant(index)) => Some(*index),
-                    _ => None,
-                };
-                values.constants.extend(arms.iter().flat_map(|arm| &arm.labels).filter_map(constant));
-            }
-        });
     }
-    values.others |= asked != mentioned;
+    values
+        .iter_mut()
+        .zip(asked.iter().zip(&mentioned))
+        .for_each(|(values, (asked, all))| values.others |= asked != all);
     values
 }
 
-/// The locals that are what an input is, or a named number.
-fn stand_ins(program: &Program, input: Var) -> BTreeSet<Var> {
-    let (mut takes_over, mut others) = (BTreeSet::new(), BTreeSet::new());
+/// The input that each variable is: itself, or the one that a local takes over, which else is a named number only.
+fn meant(program: &Program) -> Table<Option<usize>> {
+    let mut meant = Table::filled(program, None);
+    let mut is_other = Table::filled(program, false);
     for statement in program.statements() {
         statement.assignments(&mut |target, value| match value {
-            Expr::Var(var) if *var == input => drop(takes_over.insert(target)),
+            Expr::Var(Var::Input(input)) => {
+                is_other[target] |= meant[target].replace(*input).is_some_and(|before| before != *input);
+            }
             Expr::Var(Var::Constant(_)) => {}
-            _ => drop(others.insert(target)),
+            _ => is_other[target] = true,
         });
     }
-    takes_over.into_iter().filter(|var| matches!(var, Var::Local(_)) && !others.contains(var)).collect()
+    meant.outputs.fill(None);
+    meant.state.fill(None);
+    meant.locals.iter_mut().zip(is_other.locals).filter(|(_, is_other)| *is_other).for_each(|(meant, _)| *meant = None);
+    meant.inputs.iter_mut().enumerate().for_each(|(index, meant)| *meant = Some(index));
+    meant
 }

@@ -6,7 +6,15 @@ impl Statement {
     /// Calls `visit` for this statement, then for those inside it.
     pub(crate) fn walk<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        self.branches().flatten().for_each(|inner| inner.walk(visit));
+        match self {
+            Self::Note(_) | Self::Assign { .. } => {}
+            Self::If { then, otherwise, .. } => {
+                then.iter().for_each(|inner| inner.walk(visit));
+                otherwise.iter().for_each(|inner| inner.walk(visit));
+            }
+            Self::Choose { arms, .. } => arms.iter().flat_map(|arm| &arm.body).for_each(|inner| inner.walk(visit)),
+            Self::Apart(body) => body.iter().for_each(|inner| inner.walk(visit)),
+        }
     }
 
     /// The expression that the statement itself evaluates.
@@ -107,7 +115,15 @@ impl Expr {
     /// Calls `visit` for the expression and for every part of it.
     pub fn parts<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        self.operands().for_each(|operand| operand.parts(visit));
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) => operand.parts(visit),
+            Self::Binary(_, left, right) => {
+                left.parts(visit);
+                right.parts(visit);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.parts(visit)),
+        }
     }
 
     /// Calls `visit` for every variable that the expression reads.
@@ -121,7 +137,9 @@ impl Expr {
 
     /// Whether the expression reads the variable.
     pub(crate) fn mentions(&self, var: Var) -> bool {
-        *self == Self::Var(var) || self.operands().any(|operand| operand.mentions(var))
+        let mut found = false;
+        self.variables(&mut |read| found |= read == var);
+        found
     }
 
     /// Calls `change` for every part of the expression, inner parts first, and at last for the expression.

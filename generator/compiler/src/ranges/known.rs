@@ -117,15 +117,12 @@ impl Known {
     /// Takes everything back that was learned or written since a mark; gives it.
     pub(super) fn take_back(&mut self, mark: usize) -> Changes {
         let mut changes = Changes::new();
-        let mut places: Vec<Place> = self.log[mark..].iter().map(|(place, _)| *place).collect();
-        places.sort_unstable();
-        places.dedup();
-        changes.extend(places.into_iter().map(|place| (place, self.entries[place].clone())));
-        while self.log.len() > mark {
-            if let Some((place, entry)) = self.log.pop() {
-                self.entries[place] = entry;
-            }
+        for (place, before) in self.log.drain(mark..).rev() {
+            changes.push((place, std::mem::replace(&mut self.entries[place], before)));
         }
+        // The first one of a place is what was known last.
+        changes.sort_by_key(|(place, _)| *place);
+        changes.dedup_by_key(|(place, _)| *place);
         changes
     }
 
@@ -147,81 +144,97 @@ impl Known {
     }
 
     fn join(&mut self, one: &Changes, other: &Changes) {
-        let mut places: Vec<Place> = one.iter().chain(other).map(|(place, _)| *place).collect();
-        places.sort_unstable();
-        places.dedup();
-        let mut joined: Vec<(Place, [Entry; 2], Entry)> = Vec::with_capacity(places.len());
-        for place in places {
-            let of = |changes: &Changes| match changes.binary_search_by_key(&place, |(place, _)| *place) {
-                Ok(index) => changes[index].1.clone(),
-                Err(_) => self.entries[place].clone(),
-            };
-            let both = [of(one), of(other)];
-            let value = both[0].value.join(both[1].value, &self.names);
+        let Self { entries, assignments, names, .. } = self;
+        let (mut one, mut other) = (one.iter().peekable(), other.iter().peekable());
+        let mut joined: Vec<Joined<'_>> = Vec::new();
+        while let Some(place) = [one.peek(), other.peek()].into_iter().flatten().map(|(place, _)| *place).min() {
+            let both = [&mut one, &mut other]
+                .map(|changes| changes.next_if(|(at, _)| *at == place).map_or(&entries[place], |(_, entry)| entry));
+            let value = both[0].value.join(both[1].value, names);
             let (mut written, mut copy_of) = (both[0].written, both[0].copy_of);
             if both[0].written != both[1].written {
-                self.assignments += 1;
-                written = self.assignments;
+                *assignments += 1;
+                written = *assignments;
                 copy_of = copy_of.filter(|copy_of| both[1].copy_of == Some(*copy_of));
             }
-            joined.push((place, both, Entry { value, written, copy_of, follows: None }));
+            joined.push(Joined { place, both, entry: Entry { value, written, copy_of, follows: None } });
         }
-        let follows: Vec<Option<Rc<[Vec<Fact>; 2]>>> = joined
-            .iter()
-            .map(|(_, both, entry)| {
-                matches!(entry.value, Value::Bool([true, true])).then(|| self.follow(both, &joined))
-            })
-            .collect();
-        for ((place, _, entry), follows) in joined.into_iter().zip(follows) {
-            self.put(place, Entry { follows, ..entry });
-        }
+        // What both branches know of what differs after them.
+        let narrower = [0, 1].map(|side| joined.iter().filter_map(|of| of.narrower(side)).collect::<Vec<Fact>>());
+        let follow = |of: &Joined<'_>| {
+            let may_be_both = of.entry.value == Value::Bool([true, true]);
+            may_be_both.then(|| Rc::new([0, 1].map(|answer| of.follow(answer, &narrower, &joined, entries, names))))
+        };
+        let follows: Vec<_> = joined.iter().map(follow).collect();
+        let joined: Changes =
+            joined.into_iter().zip(follows).map(|(of, follows)| (of.place, Entry { follows, ..of.entry })).collect();
+        joined.into_iter().for_each(|(place, entry)| self.put(place, entry));
+    }
+}
+
+/// A variable after two branches.
+struct Joined<'k> {
+    place: Place,
+    /// after each of them
+    both: [&'k Entry; 2],
+    entry: Entry,
+}
+
+impl Joined<'_> {
+    /// What one of the branches says of the variable, if that is more than is known after both.
+    fn narrower(&self, side: usize) -> Option<Fact> {
+        let value = self.both[side].value;
+        (value != self.entry.value).then_some(Fact { place: self.place, written: self.entry.written, value })
     }
 
-    /// What holds after two branches where a bool is FALSE, and where it is TRUE.
-    fn follow(&self, bools: &[Entry; 2], joined: &[(Place, [Entry; 2], Entry)]) -> Rc<[Vec<Fact>; 2]> {
-        let with = |answer: usize| -> Vec<Fact> {
-            let of = |side: usize| self.follow_in(&bools[side], side, answer, joined);
-            match [of(0), of(1)] {
-                [Some(facts), None] | [None, Some(facts)] => facts,
-                [Some(one), Some(other)] => {
-                    let both = |fact: Fact| {
-                        let same = other.iter().find(|same| same.place == fact.place)?;
-                        Some(Fact { value: fact.value.join(same.value, &self.names), ..fact })
-                    };
-                    one.into_iter().filter_map(both).collect()
-                }
-                [None, None] => Vec::new(),
+    /// What holds where this bool has an answer.
+    fn follow(
+        &self,
+        answer: usize,
+        narrower: &[Vec<Fact>; 2],
+        joined: &[Self],
+        entries: &[Entry],
+        names: &Names,
+    ) -> Vec<Fact> {
+        let of = |side: usize| self.follow_in(side, answer, &narrower[side], joined, entries, names);
+        match [of(0), of(1)] {
+            [Some(facts), None] | [None, Some(facts)] => facts,
+            [Some(one), Some(other)] => {
+                let both = |fact: Fact| {
+                    let same = other.iter().find(|same| same.place == fact.place)?;
+                    Some(Fact { value: fact.value.join(same.value, names), ..fact })
+                };
+                one.into_iter().filter_map(both).collect()
             }
-        };
-        Rc::new([with(0), with(1)])
+            [None, None] => Vec::new(),
+        }
     }
 
     /// The same of one of the branches; none: the bool has another value there.
     fn follow_in(
         &self,
-        bool: &Entry,
         side: usize,
         answer: usize,
-        joined: &[(Place, [Entry; 2], Entry)],
+        narrower: &[Fact],
+        joined: &[Self],
+        entries: &[Entry],
+        names: &Names,
     ) -> Option<Vec<Fact>> {
-        let Value::Bool(may_be) = bool.value else { return None };
+        let Value::Bool(may_be) = self.both[side].value else { return None };
         if !may_be[answer] {
             return None;
         }
-        let mut facts: Vec<Fact> = (joined.iter())
-            .filter(|(_, both, entry)| both[side].value != entry.value)
-            .map(|(place, both, entry)| Fact { place: *place, written: entry.written, value: both[side].value })
-            .collect();
-        for fact in bool.follows.iter().flat_map(|follows| &follows[answer]) {
-            let found = joined.binary_search_by_key(&fact.place, |(place, ..)| *place);
+        let mut facts = narrower.to_vec();
+        for fact in self.both[side].follows.iter().flat_map(|follows| &follows[answer]) {
+            let found = joined.binary_search_by_key(&fact.place, |of| of.place);
             let (before, after) = match found {
-                Ok(index) => (joined[index].1[side].written, joined[index].2.written),
-                Err(_) => (self.entries[fact.place].written, self.entries[fact.place].written),
+                Ok(index) => (joined[index].both[side].written, joined[index].entry.written),
+                Err(_) => (entries[fact.place].written, entries[fact.place].written),
             };
             if before == fact.written {
                 let fact = Fact { written: after, ..fact.clone() };
                 match facts.iter_mut().find(|known| known.place == fact.place) {
-                    Some(known) => known.value = known.value.meet(fact.value, &self.names),
+                    Some(known) => known.value = known.value.meet(fact.value, names),
                     None => facts.push(fact),
                 }
             }

@@ -19,6 +19,7 @@ impl Specialiser<'_> {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
             return Some(self.intrinsic(intrinsic, operands));
         }
+        let cells = self.cells.len();
         let mut names = Vec::with_capacity(function.params.len() + function.body.block.statements.len());
         let mut context = None;
         for (param, argument) in function.params.iter().zip(arguments) {
@@ -49,6 +50,7 @@ impl Specialiser<'_> {
         self.frames.push(Frame { names, context, rounds, function: function.name });
         let value = self.named_block(&function.body.block, name);
         self.frames.pop();
+        self.cells.truncate(cells);
         match value {
             // A function without parameters is a named number; a bool, an index or a variant decides, and needs no name.
             Some(Expr::Literal(literal @ (Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_))))

@@ -89,8 +89,8 @@ impl Leaf {
         loop {
             match leaf.ty {
                 Ty::Struct { def } => {
-                    let field = def.fields.iter().rfind(|field| field.first <= position);
-                    let field = field.expect("specialise: the position is one of the type's leaves");
+                    let behind = def.fields.partition_point(|field| field.first <= position);
+                    let field = &def.fields[behind - 1];
                     leaf.path.push_str(if leaf.path.is_empty() { "" } else { "." });
                     leaf.path.push_str(field.name);
                     position -= field.first;

@@ -13,12 +13,13 @@ impl Specialiser<'_> {
 
     /// The same; a local that holds its value gets the name.
     pub(super) fn named_block(&mut self, block: &'static CodeBlock, name: &str) -> Option<Expr> {
-        let outer = self.frame().names.len();
+        let (names, cells) = (self.frame().names.len(), self.cells.len());
         for statement in block.statements {
             self.statement(statement);
         }
         let value = block.value.map(|value| self.named_value(value, name));
-        self.frame_mut().names.truncate(outer);
+        self.frame_mut().names.truncate(names);
+        self.cells.truncate(cells);
         value
     }
 
@@ -209,7 +210,7 @@ impl Specialiser<'_> {
         let b = otherwise(self);
         branches[1] = std::mem::replace(&mut self.statements, outer);
         let no = self.cells.split_off(self.entered);
-        self.cells.extend_from_slice(&before);
+        self.cells.extend(before);
         let value = match (name, a, b) {
             (Some(name), Some(a), Some(b)) => Some(self.merge(name, [a, b], &mut branches)),
             _ => None,

@@ -17,60 +17,12 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
     refuse_jerk(e, has(FeedforwardWord::AddJerk))?;
-    let [mut conventional, mut additive, mut torque] = ways(&words);
-    if drive.location == Location::Profidrive && has(FeedforwardWord::AddVel) {
-        // NSOLL_B takes the whole feedforward, not its velocity alone.
-        additive = Quantities { velocity: true, ..conventional };
-        conventional = Quantities::default();
-    }
-    if additive.any() && drive.velocity.is_none() {
-        corrected::no_datum(e, FeedforwardWord::AddVel, Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
-        additive = Quantities::default();
-    }
-    if torque.any() && drive.torque.is_none() {
-        let word = if torque.acceleration { FeedforwardWord::AddAcc } else { FeedforwardWord::AddJerk };
-        corrected::no_datum(e, word, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
-        torque = Quantities::default();
-    }
+    let mut ways = possible_ways(e, &words, drive);
     without_delay(e, &words)?;
     let default_active = e.word::<Boolean>(key(Name::DefaultActive)).map(|word| word == Boolean::True);
     let global_disable = e.word::<Boolean>(key(Name::GlobalDisable)).map(|word| word == Boolean::True);
-    let weight =
-        corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
-    let sums = conventional.with(additive);
-    let acceleration = if sums.use_time() || torque.acceleration {
-        let weighted = match (torque.acceleration || sums.acceleration, sums.jerk) {
-            (true, true) => "the acceleration, and the jerk that shares its time constant, are",
-            (false, true) => "the jerk, which has the time constant of the acceleration, is",
-            _ => "the acceleration is",
-        };
-        let consequence = format!("{weighted} left out");
-        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
-    } else {
-        Some(Ratio::ZERO)
-    };
-    let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
-    if is_out(acceleration) {
-        // With the time constant goes all that it weights; inputs that nothing else reads are not validated either.
-        for sum in [&mut conventional, &mut additive] {
-            *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
-        }
-        torque.acceleration = false;
-    }
-    if is_out(weight) {
-        [conventional, additive, torque] = [Quantities::default(); 3];
-    }
-    let jerk = if conventional.with(additive).with(torque).jerk {
-        let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
-        corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
-    } else {
-        Some(Ratio::ZERO)
-    };
-    if is_out(jerk) {
-        for sum in [&mut conventional, &mut additive, &mut torque] {
-            sum.jerk = false;
-        }
-    }
+    let [weight, acceleration, jerk] = weights(e, &mut ways);
+    let [conventional, additive, mut torque] = ways;
     let mut delay = |is_used: bool, name, code| match is_used {
         true => corrected::delay(e, name, cycle_time, code),
         false => Some(0),
@@ -98,6 +50,67 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
         velocity,
         torque_scale,
     }))
+}
+
+/// The ways of the quantities that the drive has a datum for.
+fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive) -> [Quantities; 3] {
+    let [mut conventional, mut additive, mut torque] = ways(words);
+    if drive.location == Location::Profidrive && words.contains(&FeedforwardWord::AddVel) {
+        // NSOLL_B takes the whole feedforward, not its velocity alone.
+        additive = Quantities { velocity: true, ..conventional };
+        conventional = Quantities::default();
+    }
+    if additive.any() && drive.velocity.is_none() {
+        corrected::no_datum(e, FeedforwardWord::AddVel, Name::AdditiveVelocityData, (codes::NO_VELOCITY_DATA, 70350));
+        additive = Quantities::default();
+    }
+    if torque.any() && drive.torque.is_none() {
+        let word = if torque.acceleration { FeedforwardWord::AddAcc } else { FeedforwardWord::AddJerk };
+        corrected::no_datum(e, word, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
+        torque = Quantities::default();
+    }
+    [conventional, additive, torque]
+}
+
+/// The weights of all, of the acceleration and of the jerk; what a weight of 0 leaves out goes no way.
+fn weights(e: &mut Effective<'_>, [conventional, additive, torque]: &mut [Quantities; 3]) -> [Option<Ratio>; 3] {
+    let weight =
+        corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
+    let sums = conventional.with(*additive);
+    let acceleration = if sums.use_time() || torque.acceleration {
+        let weighted = match (torque.acceleration || sums.acceleration, sums.jerk) {
+            (true, true) => "the acceleration, and the jerk that shares its time constant, are",
+            (false, true) => "the jerk, which has the time constant of the acceleration, is",
+            _ => "the acceleration is",
+        };
+        let consequence = format!("{weighted} left out");
+        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
+    } else {
+        Some(Ratio::ZERO)
+    };
+    let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
+    if is_out(acceleration) {
+        // With the time constant goes all that it weights; inputs that nothing else reads are not validated either.
+        for sum in [&mut *conventional, &mut *additive] {
+            *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
+        }
+        torque.acceleration = false;
+    }
+    if is_out(weight) {
+        (*conventional, *additive, *torque) = Default::default();
+    }
+    let jerk = if conventional.with(*additive).with(*torque).jerk {
+        let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
+        corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
+    } else {
+        Some(Ratio::ZERO)
+    };
+    if is_out(jerk) {
+        for sum in [conventional, additive, torque] {
+            sum.jerk = false;
+        }
+    }
+    [weight, acceleration, jerk]
 }
 
 /// Each quantity goes one way, conventional or as additive velocity or torque: an additive output takes it away from the

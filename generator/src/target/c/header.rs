@@ -3,7 +3,7 @@
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use crate::target::{Header, Legal, unit};
 use compiler::print::{c::LANGUAGE, comment};
-use compiler::program::values::{self, Signal};
+use compiler::program::values::Signal;
 use compiler::program::{Origin, Type, Var, Variable};
 use portable::{Literal, RealKind};
 use std::collections::BTreeSet;
@@ -83,13 +83,13 @@ fn size(members: &[&Variable], real: RealKind) -> usize {
 pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
     let program = &*outline.block.program;
     let mut groups: Vec<(Vec<Var>, BTreeSet<usize>)> = Vec::new();
-    for Signal { var, constants } in values::of_signals(program) {
-        match groups.iter_mut().find(|(_, known)| !known.is_disjoint(&constants)) {
+    for Signal { var, constants } in outline.printer.signals() {
+        match groups.iter_mut().find(|(_, known)| !known.is_disjoint(constants)) {
             Some((signals, known)) => {
-                signals.push(var);
+                signals.push(*var);
                 known.extend(constants);
             }
-            None => groups.push((vec![var], constants)),
+            None => groups.push((vec![*var], constants.clone())),
         }
     }
     let signals =

@@ -154,17 +154,27 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
 fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
     let (printer, program) = (outline.printer, &*outline.block.program);
     let apart = program.apart();
-    let stands_apart = |index| apart.iter().any(|statement| statement.mentions(Var::Constant(index)));
+    let mut stands_apart = vec![false; program.constants.len()];
+    apart.iter().for_each(|statement| {
+        statement.reads(&mut |var| {
+            if let Var::Constant(index) = var {
+                stands_apart[index] = true;
+            }
+        });
+    });
     let inside = Outline { next_line: "\n     * ", ..*outline };
+    let [shared] = outline.groups([Appearance::Shared]);
+    let of_step = |index: usize, appearance| (appearance == Appearance::Declared).then(|| stands_apart[index].into());
+    let [constants, constants_apart] = inside.groups_in(of_step);
     CBlock {
         prefix: prefix.to_owned(),
         inputs: outline.inputs(),
         set: outline.set(),
         outputs: outline.outputs(),
         state: outline.state(),
-        shared: outline.groups(Appearance::Shared),
-        constants: inside.groups_of(Appearance::Declared, &|index| !stands_apart(index)),
-        constants_apart: inside.groups_of(Appearance::Declared, &stands_apart),
+        shared,
+        constants,
+        constants_apart,
         init: printer.body(&program.init, 1),
         any_cycle: printer.body(apart, 1),
         step: printer.body(&program.step, 1),

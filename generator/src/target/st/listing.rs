@@ -79,6 +79,7 @@ pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
 pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
     let printer = &Printer::new(&block.program, dialect.language, "");
     let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
+    let [inline, declared, assigned] = outline.groups([Appearance::Inline, Appearance::Declared, Appearance::Assigned]);
     Listing {
         name: name(&axis.name, block.program.block, dialect),
         quote: dialect.quote,
@@ -90,9 +91,9 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         outputs: outline.outputs(),
         state: outline.state(),
         locals: outline.locals(),
-        inline: outline.groups(Appearance::Inline),
-        declared: outline.groups(Appearance::Declared),
-        assigned: outline.groups(Appearance::Assigned),
+        inline,
+        declared,
+        assigned,
         body: printer.body(&block.program.step, 0),
     }
 }

@@ -6,6 +6,7 @@ mod literal;
 pub use literal::literal;
 
 use super::language::{Appearance, Cases, Form, Language, Level};
+use crate::program::values::Signal;
 use crate::program::{Constant, Expr, Origin, Program, Type, Var};
 use portable::{Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
@@ -23,6 +24,7 @@ pub static PLAIN: Language = Language {
     symbols: ["+", "-", "*", "/", "MOD", "<", "<=", ">", ">=", "=", "<>", "AND", "OR"],
     logic: [Level::Primary; 2],
     form,
+    has_enumerations: false,
     appearances: among_statements,
     before: [""; 5],
     inside: ".",
@@ -107,7 +109,7 @@ fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
 }
 
 /// Where the smallest DINT is no literal, it is no value of a constant either.
-fn declared(program: &Program) -> Vec<Appearance> {
+fn declared(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let appearance = |constant: &Constant| match (constant.origin, constant.value) {
         (Origin::Runtime(_), _) | (_, Literal::I32(i32::MIN)) => Appearance::Inline,
         _ => Appearance::Declared,
@@ -116,7 +118,7 @@ fn declared(program: &Program) -> Vec<Appearance> {
 }
 
 /// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.
-fn among_statements(program: &Program) -> Vec<Appearance> {
+fn among_statements(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let usual = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
     let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| usual(constant.value)).collect();
     // Digits have no type of their own: an operator or a conversion that has nothing but integer digits would be anything.
