@@ -91,7 +91,7 @@ fn command(low: &LowEnd, said: &mut Said<'_>) {
             RATIOS.iter().find(|(ratio, _)| [size, 1.0 / size].iter().any(|size| (size / ratio - 1.0).abs() < 0.07));
         let instead = match ratio {
             Some((_, words)) if low.is_flat() => format!("both velocities in one unit: the factor is near {words}"),
-            _ => "both velocities in one unit and on one side of the gear; not an error, not an open loop; a measurement that begins lower"
+            _ => "both velocities in one unit and on one side of the gear; not a control deviation, not an open loop; lines that begin lower"
                 .to_owned(),
         };
         said.push(

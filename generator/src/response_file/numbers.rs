@@ -2,7 +2,7 @@
 
 use super::Said;
 use super::columns::{Quantity, Unit};
-use super::table::{Column, Table};
+use super::table::{Column, Row, Table};
 use super::text::{self, Separator};
 use crate::codes;
 use std::f64::consts::TAU;
@@ -147,7 +147,7 @@ fn column<'t>(table: &Table<'t>, quantity: Quantity, said: &mut Said<'_>) -> Opt
         said.push(
             said.error(codes::TWO_COLUMNS, second.place, found)
                 .allowed("one column of each quantity of one response")
-                .instead("only the response from the commanded velocity to the motor's: take the other columns away"),
+                .instead("only the response from the commanded velocity to the motor's: remove the other columns"),
         );
     }
     let (index, column) = of.drain(..).next()?;
@@ -159,7 +159,7 @@ fn column<'t>(table: &Table<'t>, quantity: Quantity, said: &mut Said<'_>) -> Opt
     };
     let other = meaning.unit.filter(|unit| !needs.contains(unit));
     if !needs.is_empty() && (meaning.unknown.is_some() || other.is_some()) {
-        let found = format!("the unit of `{}` is not one of the {}", column.name, word(quantity));
+        let found = format!("`{}` has a unit that the {} does not have", column.name, word(quantity));
         let write = format!("{}, and the numbers in it", written(quantity));
         said.push(said.error(codes::RESPONSE_UNIT, column.place, found).allowed(instead).instead(write));
     }
@@ -169,52 +169,60 @@ fn column<'t>(table: &Table<'t>, quantity: Quantity, said: &mut Said<'_>) -> Opt
 /// The numbers of all lines.
 pub(super) fn lines(table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'_>) -> Vec<Line> {
     let before = said.report.diagnostics.len();
-    let mut lines = Vec::with_capacity(table.rows.len());
-    let mut wrong = 0;
-    for row in &table.rows {
-        if row.cells.len() != table.columns.len() {
-            cell_count(row.line, [row.cells.len(), table.columns.len()], table, said);
-            wrong += 1;
-            continue;
-        }
-        let (mut is_right, mut at) = (true, [0; 3]);
-        let mut number = |used: &Used<'_>, said: &mut Said<'_>| {
-            let cell = row.cells[used.index];
-            let value = text::number(cell.text);
-            if value.is_none() {
-                is_right = false;
-                not_a_number([row.line, cell.column], cell.text, used.name, said);
-            }
-            (value.unwrap_or(f64::NAN), cell.column)
-        };
-        let [first, second] = columns.value.columns();
-        let mut values = [0.0; 3];
-        for (place, used) in [&columns.frequency, first, second].into_iter().enumerate() {
-            (values[place], at[place]) = number(used, said);
-        }
-        let [coherence, error, own] = [&columns.coherence, &columns.error, &columns.averages]
-            .map(|used| used.as_ref().map(|used| (number(used, said), used)));
-        wrong += usize::from(!is_right);
-        let averages = own.map(|((count, _), _)| count).or(table.averages);
-        let [coherence, error] = [coherence, error].map(|found| bounded(found, row.line, said));
-        let hz = match columns.frequency.unit {
-            Some(Unit::RadiansPerSecond) => values[0] / TAU,
-            Some(Unit::Kilohertz) => values[0] * 1000.0,
-            _ => values[0],
-        };
-        lines.push(Line { line: row.line, hz, columns: at, value: [values[1], values[2]], coherence, error, averages });
+    let (others, rows): (Vec<&Row<'_>>, Vec<&Row<'_>>) =
+        table.rows.iter().partition(|row| row.cells.len() != table.columns.len());
+    if 2 * others.len() > table.rows.len() {
+        cell_count(others[0], table, said);
+        return Vec::new();
     }
+    others.iter().for_each(|row| cell_count(row, table, said));
+    let lines: Vec<Line> = rows.iter().filter_map(|row| line(row, table, columns, said)).collect();
+    let wrong = table.rows.len() - lines.len();
     if 2 * wrong > table.rows.len() {
         said.report.diagnostics.truncate(before);
-        let place = [table.rows[0].line, 1];
         let found = format!("{wrong} of {} lines lack a number", table.rows.len());
         said.push(
-            said.error(codes::RESPONSE_TABLE, place, found)
+            said.error(codes::RESPONSE_TABLE, [table.rows[0].line, 1], found)
                 .allowed("a number in each column that is used, in every line")
                 .instead("the table as the measuring program exports it, without lines of other tables"),
         );
     }
     lines
+}
+
+/// One line; `None`: a cell of it is not a number.
+fn line(row: &Row<'_>, table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'_>) -> Option<Line> {
+    let mut number = |used: &Used<'_>| {
+        let cell = row.cells[used.index];
+        let value = text::number(cell.text);
+        if value.is_none() {
+            not_a_number([row.line, cell.column], cell.text, used.name, said);
+        }
+        value
+    };
+    let [first, second] = columns.value.columns();
+    let values = [&columns.frequency, first, second].map(&mut number);
+    let others = [&columns.coherence, &columns.error, &columns.averages].map(Option::as_ref);
+    let others = others.map(|used| used.map(|used| (used, number(used))));
+    if others.iter().any(|other| other.is_some_and(|(_, value)| value.is_none())) {
+        return None;
+    }
+    let [coherence, error, averages] = others.map(|other| other.and_then(|(used, value)| Some((used, value?))));
+    let [coherence, error] = [coherence, error].map(|found| bounded(found?, row, said));
+    let hz = match columns.frequency.unit {
+        Some(Unit::RadiansPerSecond) => values[0]? / TAU,
+        Some(Unit::Kilohertz) => values[0]? * 1000.0,
+        _ => values[0]?,
+    };
+    Some(Line {
+        line: row.line,
+        hz,
+        columns: [&columns.frequency, first, second].map(|used| row.cells[used.index].column),
+        value: [values[1]?, values[2]?],
+        coherence,
+        error,
+        averages: averages.map(|(_, count)| count).or(table.averages),
+    })
 }
 
 fn not_a_number(place: [usize; 2], cell: &str, name: &str, said: &mut Said<'_>) {
@@ -227,7 +235,8 @@ fn not_a_number(place: [usize; 2], cell: &str, name: &str, said: &mut Said<'_>) 
 }
 
 /// A line of cells too many or too few. Decimal commas between commas look like that.
-fn cell_count(line: usize, [found, right]: [usize; 2], table: &Table<'_>, said: &mut Said<'_>) {
+fn cell_count(row: &Row<'_>, table: &Table<'_>, said: &mut Said<'_>) {
+    let (found, right) = (row.cells.len(), table.columns.len());
     let instead = match table.separator {
         Separator::Comma if found > right => {
             "decimal points, or `;` between the cells: the decimal commas look like separators"
@@ -235,12 +244,13 @@ fn cell_count(line: usize, [found, right]: [usize; 2], table: &Table<'_>, said: 
         _ => "a cell for each name",
     };
     let text = format!("{found} cells below {right} names");
-    said.push(said.error(codes::RESPONSE_CELLS, [line, 1], text).allowed(format!("{right} cells")).instead(instead));
+    said.push(
+        said.error(codes::RESPONSE_CELLS, [row.line, 1], text).allowed(format!("{right} cells")).instead(instead),
+    );
 }
 
 /// A coherence lies in 0 to 1, a standard error is not negative.
-fn bounded(found: Option<((f64, usize), &Used<'_>)>, line: usize, said: &mut Said<'_>) -> Option<f64> {
-    let ((value, column), used) = found?;
+fn bounded((used, value): (&Used<'_>, f64), row: &Row<'_>, said: &mut Said<'_>) -> Option<f64> {
     let is_coherence = used.is_coherence();
     let value = if is_coherence && used.unit == Some(Unit::Percent) { value / 100.0 } else { value };
     if value < 0.0 || is_coherence && value > 1.0 {
@@ -251,7 +261,8 @@ fn bounded(found: Option<((f64, usize), &Used<'_>)>, line: usize, said: &mut Sai
             false => ["0 or more", "the standard error of |P|, in the unit of |P|"],
         };
         let found = format!("{value} for `{}`", used.name);
-        said.push(said.error(codes::COHERENCE, [line, column], found).allowed(allowed).instead(instead));
+        let place = [row.line, row.cells[used.index].column];
+        said.push(said.error(codes::COHERENCE, place, found).allowed(allowed).instead(instead));
     }
     Some(value)
 }

@@ -12,8 +12,9 @@ use crate::number::significant;
 use stability::Complex64;
 use std::f64::consts::TAU;
 
-/// A speed loop nearer to -1 is not the one that runs in the drive.
-const NEAREST: f64 = 0.25;
+/// A speed loop nearer to -1 is hardly the one that runs in the drive; nearer still, it is certainly not.
+const NEAR: f64 = 0.25;
+const OSCILLATES: f64 = 0.05;
 
 pub(super) fn close(points: &[Point], from: From, said: &mut Said<'_>) -> Vec<Point> {
     match from {
@@ -58,18 +59,18 @@ fn crossing(points: &[Point], loops: &[Complex64], said: &mut Said<'_>) {
         return;
     }
     let nearest = loops.iter().zip(points).map(|(open, point)| (magnitude(1.0 + open), point));
-    if let Some((distance, point)) =
-        nearest.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(distance, _)| *distance < NEAREST)
-    {
-        let found = format!(
-            "the speed loop comes within {} of -1 at {} Hz: a drive hardly runs so",
-            significant(distance, 2),
-            hz(point.hz)
-        );
-        said.push(
-            said.warning(codes::SPEED_LOOP_NEAR, [point.line, 0], found)
-                .allowed(format!("{NEAREST} or more"))
-                .instead("Kp and Tn as they were in the drive, in the units of this file"),
-        );
-    }
+    let Some((distance, point)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(distance, _)| *distance < NEAR)
+    else {
+        return;
+    };
+    let found = format!("the speed loop comes within {} of -1 at {} Hz", significant(distance, 2), hz(point.hz));
+    let place = [point.line, 0];
+    let made = match distance < OSCILLATES {
+        true => said.error(codes::SPEED_LOOP, place, found + ": it oscillates"),
+        false => said.warning(codes::SPEED_LOOP_NEAR, place, found + ": a drive in use keeps a larger distance"),
+    };
+    said.push(
+        made.allowed(format!("{NEAR} or more"))
+            .instead("Kp and Tn as they were in the drive, in the units of this file"),
+    );
 }

@@ -111,8 +111,10 @@ fn separated(text: &str) -> Option<(Separator, usize)> {
     let is_row = |line: &str, separator: Separator| {
         let cells = cells(line, separator);
         let numbers = cells.iter().filter(|cell| text::number(cell.text).is_some()).count();
-        let others = cells.iter().all(|cell| text::number(cell.text).is_some() || text::is_missing(cell.text));
-        cells.len() >= LEAST_CELLS && numbers > 0 && others && comment(line, separator).is_none()
+        let missing = cells.iter().filter(|cell| text::is_missing(cell.text)).count();
+        // A column of text beside three of numbers is a line of the table; a sentence with a number in it is not.
+        let is_full = numbers + missing == cells.len() || numbers >= LEAST_CELLS && 2 * numbers > cells.len();
+        cells.len() >= LEAST_CELLS && numbers > 0 && is_full && comment(line, separator).is_none()
     };
     let mut best: Option<(usize, Separator)> = None;
     for separator in SEPARATORS {

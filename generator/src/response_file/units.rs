@@ -3,7 +3,7 @@
 
 use super::columns::Unit;
 use super::numbers::{Columns, Line, Used, Value};
-use super::phase::{self, Dead};
+use super::phase::Dead;
 use super::{From, Point, Said, turned};
 use crate::codes;
 use crate::number::significant;
@@ -33,13 +33,9 @@ pub(super) fn points(
     let sizes: Vec<f64> = lines.iter().map(|line| size(line, &columns.value, is_decibel)).collect();
     for (line, _) in lines.iter().zip(&sizes).filter(|(_, size)| **size <= 0.0 || !size.is_finite()) {
         said.push(
-            said.error(
-                codes::RESPONSE_CELL,
-                [line.line, line.columns[1]],
-                "a magnitude of 0, which no measurement gives",
-            )
-            .allowed("above 0")
-            .instead("the measured value"),
+            said.error(codes::RESPONSE_CELL, [line.line, line.columns[1]], "a magnitude that no measurement gives")
+                .allowed("above 0")
+                .instead("the measured value, finite and above 0"),
         );
     }
     let errors = lines.iter().zip(&sizes).map(|(line, size)| relative_error(line, *size, columns.error.as_ref()));
@@ -171,7 +167,7 @@ fn phases(lines: &[Line], value: &Value<'_>, dead: &Dead, from: From, said: &mut
         && !fits(&stated)
         && let Some(other) = others.into_iter().find(fits)
     {
-        mistaken(stated, other, value.columns()[1], [dead.cycles(&read(stated)), dead.cycles(&read(other))], said);
+        mistaken(stated, other, value.columns()[1], [dead.words(&read(stated)), dead.words(&read(other))], said);
     }
     read(stated)
 }
@@ -185,23 +181,17 @@ fn taken(phase: &Used<'_>, fits: impl Fn(Unit) -> bool, said: &mut Said<'_>) -> 
         said.push(said.error(codes::PHASE_UNIT, phase.place, found).allowed("deg or rad").instead("phase [deg]"));
     } else {
         let (name, write) = if radians { ("radians", "phase [rad]") } else { ("degrees", "phase [deg]") };
-        let found = format!("`{}` has no unit: read as {name}, which alone gives a dead time that can be", phase.name);
+        let found = format!("`{}` has no unit: read as {name}, the only unit with a possible dead time", phase.name);
         said.push(said.warning(codes::UNIT_TAKEN, phase.place, found).instead(write));
     }
     unit
 }
 
 /// The numbers contradict what the file states.
-fn mistaken(stated: Reading, other: Reading, column: &Used<'_>, [is, would]: [f64; 2], said: &mut Said<'_>) {
-    let [is, would] = [is, would].map(phase::cycles);
+fn mistaken(stated: Reading, other: Reading, column: &Used<'_>, [is, would]: [String; 2], said: &mut Said<'_>) {
     if other.unit != stated.unit {
         let sign = if other.is_inverted { " with the other sign" } else { "" };
-        let found = format!(
-            "`{}` in {} gives a dead time of {is} cycles, in {}{sign} {would}",
-            column.name,
-            stated.name(),
-            other.name()
-        );
+        let found = format!("`{}` in {} gives {is}, in {}{sign} {would}", column.name, stated.name(), other.name());
         let write = if other.unit == Unit::Radians { "phase [rad]" } else { "phase [deg]" };
         let write = if other.is_inverted { format!("{write}, with the other sign") } else { write.to_owned() };
         said.push(
@@ -210,10 +200,7 @@ fn mistaken(stated: Reading, other: Reading, column: &Used<'_>, [is, would]: [f6
                 .instead(write),
         );
     } else {
-        let found = format!(
-            "`{}` rises with the frequency: a dead time of {is} cycles, with the other sign {would}",
-            column.name
-        );
+        let found = format!("`{}` rises with the frequency: it gives {is}, with the other sign {would}", column.name);
         said.push(
             said.error(codes::PHASE_SIGN, column.place, found)
                 .allowed("a phase that falls: the motor answers after the command")

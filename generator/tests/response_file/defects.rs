@@ -45,22 +45,31 @@ fn of_the_table() -> Vec<(&'static str, String)> {
         ("a binary file", "\0\u{1}PK".to_owned()),
         ("XML", "<?xml version=\"1.0\"?>\n<ResponseTest/>".to_owned()),
         ("no names", only(|_| true).lines().skip(1).collect::<Vec<_>>().join("\n")),
-        ("half of the lines without numbers", table("f [Hz];re;im", &lines(), |hz| {
-            if hz < 130.0 { "---;---".to_owned() } else { format!("{:.6};{:.6}", p(hz).re, p(hz).im) }
-        })),
+        (
+            "half of the lines without numbers",
+            table("f [Hz];re;im", &lines(), |hz| {
+                if hz < 130.0 { "---;---".to_owned() } else { format!("{:.6};{:.6}", p(hz).re, p(hz).im) }
+            }),
+        ),
         ("no phase", table("f [Hz];magnitude [dB];coherence", &lines(), |hz| format!("{:.6};1", decibels(p(hz))))),
         ("no frequency", table("time [s];re;im", &lines(), |hz| format!("{:.6};{:.6}", p(hz).re, p(hz).im))),
         ("two magnitudes", table("f [Hz];Amplitude Ch1;Amplitude Ch2;phase [deg]", &lines(), |_| "1;1;1".to_owned())),
         ("decimal commas between commas", "f,re,im\n1,5,0,99,-0,1\n2,5,0,98,-0,1\n3,5,0,97,-0,1\n".to_owned()),
-        ("a unit that no frequency has", polar("f [rpm];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), degrees(p(hz))])),
+        (
+            "a unit that no frequency has",
+            polar("f [rpm];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), degrees(p(hz))]),
+        ),
         ("NaN", with_line(5, "1;NaN;-0.1")),
         ("an empty cell", with_line(5, "1;;-0.1")),
         ("a magnitude of 0", with_line(5, "1;0;0")),
         ("coherence above 1", with_coherence(|hz| if hz > 249.9 { 1.2 } else { 0.99 })),
         ("negative coherence", with_coherence(|hz| if hz > 249.9 { -0.1 } else { 0.99 })),
-        ("negative standard error", table("f [Hz];re;im;se", &lines(), |hz| {
-            format!("{:.6};{:.6};{}", p(hz).re, p(hz).im, if hz > 249.9 { -1.0 } else { 0.0 })
-        })),
+        (
+            "negative standard error",
+            table("f [Hz];re;im;se", &lines(), |hz| {
+                format!("{:.6};{:.6};{}", p(hz).re, p(hz).im, if hz > 249.9 { -1.0 } else { 0.0 })
+            }),
+        ),
     ]
 }
 
@@ -77,7 +86,10 @@ fn of_the_lines() -> Vec<(&'static str, String)> {
         ("too few lines", only(|hz| hz % 50.0 == 0.0 || hz == 1.0)),
         ("too short above", only(|hz| hz < 40.0)),
         ("too short below", only(|hz| hz > 20.0)),
-        ("coarser than a stage", parts(&(1..=40).map(|line| 6.25 * f64::from(line)).collect::<Vec<_>>(), velocity_loop)),
+        (
+            "coarser than a stage",
+            parts(&(1..=40).map(|line| 6.25 * f64::from(line)).collect::<Vec<_>>(), velocity_loop),
+        ),
         ("coherence low at f0", with_coherence(|hz| if (52.0..54.0).contains(&hz) { 0.2 } else { 0.99 })),
     ]
 }
@@ -89,12 +101,21 @@ fn of_the_meaning() -> Vec<(&'static str, String)> {
         ("dB given as a factor", polar("f [Hz];magnitude [1];phase [deg]", |hz| [decibels(p(hz)), degrees(p(hz))])),
         ("a factor given as dB", polar("f [Hz];magnitude [dB];phase [deg]", |hz| [p(hz).norm(), degrees(p(hz))])),
         ("radians given as degrees", polar("f [Hz];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), p(hz).arg()])),
-        ("degrees given as radians", polar("f [Hz];magnitude [dB];phase [rad]", |hz| [decibels(p(hz)), degrees(p(hz))])),
-        ("a lag counted as positive", polar("f [Hz];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), -degrees(p(hz))])),
+        (
+            "degrees given as radians",
+            polar("f [Hz];magnitude [dB];phase [rad]", |hz| [decibels(p(hz)), degrees(p(hz))]),
+        ),
+        (
+            "a lag counted as positive",
+            polar("f [Hz];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), -degrees(p(hz))]),
+        ),
         ("the imaginary part with the other sign", parts(&lines(), |hz| p(hz).conj())),
-        ("no unit, and a range too short to show it", table("f [Hz];magnitude [dB];phase", &lines()[..150], |hz| {
-            format!("{:.6};{:.6}", decibels(p(hz)), degrees(p(hz)))
-        })),
+        (
+            "no unit, and a range too short to show it",
+            table("f [Hz];magnitude [dB];phase", &lines()[..150], |hz| {
+                format!("{:.6};{:.6}", decibels(p(hz)), degrees(p(hz)))
+            }),
+        ),
         ("a position", parts(&lines(), |hz| p(hz) / complex(0.0, TAU * hz))),
         ("the open plant without Kp and Tn", parts(&lines(), open_plant)),
         ("a control deviation", parts(&lines(), |hz| complex(1.0, 0.0) - p(hz))),
@@ -110,11 +131,14 @@ fn of_the_open_plant() -> Vec<(&'static str, String)> {
     let closed = parts(&lines(), velocity_loop);
     let other = From::Current { kp: 2.0 * TAU / 60.0, tn: 0.02, delay: 2e-3 };
     let ends = From::Current { kp: 60.0, tn: 0.02, delay: 2e-3 };
+    let near = From::Current { kp: 4.3, tn: 0.02, delay: 2e-3 };
+    let late = parts(&lines(), |hz| open_plant(hz) * super::plant::delay(hz, 2e-3));
     let without = From::Current { kp: 2.0, tn: 0.02, delay: 0.0 };
     vec![
         ("a closed loop with Kp and Tn", of(OPEN, closed)),
-        ("Kp in another unit", of(other, parts(&lines()[19..], open_plant))),
+        ("Kp in another unit", of(other, parts(&lines()[29..], open_plant))),
         ("lines end before the crossover", of(ends, parts(&lines(), open_plant))),
+        ("a speed loop that oscillates", of(near, late)),
         ("no delay between CNC and drive", of(without, parts(&lines(), open_plant))),
     ]
 }

@@ -36,10 +36,11 @@ fn measured(p: Complex64, noise: f64, averages: u32, random: &mut Noise) -> (Com
 /// as of a normal distribution.
 #[test]
 fn coherence_and_averages_give_the_standard_error() {
-    let mut random = Noise(1);
+    let random = Noise(1);
     let mut outside = [0.0; 3];
     let text = table("f [Hz];re;im;coherence;averages", &lines(), |hz| {
-        let (found, coherence) = measured(velocity_loop(hz), 0.2 * velocity_loop(hz).norm(), 50, &mut random.clone_for(hz));
+        let (found, coherence) =
+            measured(velocity_loop(hz), 0.2 * velocity_loop(hz).norm(), 50, &mut random.clone_for(hz));
         format!("{:.12};{:.12};{coherence:.12};50", found.re, found.im)
     });
     let measured = read_text(&text).unwrap_or_else(|report| panic!("{report}"));
@@ -56,7 +57,6 @@ fn coherence_and_averages_give_the_standard_error() {
         let deviation = (expected * (1.0 - expected) / 1000.0_f64).sqrt();
         assert!((found - expected).abs() < 4.0 * deviation + 0.004, "{outside:?}");
     }
-    random.uniform();
 }
 
 impl Noise {

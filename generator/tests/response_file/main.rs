@@ -5,6 +5,7 @@
 mod defects;
 mod doubtful;
 mod errors;
+mod hostile;
 mod names;
 mod plant;
 mod spellings;

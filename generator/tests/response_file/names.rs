@@ -14,8 +14,28 @@ fn is_response(text: &str, what: &str) {
 
 #[test]
 fn names_of_frequencies() {
-    let hertz = ["f", "F [Hz]", "freq", "Freq (Hz)", "Frequency/Hz", "frequency in Hz", "Frequenz", "Frequenz_Hz", "Hz", "\"Frequency [Hz]\""];
-    let radians = ["w", "omega", "ω [rad/s]", "w (rad/s)", "omega_rad_s", "Kreisfrequenz", "angular frequency", "Frequency [rad/s]"];
+    let hertz = [
+        "f",
+        "F [Hz]",
+        "freq",
+        "Freq (Hz)",
+        "Frequency/Hz",
+        "frequency in Hz",
+        "Frequenz",
+        "Frequenz_Hz",
+        "Hz",
+        "\"Frequency [Hz]\"",
+    ];
+    let radians = [
+        "w",
+        "omega",
+        "ω [rad/s]",
+        "w (rad/s)",
+        "omega_rad_s",
+        "Kreisfrequenz",
+        "angular frequency",
+        "Frequency [rad/s]",
+    ];
     let of = |names: &[&str], factor: f64| {
         for name in names {
             let text = table(&format!("n;{name};re;im"), &lines(), |hz| {
@@ -32,12 +52,26 @@ fn names_of_frequencies() {
 #[test]
 fn names_of_values() {
     let cases: [(&[&str], fn(Complex64) -> [f64; 2]); 4] = [
-        (&["re;im", "Real;Imag", "Re(P);Im(P)", "Real part;Imaginary part", "Realteil;Imaginärteil", "P_re;P_im"], |p| [p.re, p.im]),
-        (&["dB;deg", "Magnitude [dB];Phase [°]", "gain_db;phase_deg", "Betrag in dB;Winkel in Grad", "Mag (dB);Arg (deg)"], |p| {
-            [decibels(p), degrees(p)]
+        (
+            &["re;im", "Real;Imag", "Re(P);Im(P)", "Real part;Imaginary part", "Realteil;Imaginärteil", "P_re;P_im"],
+            |p| [p.re, p.im],
+        ),
+        (
+            &[
+                "dB;deg",
+                "Magnitude [dB];Phase [°]",
+                "gain_db;phase_deg",
+                "Betrag in dB;Winkel in Grad",
+                "Mag (dB);Arg (deg)",
+            ],
+            |p| [decibels(p), degrees(p)],
+        ),
+        (&["Amplitude;Phase [rad]", "abs;angle (rad)", "|H|;∠H [rad]", "magnitude [1];phase_rad"], |p| {
+            [p.norm(), p.arg()]
         }),
-        (&["Amplitude;Phase [rad]", "abs;angle (rad)", "|H|;∠H [rad]", "magnitude [1];phase_rad"], |p| [p.norm(), p.arg()]),
-        (&["Verstärkung [lin];Phasengang [Grad]", "Amplitude [(1/min)/(1/min)];Phase / deg"], |p| [p.norm(), degrees(p)]),
+        (&["Verstärkung [lin];Phasengang [Grad]", "Amplitude [(1/min)/(1/min)];Phase / deg"], |p| {
+            [p.norm(), degrees(p)]
+        }),
     ];
     for (names, written) in cases {
         for name in names {

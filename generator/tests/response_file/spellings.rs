@@ -38,35 +38,66 @@ fn spellings() -> Vec<(&'static str, Vec<u8>)> {
         ("BOM, CRLF", file("\u{feff}frequency,real,imag", "\r\n", |_, hz, p| format!("{hz:e},{:e},{:e}", p.re, p.im))),
         ("German, ISO 8859-1", narrow(&german)),
         ("German, UTF-16", wide(&german)),
-        ("dB and degrees, wrapped", file("Freq\tMag (dB)\tPhase (deg)", "\n", |_, hz, p| {
-            format!("{hz}\t{:.9}\t{:.9}", decibels(p), degrees(p))
-        })),
-        ("degrees, unwrapped", file("f [Hz];gain [dB];phase [deg]", "\n", |index, hz, p| {
-            format!("{hz};{:.9};{:.9}", decibels(p), turn(index).to_degrees())
-        })),
-        ("radians, unwrapped, factor", file("\"f / Hz\", \"|P|\", \"phase / rad\"", "\n", |index, hz, p| {
-            format!("{hz}, {:.12}, {:.12}", p.norm(), turn(index))
-        })),
-        ("rad/s, blanks", file("omega [rad/s]  magnitude  phase [rad]", "\n", |_, hz, p| {
-            format!("  {:.12}   {:.12}  {:.12}", TAU * hz, p.norm(), p.arg())
-        })),
-        ("kHz, other order, other columns", file("Time;Realteil;Imaginärteil;Frequenz in kHz;note", "\n", |_, hz, p| {
-            format!("0;{:.12};{:.12};{:.6};x", p.re, p.im, hz / 1000.0)
-        })),
-        ("a line of units, a preamble, a decimal comma", file(
-            "Axis X, 2026-11-24\nAverages 20\n\nf\tAmplitude\tPhase\n[Hz]\t[dB]\t[rad]", "\n",
-            |_, hz, p| comma(format!("{hz}\t{:.9}\t{:.9}\t", decibels(p), p.arg()))),
+        (
+            "dB and degrees, wrapped",
+            file("Freq\tMag (dB)\tPhase (deg)", "\n", |_, hz, p| {
+                format!("{hz}\t{:.9}\t{:.9}", decibels(p), degrees(p))
+            }),
         ),
-        ("names in a comment", file("% exported by a script\n# freq_hz, mag_db, phase_deg", "\n", |_, hz, p| {
-            format!("{hz} {:.9} {:.9}", decibels(p), degrees(p))
-        })),
-        ("quoted decimal commas, comments between", file("// f, re, im\nf,re,im\n; lines", "\n", |index, hz, p| {
-            let comment = if index == 5 { "# weak\n\n" } else { "" };
-            comment.to_owned() + &comma(format!("{hz}#{:.12}#{:.12}", p.re, p.im)).split('#').map(|cell| format!("\"{cell}\"")).collect::<Vec<_>>().join(",")
-        })),
-        ("units without brackets, units not stated", file("w_rad_s;gain;phase", "\n", |_, hz, p| {
-            format!("{:.12};{:.9};{:.9}", TAU * hz, decibels(p), degrees(p))
-        })),
+        (
+            "degrees, unwrapped",
+            file("f [Hz];gain [dB];phase [deg]", "\n", |index, hz, p| {
+                format!("{hz};{:.9};{:.9}", decibels(p), turn(index).to_degrees())
+            }),
+        ),
+        (
+            "radians, unwrapped, factor",
+            file("\"f / Hz\", \"|P|\", \"phase / rad\"", "\n", |index, hz, p| {
+                format!("{hz}, {:.12}, {:.12}", p.norm(), turn(index))
+            }),
+        ),
+        (
+            "rad/s, blanks",
+            file("omega [rad/s]  magnitude  phase [rad]", "\n", |_, hz, p| {
+                format!("  {:.12}   {:.12}  {:.12}", TAU * hz, p.norm(), p.arg())
+            }),
+        ),
+        (
+            "kHz, other order, other columns",
+            file("Time;Realteil;Imaginärteil;Frequenz in kHz;note", "\n", |_, hz, p| {
+                format!("0;{:.12};{:.12};{:.6};x", p.re, p.im, hz / 1000.0)
+            }),
+        ),
+        (
+            "a line of units, a preamble, a decimal comma",
+            file("Axis X, 2026-11-24\nAverages 20\n\nf\tAmplitude\tPhase\n[Hz]\t[dB]\t[rad]", "\n", |_, hz, p| {
+                comma(format!("{hz}\t{:.9}\t{:.9}\t", decibels(p), p.arg()))
+            }),
+        ),
+        (
+            "names in a comment",
+            file("% exported by a script\n# freq_hz, mag_db, phase_deg", "\n", |_, hz, p| {
+                format!("{hz} {:.9} {:.9}", decibels(p), degrees(p))
+            }),
+        ),
+        (
+            "quoted decimal commas, comments between",
+            file("// f, re, im\nf,re,im\n; lines", "\n", |index, hz, p| {
+                let comment = if index == 5 { "# weak\n\n" } else { "" };
+                comment.to_owned()
+                    + &comma(format!("{hz}#{:.12}#{:.12}", p.re, p.im))
+                        .split('#')
+                        .map(|cell| format!("\"{cell}\""))
+                        .collect::<Vec<_>>()
+                        .join(",")
+            }),
+        ),
+        (
+            "units without brackets, units not stated",
+            file("w_rad_s;gain;phase", "\n", |_, hz, p| {
+                format!("{:.12};{:.9};{:.9}", TAU * hz, decibels(p), degrees(p))
+            }),
+        ),
     ]
 }
 
@@ -84,14 +115,27 @@ fn stages(t: f64) -> [Complex64; stability::STAGES] {
 /// Ms, gain and phase margin, largest weights.
 fn margins(measured: &Measured) -> Vec<f64> {
     let bands = BANDS.map(|band| stability::Band { centre: band.f0, width: band.width });
-    let controller =
-        Controller { cycle_time: CYCLE_TIME, weight: [1.0, 0.5, 0.0], stage: &stages, bands: &bands, position_gain: None };
+    let controller = Controller {
+        cycle_time: CYCLE_TIME,
+        weight: [1.0, 0.5, 0.0],
+        stage: &stages,
+        bands: &bands,
+        position_gain: None,
+    };
     let points = Points::new(&controller, 2.0, measured.response.frequencies());
     let closed = Loop::new(&points, Drive::Measured(&measured.response));
     assert!(closed.is_stable());
     let margins = closed.margins();
     let (ms, gain, phase) = (margins.ms.unwrap()[0], margins.gain_db.unwrap(), margins.phase_deg.unwrap());
-    vec![ms, gain, phase, closed.largest_stable_weight(0), closed.largest_stable_weight(1), closed.largest_weight(0), closed.largest_weight(1)]
+    vec![
+        ms,
+        gain,
+        phase,
+        closed.largest_stable_weight(0),
+        closed.largest_stable_weight(1),
+        closed.largest_weight(0),
+        closed.largest_weight(1),
+    ]
 }
 
 #[test]
@@ -99,7 +143,8 @@ fn every_spelling_is_the_same_response() {
     let expected: Vec<Complex64> = lines().into_iter().map(velocity_loop).collect();
     let mut first: Option<Vec<f64>> = None;
     for (name, bytes) in spellings() {
-        let measured = read("p.csv", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap_or_else(|report| panic!("{name}: {report}"));
+        let measured =
+            read("p.csv", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap_or_else(|report| panic!("{name}: {report}"));
         assert_eq!(measured.lines, expected.len(), "{name}");
         assert!(!measured.has_errors, "{name}");
         for (hz, expected) in lines().into_iter().zip(&expected) {
@@ -114,7 +159,7 @@ fn every_spelling_is_the_same_response() {
     }
 }
 
-/// 1.5 cycles were put in; what |P| does above 250 Hz, and the ripple of a coarse grid, count as dead time.
+/// 1.5 cycles were put in. A time constant that is not sampled counts for a part of a cycle more.
 #[test]
 fn the_dead_time_is_found() {
     let (_, bytes) = spellings().swap_remove(0);
