@@ -136,7 +136,7 @@ fn kv(hz: f64) -> String {
 /// A current accelerates: the velocity of an open plant falls with the frequency.
 fn current(low: &LowEnd, said: &mut Said<'_>) {
     let [size, angle] = [magnitude(low.response), degrees(low.response)];
-    let is_one = NEAR_ONE[0] <= size && size <= NEAR_ONE[1];
+    let is_one = (NEAR_ONE[0]..=NEAR_ONE[1]).contains(&size);
     if is_one && angle.abs() < 30.0 && low.slope.is_some() && low.is_flat() {
         let found =
             format!("{} at {} deg at the lowest lines: a closed loop", significant(size, 3), decimals(angle, 0));

@@ -87,7 +87,7 @@ fn relative_error(line: &Line, size: f64, column: Option<&Used<'_>>) -> f64 {
 fn is_decibel(lines: &[Line], magnitude: &Used<'_>, from: From, said: &mut Said<'_>) -> bool {
     let negative = lines.iter().find(|line| line.value[0] < 0.0);
     let lowest = lowest(lines);
-    let is_one = NEAR_ONE[0] <= lowest && lowest <= NEAR_ONE[1];
+    let is_one = (NEAR_ONE[0]..=NEAR_ONE[1]).contains(&lowest);
     match (magnitude.unit, negative) {
         (Some(Unit::Decibel), None) if is_one && matches!(from, From::Command { .. }) => {
             let found = format!(

@@ -70,6 +70,9 @@ impl Noise {
     }
 }
 
+/// What stands above the table, the name of the column, what is written at a frequency, the relative error that is read.
+type Case<'a> = (&'a str, &'a str, &'a dyn Fn(f64) -> f64, f64);
+
 /// The same error in the units that a column may have, and from a comment.
 #[test]
 fn units_of_the_standard_error() {
@@ -77,7 +80,7 @@ fn units_of_the_standard_error() {
     let size = |hz: f64| velocity_loop(hz).norm();
     let (k, n) = (0.9, 20.0);
     let of_coherence = ((1.0_f64 - k) / (2.0 * n * k)).sqrt();
-    let cases: [(&str, &str, &dyn Fn(f64) -> f64, f64); 6] = [
+    let cases: [Case<'_>; 6] = [
         ("", "se", &|hz| relative * size(hz), relative),
         ("", "Standardfehler [dB]", &|_| relative * 20.0 / 10.0_f64.ln(), relative),
         ("", "stderr (%)", &|_| 100.0 * relative, relative),

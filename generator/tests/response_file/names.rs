@@ -49,9 +49,12 @@ fn names_of_frequencies() {
     of(&["f [kHz]", "freq_khz"], 1e-3);
 }
 
+/// Names of two columns, and what is written into them.
+type Case = (&'static [&'static str], fn(Complex64) -> [f64; 2]);
+
 #[test]
 fn names_of_values() {
-    let cases: [(&[&str], fn(Complex64) -> [f64; 2]); 4] = [
+    let cases: [Case; 4] = [
         (
             &["re;im", "Real;Imag", "Re(P);Im(P)", "Real part;Imaginary part", "Realteil;Imaginärteil", "P_re;P_im"],
             |p| [p.re, p.im],
