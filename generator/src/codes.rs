@@ -92,6 +92,10 @@ codes! {
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
         "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it refuses the set with \
          error_id 7. Take a smaller limit, or generate the block anew.";
+    RESPONSE_TABLE = "AX023", "a file without the table of a frequency response",
+        "A measured response is text: a line of column names, below it a line of numbers for each frequency, separated by \
+         tabs, semicolons, commas or blanks. docs/response.md says what is read. XML and binary files are not read: \
+         export the response as text.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the end of \
@@ -133,6 +137,14 @@ codes! {
          G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
     PROJECT = "AX116", "XML without an axis list",
         "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA.";
+    RESPONSE_COLUMN = "AX117", "a frequency response without a column that it needs",
+        "A response has a frequency, and real and imaginary part or magnitude and phase. A column is recognised by its \
+         name, in English or German, with its unit in brackets. docs/response.md lists the names.";
+    TWO_COLUMNS = "AX118", "two columns for one quantity of a frequency response",
+        "Which of them is meant cannot be known. A file holds one response: remove the columns of the others, or rename \
+         what is not to be read.";
+    RESPONSE_CELLS = "AX119", "a line of a frequency response with another number of cells",
+        "Each line has a cell for each name. With commas between the cells, decimal commas look like separators.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
@@ -151,6 +163,17 @@ codes! {
     MISSING = "AX206", "a parameter is missing",
         "An active stage, or the changeover of a spindle, needs the parameter, and its default lies outside of its range on \
          purpose: the controller wants it in writing too, or manuals do not agree on it.";
+    RESPONSE_CELL = "AX207", "a cell of a frequency response without a number",
+        "Each column that is used has a finite number in each line. Lines that are uncertain stay in with their \
+         coherence: where they are cut, a smooth curve hides what the machine does there, and unstable loops look calm.";
+    COHERENCE = "AX208", "a coherence outside of 0 to 1, or a negative standard error",
+        "The squared coherence of two signals lies between 0 and 1. Other values are another quantity, or another unit. \
+         The standard error of a magnitude is not negative.";
+    NEGATIVE_FREQUENCY = "AX209", "a frequency of a response that is not above 0",
+        "A response is read one-sided, above 0 Hz. Only a first line at 0 Hz, which every FFT has, is left out with a \
+         warning.";
+    RESPONSE_UNIT = "AX210", "a unit that a column of a frequency response does not have",
+        "A frequency is in Hz, kHz or rad/s, a phase in deg or rad.";
 
     NO_BANDPASS = "AX301", "an active stage without a band-pass",
         "Without a band-pass the whole velocity would be fed back. Every active stage needs a BANDPASS in one of its two \
@@ -245,7 +268,47 @@ codes! {
         "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other way. \
          The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv \
          (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
-    UNSTABLE = "AX332", "a block that starts ON and is unstable",
+    NOT_RISING = "AX332", "frequencies of a response that do not rise",
+        "The lines are sorted by frequency, and each frequency stands once. Two measurements in one file, one after the \
+         other, look like that.";
+    GAP = "AX333", "a gap in a frequency response",
+        "Lines are missing, or they are further apart than a stage is wide. A vibration can hide there, and the loop \
+         would be calculated with a smooth curve through the gap. Weak lines stay in, with their coherence.";
+    TOO_FEW_LINES = "AX334", "too few lines of a frequency response",
+        "Fewer than ten lines below half of the sampling frequency do not show a response.";
+    NOT_REACHED = "AX335", "a frequency response that does not reach a stage",
+        "The band of each active stage, f0 and its half-power width, must lie within the lines. What the drive does there \
+         decides whether the stage is stable.";
+    MAGNITUDE_UNIT = "AX336", "the magnitude of a response in another unit",
+        "A factor is never negative, and dB of a response are below 0 above its bandwidth. The values contradict the unit \
+         that the column has.";
+    PHASE_UNIT = "AX337", "the phase of a response in another unit",
+        "The phase falls by its dead time and by what belongs to the magnitude (minimum phase). In the unit that the \
+         column has, the dead time cannot be; in the other one it can.";
+    PHASE_SIGN = "AX338", "the phase of a response with the other sign",
+        "A phase that rises with the frequency is that of a motor that answers before the command. Some programs count a \
+         lag as positive, some divide input by output.";
+    INTEGRATES = "AX339", "a frequency response that integrates",
+        "From the commanded velocity to the motor's velocity the response is 1 at low frequencies. This one falls by 20 \
+         dB a decade with -90 deg: it is that of a position, or of an open speed plant from current to velocity.";
+    NOT_ONE = "AX340", "a frequency response that is not 1 at low frequencies",
+        "A motor follows slow commands: the magnitude of the lowest lines is near 1 and their phase near 0. A factor \
+         shows different units or a gear between the two velocities, 180 deg a sign; an open loop or a control deviation \
+         is not a response from the commanded velocity.";
+    CLOSED_LOOP = "AX341", "a closed loop given as an open speed plant",
+        "The open speed plant, from current to velocity, integrates at low frequencies. A response of 1 at 0 deg is that \
+         of the closed loop: with Kp and Tn it would be closed twice.";
+    DEAD_TIME = "AX342", "a dead time below one cycle",
+        "What a cycle commands is read in the next one at the earliest. A shorter dead time means that the signals were \
+         recorded in the drive, or that a channel is late: the real loop has more delay, and less margin, than this \
+         response shows.";
+    UNCERTAIN = "AX343", "a frequency response that is not known at a stage",
+        "Two standard errors of the magnitude at f0 are half of it or more. No weight of this stage can be said to be \
+         safe. Measure again, or switch the stage off.";
+    SPEED_LOOP = "AX344", "a speed loop that does not close",
+        "The open speed plant with Kp and Tn is above 1 at the lowest line and below 1 at the highest. If it is not, Kp \
+         has another unit than the plant, or the lines do not reach far enough.";
+    UNSTABLE = "AX345", "a block that starts ON and is unstable",
         "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle before (or is the \
          drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of order n; with a large weight the loop \
          is lost where the gain is still 1 and the phase has turned by 180. Write the smaller weight, a higher damping ratio or q_factor, \
@@ -399,7 +462,34 @@ codes! {
     NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
         "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is within \
          spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
-    WOULD_BE_UNSTABLE = "AX451", "weights with which an ideal drive oscillates",
+    WITHOUT_ERRORS = "AX451", "a frequency response without standard errors",
+        "The margins are those of exactly this response. With coherence and the number of averages, or with a standard \
+         error, they are lowered by what is uncertain.";
+    BEYOND_NYQUIST = "AX452", "lines of a response above half of the sampling frequency",
+        "The block sees nothing above half of its sampling frequency: the lines are left out.";
+    ZERO_HERTZ = "AX453", "a line of a response at 0 Hz",
+        "The first line of an FFT holds the mean values, which are not a response. It is left out; below the lowest line \
+         the response goes to 1.";
+    LINE_MISSING = "AX454", "a line of a response that seems to be missing",
+        "The distance of two lines is larger than those around. A curve through the lines replaces what was between them.";
+    COARSE = "AX455", "lines of a response that are far apart",
+        "A vibration as narrow as the stage needs lines at a quarter of the half-power width f0/Q, or it lies between two \
+         lines.";
+    ENDS_EARLY = "AX456", "a frequency response that ends soon above a stage",
+        "A stage with a large weight mostly loses its stability above f0. Beyond the last line the value of the last line \
+         holds, which need not be true.";
+    UNIT_TAKEN = "AX457", "a unit of a response that its file does not state",
+        "Only one unit fits to the numbers, and it is taken. Write it into the name of the column.";
+    SLOW_RESPONSE = "AX458", "a frequency response as slow as a position loop",
+        "Speed loops have bandwidths of 20 Hz and more, position loops one of Kv. The response may be that of positions, \
+         or of a closed position loop.";
+    SPEED_LOOP_NEAR = "AX459", "a speed loop with hardly any margin",
+        "With this Kp and Tn the speed loop alone nearly oscillates. A drive that runs does not: one of them, or its \
+         unit, is probably wrong.";
+    LOW_COHERENCE = "AX460", "a low coherence at a stage",
+        "The number of averages is unknown, so that no standard error follows from the coherence. With few averages this \
+         response says nothing at f0.";
+    WOULD_BE_UNSTABLE = "AX461", "weights with which an ideal drive oscillates",
         "The motor does exactly what was commanded one cycle before, which no drive can better, and the loop oscillates all the same as soon as \
          the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
          or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \

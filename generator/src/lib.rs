@@ -33,6 +33,7 @@ pub mod parameters;
 pub mod params_of;
 pub mod pipeline;
 pub mod reference_page;
+pub mod response_file;
 #[deny(clippy::wildcard_enum_match_arm)]
 mod rules;
 pub mod runner;

@@ -1,5 +1,6 @@
 //! From a file to its designed axes: read, check, design, feasibility. The one place that drives these steps.
 
+use crate::blocks::ipc::drive_response;
 use crate::check::{self, Checked, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
@@ -59,7 +60,7 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());
     let coupling = if has_errors { None } else { couple(&mut checked, given.is_list) };
     let designed: Vec<(Option<Designed>, Report)> =
-        given.axes.par_iter().zip(checked).map(|axis| design(axis, purpose)).collect();
+        given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
     set.foreign = given.axes.iter().map(|axis| axis.foreign).sum();
     for (designed, said) in designed {
@@ -86,12 +87,20 @@ fn couple(checked: &mut [Option<Checked<'_>>], is_list: bool) -> Option<Report> 
 }
 
 /// Designs an axis, and says all that is to be said of it. Not checked: its values cannot be read.
-fn design((given, checked): (&GivenAxis, Option<Checked<'_>>), purpose: Purpose) -> (Option<Designed>, Report) {
+fn design(
+    (given, checked): (&GivenAxis, Option<Checked<'_>>),
+    (set, load): (&Path, Load<'_>),
+    purpose: Purpose,
+) -> (Option<Designed>, Report) {
     let mut report = given.report.clone();
     let (Some(Checked { axis, gear, mut effective }), Some(values)) = (checked, &given.values) else {
         return (None, report);
     };
-    let designed = axis.map(Designed::from);
+    let mut designed = axis.map(Designed::from);
+    if let Some(designed) = &mut designed {
+        let measured = drive_response::read(designed, values, (set, load), &mut effective);
+        designed.axis.drive.response = measured;
+    }
     if let Some(designed) = &designed {
         feasibility::validate(designed, gear, &mut effective);
     }

@@ -79,6 +79,16 @@ pub(crate) fn is_set(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
+/// The bytes of a file that a setting names. That it cannot be read is said there.
+pub(crate) fn read_bytes(path: &Path, named_at: &Setting, load: Load<'_>) -> Result<Vec<u8>, Report> {
+    load(path).map_err(|unreadable| {
+        let (code, found) = unreadable.said();
+        let found = format!("{} {found}", shown(&path.slashes().to_string()));
+        let allowed = "a file that can be read; its path begins at the folder of the set";
+        Report::from(Diagnostic::error(code, named_at.value_place(), found).allowed(allowed))
+    })
+}
+
 /// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
 pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
     let whole = Place::whole(path.slashes());

@@ -38,6 +38,11 @@ impl Source {
         Arc::new(Self { name, bytes, encoding, is_option: true, lines: OnceLock::new() })
     }
 
+    /// Whether it is an option of the command line.
+    pub(crate) fn is_option(&self) -> bool {
+        self.is_option
+    }
+
     pub(crate) fn whole(&self) -> Place {
         Place { file: self.name.clone(), line: 0, column: 0 }
     }

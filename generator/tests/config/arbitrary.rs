@@ -204,6 +204,8 @@ fn every_code_has_a_test() {
         include_str!("../real_files/kinds.rs"),
         include_str!("../real_files/mistakes.txt"),
         include_str!("../real_files/projects.rs"),
+        include_str!("../response_file/defects.txt"),
+        include_str!("../response_file/doubtful.txt"),
         include_str!("../../cli/tests/front_door/messages.rs"),
         include_str!("../../cli/tests/params_of.rs"),
         include_str!("../../cli/tests/scenario.rs"),

@@ -7,6 +7,7 @@ pub(crate) mod closed_loop;
 pub(crate) mod design;
 mod diff;
 pub(crate) mod drive_model;
+pub(crate) mod drive_response;
 pub(crate) mod feasibility;
 pub(crate) mod filter;
 pub(crate) mod notes;

@@ -1,0 +1,67 @@
+//! The measured response of a drive that a set names (`drive.response`), with its speed controller where it is from the current.
+
+use crate::axis::{Filter, MeasuredDrive};
+use crate::blocks::designed::Designed;
+use crate::config::values::{Values, key};
+use crate::config::{Load, file};
+use crate::parameters::words::ResponseFrom;
+use crate::parameters::{Name, Value};
+use crate::response_file::{Band, From, read as read_response};
+use crate::rules::effective::Effective;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Reads the response; none: there is none, or an error, which has been said. A file that a set names lies beside the set.
+pub(crate) fn read(
+    designed: &Designed,
+    values: &Values,
+    (set, load): (&Path, Load<'_>),
+    e: &mut Effective<'_>,
+) -> Option<MeasuredDrive> {
+    let (name, setting) = values.text(Name::DriveResponse)?;
+    if !designed.axis.ipc.is_active() {
+        return None;
+    }
+    let from = from(designed, e)?;
+    let folder = if setting.source.is_option() { Path::new("") } else { set.parent().unwrap_or(Path::new("")) };
+    let source = file::read_bytes(&folder.join(name), setting, load);
+    let bytes = source.map_err(|unreadable| e.report.extend(unreadable)).ok()?;
+    match read_response(name, &bytes, from, designed.axis.cycle_time(), &bands(designed)) {
+        Ok(measured) => {
+            e.report.extend(measured.said);
+            Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
+        }
+        Err(report) => {
+            e.report.extend(report);
+            None
+        }
+    }
+}
+
+/// What it is from; `drive.delay` is what the measurement lacks.
+fn from(designed: &Designed, e: &mut Effective<'_>) -> Option<From> {
+    let delay = designed.axis.drive.delay_cycles.unwrap_or(0.0) * designed.axis.cycle_time();
+    match e.validated_word(key(Name::DriveResponseFrom))? {
+        ResponseFrom::Velocity => Some(From::Command { delay }),
+        ResponseFrom::Current => {
+            let kp = e.validated(key(Name::DriveSpeedGain));
+            let tn = match e.given(key(Name::DriveSpeedIntegralTime)) {
+                Some(_) => e.validated(key(Name::DriveSpeedIntegralTime)),
+                None => Some(Value::Duration(0)),
+            };
+            match (kp?, tn?) {
+                (Value::Real(kp), Value::Duration(ns)) => Some(From::Current { kp, tn: ns as f64 / 1e9, delay }),
+                _ => None,
+            }
+        }
+    }
+}
+
+fn bands(designed: &Designed) -> Vec<Band> {
+    let band = |design: &super::stage::StageDesign| {
+        let filters = design.stage.filter.iter().filter(|filter| super::filter::is_selective(filter));
+        let of = |[f0, q_factor]: [f64; 2]| Band { stage: design.index, f0, width: f0 / q_factor };
+        filters.filter_map(Filter::f0_and_q).map(of).collect::<Vec<_>>()
+    };
+    super::closed_loop::stages(designed).flat_map(band).collect()
+}

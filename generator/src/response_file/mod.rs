@@ -1,0 +1,153 @@
+//! A measured frequency response as text -> the response from the commanded velocity to the motor's, or what is wrong with it. No parameter and no
+//! file system: bytes, where the response is from, the cycle time and the bands of the active stages arrive.
+//!
+//! ```text
+//! text        bytes -> lines -> cells
+//! columns     what the name of a column says: a quantity and its unit
+//! table       where the names are, where the lines begin, what stands around them
+//! numbers     cells -> numbers, each with its line
+//! order       rising frequencies, no gap, below half the sampling frequency
+//! units       numbers -> complex values with their relative standard errors
+//! phase       minimum phase and dead time: unit and sign of the phase
+//! low_end     what the lowest lines say: 1, another unit, an integrator
+//! speed_loop  the open speed plant -> the closed speed loop
+//! reach       whether the lines show what an active stage needs
+//! ```
+
+mod columns;
+mod low_end;
+mod numbers;
+mod order;
+mod phase;
+mod reach;
+mod speed_loop;
+mod table;
+mod text;
+mod units;
+
+use crate::diagnostics::{Diagnostic, Place, Report};
+use stability::{Complex64, Response};
+
+/// What a response was measured from and to. A delay [s] is what the measurement does not contain of the way from the cycle that writes the
+/// commanded velocity to the cycle that reads its effect: the cycles between the CNC and the drive, if the drive itself was measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum From {
+    /// from the commanded velocity to the motor's
+    Command { delay: f64 },
+    /// the open speed plant, from the current (or torque) to the motor's velocity, with the speed controller
+    /// `Kp (1 + 1/(s Tn))`: Kp in the unit of the current per unit of the velocity, Tn [s], 0: no integral part
+    Current { kp: f64, tn: f64, delay: f64 },
+}
+
+/// The band of an active stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Band {
+    /// its index, 0 to 2
+    pub stage: usize,
+    /// centre frequency [Hz]
+    pub f0: f64,
+    /// half-power width f0 / Q [Hz]
+    pub width: f64,
+}
+
+/// A response that can be used.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    pub response: Response,
+    /// warnings
+    pub said: Report,
+    /// lines that are used
+    pub lines: usize,
+    /// whether the file has standard errors, or coherence and the number of averages
+    pub has_errors: bool,
+    /// the dead time [s] beyond the minimum phase, if the lines reach far enough to show it
+    pub dead_time: Option<f64>,
+}
+
+/// A line of a response with its place.
+#[derive(Clone, Copy, Debug)]
+struct Point {
+    line: usize,
+    hz: f64,
+    response: Complex64,
+    /// standard error, relative to the magnitude
+    error: f64,
+}
+
+/// Collects messages about one file.
+struct Said<'a> {
+    file: &'a str,
+    report: Report,
+}
+
+impl Said<'_> {
+    fn at(&self, [line, column]: [usize; 2]) -> Place {
+        Place { line, column, ..Place::whole(self.file) }
+    }
+
+    fn error(&self, code: &'static str, place: [usize; 2], found: impl Into<String>) -> Diagnostic {
+        Diagnostic::error(code, self.at(place), found)
+    }
+
+    fn warning(&self, code: &'static str, place: [usize; 2], found: impl Into<String>) -> Diagnostic {
+        Diagnostic::warning(code, self.at(place), found)
+    }
+
+    fn push(&mut self, diagnostic: Diagnostic) {
+        self.report.push(diagnostic);
+    }
+
+    /// What was made, if nothing so far forbids its use.
+    fn usable<T>(&self, made: T) -> Result<T, Report> {
+        if self.report.has_errors() { Err(self.report.clone()) } else { Ok(made) }
+    }
+}
+
+/// Reads a response for a block with this cycle time [s].
+///
+/// # Errors
+/// The file must not be used. The report has all messages of the first step that found an error, after those of the steps before it.
+pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band]) -> Result<Measured, Report> {
+    let mut said = Said { file, report: Report::default() };
+    let text = text::decode(bytes);
+    let table = match table::Table::read(&text) {
+        Ok(table) => table,
+        Err(mistake) => return Err(mistake.diagnostic(&said).into()),
+    };
+    let Some(columns) = numbers::choose(&table, &mut said) else { return Err(said.report) };
+    said.usable(())?;
+    let lines = numbers::lines(&table, &columns, &mut said);
+    let lines = said.usable(lines)?;
+    let lines = order::check(lines, columns.frequency.place, cycle_time, &mut said);
+    let lines = said.usable(lines)?;
+    let points = units::points(&lines, &columns, from, cycle_time, &mut said);
+    let points = said.usable(points)?;
+    low_end::check(&points, columns.value.place(), from, &mut said);
+    said.usable(())?;
+    let points = speed_loop::close(&points, from, &mut said);
+    let points = said.usable(points)?;
+    let dead_time = phase::dead_time(&points, columns.value.phase_place(), from, cycle_time, &mut said);
+    let errors = numbers::errors(&table, &columns, &mut said);
+    reach::check(&points, &lines, bands, &mut said);
+    said.usable(())?;
+    let hz: Vec<f64> = points.iter().map(|point| point.hz).collect();
+    let values: Vec<Complex64> = points.iter().map(|point| point.response).collect();
+    let absolute: Vec<f64> = points.iter().map(|point| point.error * magnitude(point.response)).collect();
+    let response = Response::new(&hz, &values, &absolute, cycle_time);
+    Ok(Measured { response, said: said.report, lines: points.len(), has_errors: errors, dead_time })
+}
+
+fn magnitude(value: Complex64) -> f64 {
+    value.norm_sqr().sqrt()
+}
+
+/// [deg]
+fn degrees(value: Complex64) -> f64 {
+    libm::atan2(value.im, value.re).to_degrees()
+}
+
+/// exp(j angle).
+fn turned(angle: f64) -> Complex64 {
+    let (sin, cos) = libm::sincos(angle);
+    Complex64::new(cos, sin)
+}

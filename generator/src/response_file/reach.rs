@@ -1,0 +1,83 @@
+//! Whether the lines show what an active stage needs: its band, in steps that are fine enough, with a certainty that is worth something.
+
+use super::numbers::Line;
+use super::order::hz;
+use super::{Band, Point, Said};
+use crate::codes;
+use crate::number::{decimals, significant};
+
+/// Two standard errors of a magnitude, from which on a response says nothing.
+const NOTHING: f64 = 0.5;
+/// The coherence with which four averages, the fewest that are usual, say nothing.
+const LOW_COHERENCE: f64 = 2.0 / 3.0;
+
+pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut Said<'_>) {
+    let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+    for band in bands {
+        let [from, to] = [band.f0 - 0.5 * band.width, band.f0 + 0.5 * band.width];
+        if from < first.hz || to > last.hz {
+            let (line, side) = if from < first.hz { (first, "begins") } else { (last, "ends") };
+            let found =
+                format!("the response {side} at {} Hz, stage[{}] has f0 {} Hz", hz(line.hz), band.stage, hz(band.f0));
+            said.push(
+                said.error(codes::NOT_REACHED, [line.line, 0], found)
+                    .allowed(format!(
+                        "lines from {} Hz to {} Hz at least: f0 and its half-power width",
+                        hz(from),
+                        hz(to)
+                    ))
+                    .instead("a measurement over that range"),
+            );
+            continue;
+        }
+        if 2.0 * band.f0 > last.hz {
+            let found =
+                format!("the response ends at {} Hz, stage[{}] has f0 {} Hz", hz(last.hz), band.stage, hz(band.f0));
+            said.push(
+                said.warning(codes::ENDS_EARLY, [last.line, 0], found)
+                    .allowed("up to twice f0: a loop is mostly lost above f0; beyond the last line its value holds"),
+            );
+        }
+        let above = points.partition_point(|point| point.hz <= band.f0).clamp(1, points.len() - 1);
+        spacing(band, [&points[above - 1], &points[above]], said);
+        certainty(band, [&points[above - 1], &points[above]], [&lines[above - 1], &lines[above]], said);
+    }
+}
+
+/// A vibration as narrow as the stage must not hide between two lines.
+fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
+    let distance = above.hz - below.hz;
+    if distance <= 0.25 * band.width {
+        return;
+    }
+    let found = format!("{} Hz between lines at f0 of stage[{}], {} Hz", hz(distance), band.stage, hz(band.f0));
+    let allowed = format!("at most {} Hz, a quarter of the half-power width f0/Q", hz(0.25 * band.width));
+    let instead = "a measurement with a finer resolution: a longer one, or a smaller bandwidth";
+    let place = [above.line, 0];
+    said.push(match distance > band.width {
+        true => said.error(codes::GAP, place, found).allowed(allowed).instead(instead),
+        false => said.warning(codes::COARSE, place, found).allowed(allowed).instead(instead),
+    });
+}
+
+/// What is hardly known at f0 gives no margin.
+fn certainty(band: &Band, points: [&Point; 2], lines: [&Line; 2], said: &mut Said<'_>) {
+    let place = [points[1].line, 0];
+    let double = 2.0 * points[0].error.max(points[1].error);
+    let lowest = lines.iter().filter_map(|line| line.coherence).fold(f64::INFINITY, f64::min);
+    let of_stage = format!("at f0 of stage[{}], {} Hz", band.stage, hz(band.f0));
+    let coherence = if lowest.is_finite() { format!(", coherence {}", decimals(lowest, 2)) } else { String::new() };
+    let instead = "a measurement with more averages, a larger excitation, or while the axis moves";
+    if double >= NOTHING {
+        let found = format!(
+            "two standard errors are {} % of the magnitude {of_stage}{coherence}",
+            significant(100.0 * double, 2)
+        );
+        let allowed = format!("below {} %", 100.0 * NOTHING);
+        said.push(said.error(codes::UNCERTAIN, place, found).allowed(allowed).instead(instead));
+    } else if double <= 0.0 && lowest < LOW_COHERENCE {
+        let found = format!("a coherence of {} {of_stage}", decimals(lowest, 2));
+        let allowed = format!("{} or more, as long as the number of averages is unknown", decimals(LOW_COHERENCE, 2));
+        said.push(said.warning(codes::LOW_COHERENCE, place, found).allowed(allowed).instead(instead));
+    }
+}

@@ -1,0 +1,60 @@
+//! Files that are read with a warning; the expected text is in `doubtful.txt`.
+
+use super::plant::{complex, decibels, degrees, delay, lines, open_plant, velocity_loop};
+use super::{COMMAND, said, table};
+use generator::response_file::From;
+use std::f64::consts::TAU;
+
+fn parts(hz: &[f64], end: &str) -> String {
+    let names = if end.is_empty() { "f [Hz];re;im" } else { "f [Hz];re;im;se" };
+    table(names, hz, |hz| format!("{:.9};{:.9}{end}", velocity_loop(hz).re, velocity_loop(hz).im))
+}
+
+fn files() -> Vec<(&'static str, From, String)> {
+    let p = velocity_loop;
+    let exact = ";0.001";
+    let every = |step: f64| (1..=250).map(|line| step * f64::from(line)).filter(|hz| *hz < 490.0).collect::<Vec<_>>();
+    let without: Vec<f64> = lines().into_iter().filter(|hz| (*hz - 30.0).abs() > 0.1).collect();
+    let from_zero = [vec![0.0], lines()].concat();
+    let beyond = (1..=2000).map(|line| 0.5 * f64::from(line)).collect::<Vec<_>>();
+    let slow = |hz: f64| delay(hz, 2e-3) / complex(1.0, TAU * hz / 20.0);
+    let plant = table("f [Hz];re;im;se", &lines(), |hz| {
+        let late = open_plant(hz) * delay(hz, 2e-3);
+        format!("{:e};{:e};1e-5", late.re, late.im)
+    });
+    vec![
+        ("nothing to say", COMMAND, parts(&lines(), exact)),
+        ("no errors", COMMAND, parts(&lines(), "")),
+        (
+            "coherence without averages, low at f0",
+            COMMAND,
+            table("f [Hz];re;im;coherence", &lines(), |hz| {
+                format!("{:.9};{:.9};{}", p(hz).re, p(hz).im, if (50.0..56.0).contains(&hz) { 0.5 } else { 0.9 })
+            }),
+        ),
+        ("a line at 0 Hz", COMMAND, parts(&from_zero, exact)),
+        ("lines beyond half the sampling frequency", COMMAND, parts(&beyond, exact)),
+        ("one line missing", COMMAND, parts(&without, exact)),
+        ("a coarse grid", COMMAND, parts(&every(2.0), exact)),
+        ("ends early", COMMAND, parts(&lines()[..300], exact)),
+        (
+            "units not stated",
+            COMMAND,
+            table("f;gain;phase;se [dB]", &lines(), |hz| format!("{:.9};{:.9};0.01", decibels(p(hz)), degrees(p(hz)))),
+        ),
+        (
+            "as slow as a position loop",
+            COMMAND,
+            table("f;re;im;se", &lines(), |hz| format!("{:.9};{:.9};0.001", slow(hz).re, slow(hz).im)),
+        ),
+        ("a speed loop near -1", From::Current { kp: 3.8, tn: 0.02, delay: 2e-3 }, plant),
+    ]
+}
+
+#[test]
+fn each_doubt_is_said_once() {
+    let all: Vec<(&str, String)> = files().into_iter().map(|(name, from, text)| (name, said(&text, from))).collect();
+    let found: String = all.iter().map(|(name, said)| format!("> {name}\n{said}\n")).collect();
+    assert!(!found.contains("error["), "{found}");
+    assert_eq!(found.trim_end(), include_str!("doubtful.txt").trim_end(), "\n{found}");
+}
