@@ -27,8 +27,8 @@ pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
 }
 
 /// The same for a command that shows what a set would do, and writes no block: a loop that is unstable is a warning.
-pub fn read_to_look_at(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
-    read_as(path, options, &file::load, Purpose::Look)
+pub fn read_to_look_at(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
+    read_as(path, options, load, Purpose::Look)
 }
 
 /// The same as `read` with another source of files.

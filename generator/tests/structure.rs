@@ -8,7 +8,7 @@ use generator::generate::header;
 use generator::pipeline::read_with;
 use std::path::Path;
 
-const SET: &str = "cycle_time = '1ms'\n[axis.X]\nreal = 'f64'\nfade = '0.1s'\nshort_names = false\n\
+const SET: &str = "cycle_time = '1ms'\n[axis.X]\nreal = 'f64'\naccept_unstable = true\nfade = '0.1s'\nshort_names = false\n\
     getriebe = [{ kv = 2000, multi_gain_z = 20000, multi_gain_n = 1, dynamik.vb_max = 500000 }]\n\
     kenngr.antr_typ = 'CONVENTIONAL'\nvorsteuer.vorsteuerung = 'VEL|ACC'\nvorsteuer.vs_a_faktor = 4000\n\
     [axis.X.lr_param.improved_position_control]\nenable = 'ON'\nv_add_max_fact = 100\n\

@@ -12,7 +12,7 @@
 
 use generator::blocks;
 use generator::config::ListOptions;
-use generator::pipeline::read_with;
+use generator::pipeline::read_to_look_at;
 use machine::Machine;
 use machine::seven_phases::Move;
 use machine::velocity_loop::{Loop, VelocityLoop};
@@ -97,7 +97,7 @@ fn coefficients(bench: &Bench<'_>) -> Coeffs<f64> {
         bench.feedforward
     );
     let load = |_: &Path| Ok(set.clone().into_bytes());
-    let (read, report) = read_with(Path::new("simulation.toml"), &ListOptions::default(), &load);
+    let (read, report) = read_to_look_at(Path::new("simulation.toml"), &ListOptions::default(), &load);
     let read = read.unwrap_or_else(|| panic!("simulation: {set}{report:#?}"));
     let axis = blocks::named("axis").expect("the registry has it");
     let mut leaves = axis.coefficients(&read.axes[0]).into_iter();

@@ -31,7 +31,7 @@ impl Subject {
     #[must_use]
     pub fn of(path: &Path, cycle_time: Option<&str>) -> Self {
         let options = ListOptions { cycle_time: cycle_time.map(str::to_owned), ..ListOptions::default() };
-        let (set, report) = pipeline::read(path, &options);
+        let (set, report) = pipeline::read_to_look_at(path, &options, &generator::config::load);
         let set = set.unwrap_or_else(|| panic!("subject: {report}"));
         assert_eq!(set.axes.len(), 1, "subject: {}", path.display());
         Self::new(&set.axes[0])

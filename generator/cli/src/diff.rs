@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::input::said;
 use crate::messages::Format;
 use crate::output;
-use generator::config::ListOptions;
+use generator::config::{self, ListOptions};
 use generator::diff;
 use generator::pipeline::{self, Set};
 use std::path::Path;
@@ -40,7 +40,8 @@ pub fn both(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Re
 }
 
 fn read(path: &Path, options: &ListOptions, format: Format, are_warnings_said: bool) -> Result<Set, Exit> {
-    let (set, report) = pipeline::read(path, options);
+    // What oscillates can be compared all the same: mostly with what no longer does.
+    let (set, report) = pipeline::read_to_look_at(path, options, &config::load);
     match set {
         Some(set) if !are_warnings_said => Ok(set),
         set => said(set, &report, format),

@@ -6,7 +6,7 @@ use crate::messages::{self, Format};
 use crate::output;
 use generator::blocks::Designed;
 use generator::codes;
-use generator::config::{ListOptions, OptionKey};
+use generator::config::{self, ListOptions, OptionKey};
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 
@@ -24,7 +24,7 @@ pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Ex
 /// The same for a command that shows what the set would do, with options in the place of keys: a loop that is unstable is a warning.
 pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
-    let (set, report) = pipeline::read_to_look_at(&arguments.set, &options);
+    let (set, report) = pipeline::read_to_look_at(&arguments.set, &options, &config::load);
     Ok((said(set, &report, format)?, report.warnings()))
 }
 

@@ -4,7 +4,7 @@
 use super::history::Inputs;
 use generator::blocks::{self, Designed};
 use generator::config::ListOptions;
-use generator::pipeline::read_with;
+use generator::pipeline::read_to_look_at;
 use portable::{Block, Portable, Real, RealKind};
 use std::path::Path;
 
@@ -18,7 +18,7 @@ pub type Run = Box<dyn FnMut(&Inputs, &mut Vec<(&'static str, f64)>)>;
 #[must_use]
 pub fn read(set: &str) -> Designed {
     let load = |_: &Path| Ok(set.as_bytes().to_vec());
-    let (read, report) = read_with(Path::new("model.toml"), &ListOptions::default(), &load);
+    let (read, report) = read_to_look_at(Path::new("model.toml"), &ListOptions::default(), &load);
     let read = read.unwrap_or_else(|| panic!("model: axgen refuses\n{set}\n{report:#?}"));
     read.axes.into_iter().find(|of| of.axis.name == "X").expect("the axis X")
 }

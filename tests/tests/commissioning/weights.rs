@@ -7,6 +7,9 @@ use machine::measure::figures;
 /// What this machine needs [m].
 const FOLLOWING_ERROR: f64 = 3e-3;
 
+/// Above it a loop has little reserve.
+const MAX_MS: f64 = 2.0;
+
 pub fn weights(session: &mut Session, page: &mut Page) {
     page.section("4");
     let mut step = page.step("4.1");
@@ -52,6 +55,7 @@ pub fn weights(session: &mut Session, page: &mut Page) {
             let path = step.name("First write INDIRECT to ", ".");
             session.machine.write("trial/SET", &path, "INDIRECT");
         }
+        assert_eq!(step.number("the largest amplification of the loop with this drive: above ", " it has"), MAX_MS);
         let table = step.tables[0].clone();
         let designed: f64 = stage[page.stages.column("weight")].parse().unwrap();
         assert_eq!(table.number(table.rows.last().unwrap(), "weight", ""), designed, "the last row is the design");
@@ -100,6 +104,7 @@ fn one_row(session: &mut Session, how: &Step4, stage: usize, table: &Table, row:
     for (now, before) in now.iter().zip(&session.before) {
         assert!(*now <= before * (1.0 + session.growth / 100.0), "{row:?}: {before} -> {now}");
     }
+    assert!(table.number(row, "Ms", "") < MAX_MS, "{row:?}");
     let left = table.number(row, "left at best", "%") / 100.0;
     assert!(now[stage] < session.before[stage], "{row:?}: nothing has become better");
     assert!(now[stage] / session.off[stage] >= left - 0.01, "{row:?}: {}", now[stage] / session.off[stage]);

@@ -106,15 +106,15 @@ impl Plain {
                 self.cycle(&unit)
             })
             .collect();
-        // The search need not end for every matrix: then the matrix is balanced a little differently, which changes no eigenvalue.
         let matrix = DMatrix::from_vec(n, n, columns);
-        let scaled = |step: f64| {
-            let scale = |k: usize| libm::pow(1.0 + step, k as f64);
-            DMatrix::from_fn(n, n, |i, j| matrix[(i, j)] * scale(i) / scale(j))
-        };
-        let schur = [0.0, 0.1, 0.3, -0.1].into_iter().find_map(|step| Schur::try_new(scaled(step), f64::EPSILON, 2000));
-        let values = schur.expect("eigenvalues are found").complex_eigenvalues();
-        values.iter().map(|value| value.re.hypot(value.im)).fold(0.0, f64::max)
+        // The search for eigenvalues need not end for a defective matrix, as a delay line alone is.
+        match Schur::try_new(matrix.clone(), f64::EPSILON, 2000) {
+            Some(schur) => {
+                let values = schur.complex_eigenvalues();
+                values.iter().map(|value| value.re.hypot(value.im)).fold(0.0, f64::max)
+            }
+            None => gelfand(matrix),
+        }
     }
 
     /// 1 + L at a frequency, as a part of the sampling frequency.
@@ -147,6 +147,21 @@ impl Plain {
         weights[stage] = weight;
         Self { stages: self.stages.clone(), weights, ..*self }
     }
+}
+
+/// The same as the limit of |A^n|^(1/n) (Gelfand), n = 2^40.
+fn gelfand(mut matrix: DMatrix<f64>) -> f64 {
+    let mut logarithm = 0.0;
+    for k in 0..40 {
+        let norm = matrix.norm();
+        if norm == 0.0 {
+            return 0.0;
+        }
+        logarithm += norm.ln() / 2.0f64.powi(k);
+        matrix /= norm;
+        matrix = &matrix * &matrix;
+    }
+    logarithm.exp()
 }
 
 /// A loop of a random axis, and the model of its drive.
