@@ -155,6 +155,8 @@ x.lis:2:61: warning[AX461]: stage[0] with the weight 7 makes a drive that does e
 > ipc.stage[0].filter.damping 0.03
 x.lis:1:60: warning[AX436]: stage[0] is INDIRECT with the damping ratio 0.03: its simulated oscillation has 16.6966 times the motor's velocity at f0, with the weight 1 16.6966 times
     write instead: a larger damping ratio or a smaller weight, and DRYRUN first
+x.lis:3:1: warning[AX461]: stage[0] with the weight 1 makes a drive that does exactly what was commanded one cycle before oscillate, from the weight 0.207 on
+    write instead: a weight of at most 0.0697, up to which the loop stays calm (Ms <= 2)
 
 > ipc.stage[0].osc_damping 0.4
 > ipc.stage[0].weight_fact_num 7
