@@ -2,10 +2,8 @@
 
 use super::designed::Designed;
 use super::values::{self, Values};
-use crate::noise::{Run, Running};
-use crate::runner::{self, Runner};
-use crate::self_test::{self, SelfTest};
-use crate::trial::{self, Drill, Recording};
+use crate::exercise::runner::{self, Runner};
+use crate::exercise::{self, Drill, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
 use crate::{axis::Axis, design::rounding::rounded};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
@@ -13,6 +11,7 @@ use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// What a block's folder says of it: what the parameters of an axis make of a reference.
 pub trait Part: Sync {
@@ -141,7 +140,9 @@ pub trait Kind: Part {
     fn block(&self, designed: &Designed) -> Result<Block, Defect>;
 
     /// A run of so many samples for a user's own board, of a block of that axis.
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner;
+    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        runner::record(&block.exercise, &mut *self.start(designed), samples)
+    }
 
     /// The reference, before its first cycle.
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
@@ -159,17 +160,17 @@ pub struct Block {
     pub own: Own,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
+    pub(crate) exercise: Arc<Exercise>,
     pub(crate) self_test: SelfTest,
-    /// a recorded run
-    pub(crate) trial: Recording,
+    pub(crate) trial: Trial,
+    /// what the reference answers in the trial
+    pub(crate) answers: Recording,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
     /// what is certain of its outputs, whatever its state and its inputs hold
     pub shown: Shown,
     /// what is in it, without the values of its coefficients: the same text, the same structure
     pub structure: String,
-    /// the paths of all parts of the reference's state
-    state_paths: Vec<String>,
 }
 
 impl Block {
@@ -202,13 +203,6 @@ impl<P: Part + Reference<f64> + Reference<f32> + 'static> Kind for P {
         }
     }
 
-    fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
-        match designed.axis.real {
-            RealKind::F64 => runner::<f64, P>(self, designed, block, samples),
-            RealKind::F32 => runner::<f32, P>(self, designed, block, samples),
-        }
-    }
-
     fn start(&self, designed: &Designed) -> Box<dyn Run> {
         let (coeffs, real) = (P::design(designed), designed.axis.real);
         match real {
@@ -238,24 +232,30 @@ fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
 }
 
 /// Specialises one block and records what it does.
-fn block<R: Real, P: Part + Reference<f64> + Reference<R>>(part: &P, designed: &Designed) -> Result<Block, Defect> {
+fn block<R: Real, P: Part + Reference<f64> + Reference<R> + 'static>(part: &P, designed: &Designed) -> Result<Block, Defect> {
     let coeffs = || rounded(&P::design(designed), R::KIND);
-    let ranges = part.ranges(designed);
     let notes = part.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, P>(&coeffs(), &notes);
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
-    let self_test = self_test::record::<R, P>(coeffs(), &own, &state_paths, ranges);
     let certificate = part.certificate(designed, &program)?;
-    let start = part.start_cycles(designed);
-    let drill = part.drill(designed);
-    let led = (&*drill, designed.axis.cycle_time_ns);
-    let trial = trial::recording::<R, P>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
+    let wanted = Wanted {
+        ranges: part.ranges(designed),
+        start: part.start_cycles(designed),
+        drill: part.drill(designed),
+        cycle_time_ns: designed.axis.cycle_time_ns,
+    };
+    let exercise = Arc::new(Exercise::of::<R, P>(&coeffs(), (&program, &own), &state_paths, &wanted));
+    let self_test = SelfTest::record(&exercise, &mut Running::<R, P>::start(coeffs()));
+    let trial = Trial::of(&exercise);
+    let numbers = coeffs();
+    let start = || Box::new(Running::<R, P>::start(numbers)) as Box<dyn Run>;
+    let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
     let shown = shown(part, designed, &program);
     shown.refuse(program.block)?;
-    Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
+    Ok(Block { program, own, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }
 
 /// What is certain of the outputs of a program.
@@ -263,16 +263,4 @@ fn shown<P: Part>(part: &P, designed: &Designed, program: &Program) -> Shown {
     // Where nothing adds a velocity, it is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
     ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
-}
-
-/// Runs the reference of a block for a user's own board.
-fn runner<R: Real, P: Part + Reference<f64> + Reference<R>>(
-    part: &P,
-    designed: &Designed,
-    block: &Block,
-    samples: usize,
-) -> Runner {
-    let coeffs = rounded(&P::design(designed), R::KIND);
-    let (ranges, drill) = (part.ranges(designed), part.drill(designed));
-    runner::record::<R, P>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }

@@ -21,7 +21,7 @@ mod tunable_ipc;
 mod tuned_ipc;
 mod values;
 
-pub use crate::trial::Drill;
+pub use crate::exercise::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub use kind::{Block, Certified, Figure, Kind, Part, Summary};

@@ -128,7 +128,7 @@ impl Outline<'_> {
 
     /// The same of those, by position, that are asked for.
     pub(super) fn groups_of(&self, wanted: Appearance, is_asked_for: &dyn Fn(usize) -> bool) -> Vec<Group> {
-        let mut groups: Vec<Group> = Vec::new();
+        let mut groups: Vec<(Vec<&str>, Vec<Member>)> = Vec::new();
         let mut said = Vec::new();
         let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);
         let appearances = self.printer.appearances().iter().enumerate();
@@ -145,12 +145,11 @@ impl Outline<'_> {
             };
             let fresh: Vec<&str> = notes.iter().copied().filter(|note| !said.contains(note)).collect();
             if groups.is_empty() || !fresh.is_empty() {
-                let note = comment::wrapped(&fresh, COMMENT_WIDTH, self.next_line);
-                groups.push(Group { note, constants: Vec::new() });
+                groups.push((fresh.clone(), Vec::new()));
             }
             let is_wanted = *appearance == wanted && is_asked_for(index);
-            if let (Some(group), true) = (groups.last_mut(), is_wanted) {
-                group.constants.push(Member {
+            if let (Some((_, members)), true) = (groups.last_mut(), is_wanted) {
+                members.push(Member {
                     ty: self
                         .ty(Type::of_literal(constant.value)
                             .expect("outline: the passes leave what exists at run time"))
@@ -167,8 +166,9 @@ impl Outline<'_> {
             }
             said.extend(fresh);
         }
-        groups.retain(|group| !group.constants.is_empty());
-        groups
+        groups.retain(|(_, members)| !members.is_empty());
+        let note = |notes: &[&str]| comment::wrapped(notes, COMMENT_WIDTH, self.next_line);
+        groups.into_iter().map(|(notes, constants)| Group { note: note(&notes), constants }).collect()
     }
 }
 

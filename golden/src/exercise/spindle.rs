@@ -8,6 +8,7 @@ use crate::scenario::interpolator::State;
 use crate::scenario::machine::{self, Machine};
 use crate::scenario::recorder::{literal, number};
 use crate::stimulus::Partner;
+use crate::waveform::Random;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
 use portable::{Literal, RealKind};
@@ -140,7 +141,7 @@ impl Partner for Machinery<'_> {
 
 /// Whoever asks for jobs, switches the drive and resets.
 struct Operator {
-    random: u64,
+    random: Random,
     /// speeds: slow and fast [0.001 deg/s]
     speeds: [f64; 3],
     /// cycles from 0 to the fastest of them
@@ -188,7 +189,7 @@ impl Operator {
         let fast = if on > 0.0 { (1.5 * on).min(0.9 * largest) } else { 0.5 * largest };
         let slow = if off > 0.0 { (0.6 * off).min(0.5 * fast) } else { 0.1 * fast };
         Self {
-            random: 0x9E37_79B9_7F4A_7C15,
+            random: Random(0x9E37_79B9_7F4A_7C15),
             speeds: [slow, fast, fast],
             ramp: (fast / spindle.deceleration / axis.cycle_time()) as u32,
             pause: 60,
@@ -209,10 +210,7 @@ impl Operator {
 
     /// A number below another one.
     fn below(&mut self, end: u32) -> u32 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 7;
-        self.random ^= self.random << 17;
-        (self.random >> 32) as u32 % end.max(1)
+        (self.random.next() >> 32) as u32 % end.max(1)
     }
 
     /// Noise within a range, in steps of 1/32768 of it.
