@@ -84,7 +84,6 @@ impl<'f> Waveform<'f> {
         };
         libm::sin(2.0 * std::f64::consts::PI * (turns - libm::floor(turns)))
     }
-
 }
 
 /// Random numbers of 64 bits: xorshift64.

@@ -232,7 +232,10 @@ fn program<R: Real, P: Part + Reference<f64> + Reference<R>>(
 }
 
 /// Specialises one block and records what it does.
-fn block<R: Real, P: Part + Reference<f64> + Reference<R> + 'static>(part: &P, designed: &Designed) -> Result<Block, Defect> {
+fn block<R: Real, P: Part + Reference<f64> + Reference<R> + 'static>(
+    part: &P,
+    designed: &Designed,
+) -> Result<Block, Defect> {
     let coeffs = || rounded(&P::design(designed), R::KIND);
     let notes = part.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, P>(&coeffs(), &notes);

@@ -20,10 +20,10 @@ mod self_test;
 mod trial;
 
 pub(crate) use answers::{Answer, Recording, recording};
-pub(crate) use noise::Noise;
-pub(crate) use run::Running;
 pub use inputs::Drill;
 pub(crate) use inputs::{Exercise, Set, Turn, Wanted};
+pub(crate) use noise::Noise;
 pub use run::Run;
+pub(crate) use run::Running;
 pub(crate) use self_test::SelfTest;
 pub(crate) use trial::Trial;

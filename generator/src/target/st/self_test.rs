@@ -3,9 +3,9 @@
 
 use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
+use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
 use crate::target::{Header, Legal};
-use crate::exercise::{Answer, Noise, Trial, Turn};
 use askama::Template;
 use compiler::legalise::{Cycle, RealInput};
 use compiler::print::{signals, st};
