@@ -30,8 +30,7 @@ static uint32_t {{ owner }}_fold_real(uint32_t digest, {{ real }} value)
     } view;
     view.value = value;
 {%- if bits == 64 %}
-    digest = {{ owner }}_fold(digest, (uint32_t)view.bits);
-    return {{ owner }}_fold(digest, (uint32_t)(view.bits >> 32));
+    return {{ owner }}_fold({{ owner }}_fold(digest, (uint32_t)view.bits), (uint32_t)(view.bits >> 32));
 {%- else %}
     return {{ owner }}_fold(digest, view.bits);
 {%- endif %}

@@ -44,23 +44,21 @@ impl CExercise<'_> {
     }
 }
 
-/// The exercise as C has it; `owner` is its kind, `random` where its integers come from.
+/// The exercise as C has it; `owner` is what its functions begin with, `random` where its integers come from.
 pub(super) fn of<'p>(
     block: &Legal<'_>,
     printer: &'p Printer<'_>,
-    prefix: &str,
     (owner, random): (&str, &str),
     expected: &[u32],
 ) -> CExercise<'p> {
     let (program, exercise) = (&*block.program, &*block.block.exercise);
-    let owner = format!("{prefix}_{owner}");
     let (real, part) = (LANGUAGE.ty(Type::Real, program.real), (LANGUAGE.literal)(exercise.part));
     let noise = |of: &RealInput| match of.is_fraction {
         true => format!("({real}){owner}_integer({random}) * {part}"),
         false => format!("{owner}_noise({random}, scale)"),
     };
     let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
-        variables.iter().zip(names).map(|(variable, member)| fold(&owner, of, variable, member)).collect()
+        variables.iter().zip(names).map(|(variable, member)| fold(owner, of, variable, member)).collect()
     };
     let names = printer.names();
     let name = |position| block.input(&names.inputs, position);
@@ -78,7 +76,7 @@ pub(super) fn of<'p>(
         folded: [folded("outputs", &program.outputs, &names.outputs), folded("state", &program.state, &names.state)]
             .concat(),
         expected: in_lines(expected),
-        owner,
+        owner: owner.to_owned(),
     }
 }
 

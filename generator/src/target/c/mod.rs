@@ -124,7 +124,7 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         header: &header,
         block: text,
         self_test,
-        exercise: exercise::of(block, printer, &prefix, ("self_test", "&random"), &self_test.expected),
+        exercise: exercise::of(block, printer, (&prefix, "&random"), &self_test.expected),
     };
     let block = program.block;
     vec![

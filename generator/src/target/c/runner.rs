@@ -33,7 +33,7 @@ pub(in crate::target) fn file(axis: &Header, block: &Legal<'_>, runner: &Runner)
         let (input, value) = setting(turn.input, turn.value);
         (turn.samples.start, turn.samples.end, input, value)
     });
-    let of = exercise::of(block, printer, &prefix, ("runner", "&source->random"), &runner.expected);
+    let of = exercise::of(block, printer, (&format!("{prefix}_runner"), "&source->random"), &runner.expected);
     let template = CRunner {
         file: &file,
         axis,

@@ -49,8 +49,11 @@ struct Body<'a> {
     set: Vec<(&'a str, String)>,
     outputs: &'a [String],
     /// what is expected from a sample on: names and values
-    steps: Vec<(usize, Vec<(&'a str, Cow<'a, str>)>)>,
+    steps: Vec<Step<'a>>,
 }
+
+/// What is expected from a sample on: outputs and their values.
+type Step<'a> = (usize, Vec<(&'a str, Cow<'a, str>)>);
 
 /// An input that has some values at some times, else its usual one.
 struct Switch<'a> {
@@ -192,7 +195,7 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
 }
 
 /// What is expected, where it changes.
-fn steps<'n>(block: &'n Legal<'_>, names: &'n [String]) -> Vec<(usize, Vec<(&'n str, Cow<'n, str>)>)> {
+fn steps<'n>(block: &'n Legal<'_>, names: &'n [String]) -> Vec<Step<'n>> {
     let all = &block.block.program.outputs;
     let place = |path: &str| all.iter().position(|known| known.path == path);
     let [fault, error_id] = ["fault", "error_id"].map(place);
