@@ -30,8 +30,9 @@ pub fn has_right_checksum(text: &str) -> Option<bool> {
 
 /// Where the digits of the first line stand that reads `checksum` and a digest, whatever marks a comment has.
 fn place(text: &str) -> Option<usize> {
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
+    text.match_indices("checksum").find_map(|(at, _)| {
+        let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
+        let line = text[start..].lines().next()?;
         let mut words = line.trim_start_matches([' ', '*', '/', '\t']).split_ascii_whitespace();
         if let (Some("checksum"), Some(digits), None) = (words.next(), words.next(), words.next())
             && digits.len() == NO_CHECKSUM.len()
@@ -39,7 +40,6 @@ fn place(text: &str) -> Option<usize> {
         {
             return line.find(digits).map(|column| start + column);
         }
-        start += line.len();
-    }
-    None
+        None
+    })
 }

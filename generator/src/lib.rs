@@ -24,10 +24,10 @@ pub mod diagnostics;
 pub mod diff;
 pub mod digest;
 pub mod error_ids;
+pub mod exercise;
 mod feasibility;
 pub mod generate;
 pub mod import_export;
-mod noise;
 mod number;
 pub mod parameters;
 pub mod params_of;
@@ -36,13 +36,10 @@ pub mod reference_page;
 pub mod response_file;
 #[deny(clippy::wildcard_enum_match_arm)]
 mod rules;
-pub mod runner;
 pub mod schema;
-mod self_test;
 pub mod set_change;
 pub mod summary;
 pub mod target;
-mod trial;
 pub mod write;
 
 #[cfg(test)]

@@ -167,11 +167,9 @@ pub(crate) fn offered(block: &Block, window: Window) -> Vec<Event> {
 /// # Errors
 /// The axis has none of that name; the text lists those it has.
 pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
-    let blocks = blocks::blocks(designed).map_err(|defect| defect.to_string())?;
-    let names: Vec<&str> = blocks.iter().map(|block| block.program.block).collect();
-    let position = names.iter().position(|known| *known == name);
-    let position = position.ok_or_else(|| format!("no block `{name}`; this axis has: {}", names.join(", ")))?;
-    Ok(blocks[position].clone())
+    let unknown = || format!("no block `{name}`; this axis has: {}", blocks::names(&designed.axis).join(", "));
+    let kind = blocks::of_axis(&designed.axis).find(|kind| kind.name() == name).ok_or_else(unknown)?;
+    kind.block(designed).map_err(|defect| defect.to_string())
 }
 
 /// The inputs of a case: at most so many.

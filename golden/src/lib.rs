@@ -6,7 +6,7 @@
 //! engine     the ways to run a block: reference, program, c, rust, and the emitted Structured Text
 //! recording  what a controller recorded, and how far it agrees
 //! compare    how many bits of two runs differ, and where first
-//! exercise   what a user's own blocks are run with, and what it reached; boundaries: the events at the boundaries of process data
+//! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
 //! scenario   the inputs that an NC program makes, in a loop with a machine; svg: its picture, as text
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
@@ -15,7 +15,6 @@
 //! ```
 #![forbid(unsafe_code)]
 
-pub mod boundaries;
 pub mod case;
 pub mod compare;
 pub mod csv;

@@ -129,14 +129,19 @@ impl Samples {
     /// The run without the signals that keep their start from the first sample to the last; the first signal stays.
     #[must_use]
     pub fn without_constant(&self) -> Self {
-        let start: Vec<Literal> = self.shape.signals.iter().map(|signal| signal.start).collect();
-        let mut first = Self::with_capacity(self.shape.clone(), 1);
-        first.push(&start);
-        let ranges = self.shape.ranges();
-        let changes =
-            |range: &Range<usize>| self.frames().any(|frame| frame[range.clone()] != first.bytes[range.clone()]);
-        let kept: Vec<usize> = (0..ranges.len()).filter(|signal| *signal == 0 || changes(&ranges[*signal])).collect();
-        self.only(&kept)
+        let mut start = Self::with_capacity(self.shape.clone(), 1);
+        start.push(&self.shape.signals.iter().map(|signal| signal.start).collect::<Vec<_>>());
+        let moved = self.moved(&start);
+        self.only(&(0..moved.len()).filter(|signal| *signal == 0 || moved[*signal]).collect::<Vec<_>>())
+    }
+
+    /// Whether each signal ever has other bits than in the first sample of another run.
+    #[must_use]
+    pub fn moved(&self, from: &Self) -> Vec<bool> {
+        let moves = |range: &Range<usize>| {
+            self.frames().any(|frame| from.bytes.get(range.clone()).is_some_and(|first| frame[range.clone()] != *first))
+        };
+        self.shape.ranges().iter().map(moves).collect()
     }
 
     /// The run with some of its signals, by their positions.

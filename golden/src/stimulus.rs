@@ -64,6 +64,13 @@ pub struct Event {
     pub window: Window,
 }
 
+impl Event {
+    /// A value from `at` on, for `length` cycles, again after every `every` cycles.
+    pub(crate) fn new(signal: &str, value: &str, at: u64, length: u64, every: u64) -> Self {
+        Self { signal: signal.to_owned(), value: value.to_owned(), window: Window { at, length, every } }
+    }
+}
+
 impl Window {
     fn contains(&self, sample: u64) -> bool {
         let Some(since) = sample.checked_sub(self.at) else { return false };

@@ -54,7 +54,7 @@ impl Form {
 /// A form in motion; to be asked sample by sample.
 pub struct Waveform<'f> {
     form: &'f Form,
-    random: u64,
+    random: Random,
 }
 
 impl<'f> Waveform<'f> {
@@ -65,7 +65,7 @@ impl<'f> Waveform<'f> {
             Form::Noise { seed } => u64::from(*seed),
             _ => 0,
         };
-        Self { form, random: 88_172_645_463_325_252 ^ (seed << 20) }
+        Self { form, random: Random(88_172_645_463_325_252 ^ (seed << 20)) }
     }
 
     /// The value at a sample. Noise is another value at each call.
@@ -73,7 +73,8 @@ impl<'f> Waveform<'f> {
         let n = exact(sample);
         let turns = match *self.form {
             Form::Constant => return 1.0,
-            Form::Noise { .. } => return self.noise(),
+            // Uniform between -1 and 1.
+            Form::Noise { .. } => return exact(self.random.next() >> 11) / exact(1 << 52) - 1.0,
             Form::Move { phase, ramp } => return velocity(sample, phase, ramp),
             Form::Sine { period } => n / period,
             Form::Chirp { from, to, length } => {
@@ -83,13 +84,17 @@ impl<'f> Waveform<'f> {
         };
         libm::sin(2.0 * std::f64::consts::PI * (turns - libm::floor(turns)))
     }
+}
 
-    /// Uniform between -1 and 1, from xorshift64.
-    fn noise(&mut self) -> f64 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 7;
-        self.random ^= self.random << 17;
-        exact(self.random >> 11) / exact(1 << 52) - 1.0
+/// Random numbers of 64 bits: xorshift64.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    pub(crate) fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
     }
 }
 

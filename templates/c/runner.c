@@ -2,7 +2,7 @@
  *
  * axis        {{ axis.name }}
  * block       {{ block }}
- * real type   {{ real }}
+ * real type   {{ exercise.real }}
  * cycle time  {{ axis.cycle_time_ns }} ns
  * parameters  {{ axis.parameters_digest }}
  * checksum    {{ crate::digest::NO_CHECKSUM }}
@@ -80,7 +80,7 @@ static uint32_t {{ prefix }}_runner_now(void)
 
 /* the reference's digest of each {{ runner.stretch }} samples */
 static const uint32_t {{ prefix }}_runner_expected[{{ runner.expected.len() }}] = {
-    {{ expected }}
+    {{ exercise.expected }}
 };
 
 /* where the inputs come from */
@@ -92,44 +92,32 @@ typedef struct {
 {%- endif %}
 } {{ prefix }}_runner_source;
 
-/* the next integer, of 24 bits */
-static uint32_t {{ prefix }}_runner_integer({{ prefix }}_runner_source *source)
-{
-    source->random = source->random * 1664525u + 1013904223u;
-    return source->random >> 8;
-}
-
-static {{ real }} {{ prefix }}_runner_noise({{ prefix }}_runner_source *source, {{ real }} scale)
-{
-    return (({{ real }}){{ prefix }}_runner_integer(source) - 8388608.0{{ suffix }}) * scale;
-}
+{{ exercise }}
 
 /* The inputs of one sample. {{ runner.period.samples }} samples repeat themselves: little noise, much noise, both with disturbances, rest. */
 static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uint32_t sample, {{ prefix }}_inputs *inputs)
 {
     const uint32_t at = sample % {{ runner.period.samples }}u;
-{%- if !reals.is_empty() %}
+{%- if exercise.is_scaled %}
     const bool is_loud = (at >= {{ runner.period.loud }}u && at < {{ runner.period.disturbed }}u) || at >= {{ runner.period.disturbed_loud }}u;
-    const {{ real }} scale = at >= {{ runner.period.rest }}u ? 0.0{{ suffix }} : is_loud ? {{ scales[1] }} : {{ scales[0] }};
+    const {{ exercise.real }} scale = at >= {{ runner.period.rest }}u ? 0.0{{ exercise.suffix }} : is_loud ? {{ exercise.scales[1] }} : {{ exercise.scales[0] }};
+{%- endif %}
+{%- if !exercise.reals.is_empty() %}
     union {
-        uint{{ bits }}_t bits;
-        {{ real }} value;
+        uint{{ exercise.bits }}_t bits;
+        {{ exercise.real }} value;
     } bad_value;
 {%- endif %}
     uint32_t begin;
     uint32_t length;
     uint32_t bad;
-{% for (name, is_part) in reals %}
-{%- if is_part %}
-    inputs->{{ name }} = ({{ real }}){{ prefix }}_runner_integer(source) * {{ part }};
-{%- else %}
-    inputs->{{ name }} = {{ prefix }}_runner_noise(source, scale);
-{%- endif %}
+{% for (name, noise) in exercise.reals %}
+    inputs->{{ name }} = {{ noise }};
 {%- endfor %}
-{%- for (name, value) in usual %}
+{%- for (name, value) in exercise.usual %}
     inputs->{{ name }} = {{ value }};
 {%- endfor %}
-{%- if let Some(name) = counter %}
+{%- if let Some(name) = exercise.counter %}
     inputs->{{ name }} = sample + 1u;
 {%- endif %}
 {%- for (from, to, name, value) in drill %}
@@ -143,16 +131,16 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
 {%- endif %}
         return;
     }
-    begin = {{ prefix }}_runner_integer(source);
-    length = {{ prefix }}_runner_integer(source);
-    bad = {{ prefix }}_runner_integer(source);
+    begin = {{ prefix }}_runner_integer(&source->random);
+    length = {{ prefix }}_runner_integer(&source->random);
+    bad = {{ prefix }}_runner_integer(&source->random);
 {%- if turns.is_empty() %}
     (void)begin;
     (void)length;
 {%- else %}
-    if (source->left == 0u && begin >> 18 == 0u) {
+    if (source->left == 0u && begin >> 16 == 0u) {
         source->turn = (begin >> 4) % {{ turns.len() }}u;
-        source->left = 1u + (length >> 18);
+        source->left = 1u + (length >> 16);
     }
     if (source->left > 0u) {
         source->left--;
@@ -165,44 +153,23 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
         }
     }
 {%- endif %}
-{%- if reals.is_empty() %}
+{%- if exercise.reals.is_empty() %}
     (void)bad;
 {%- else %}
     /* a real input is no number, or out of range */
-    if (bad >> 16 == 0u) {
+    if (bad >> 14 == 0u) {
         bad_value.value = {{ beyond }};
-        if ((bad & 4u) != 0u) {
-            bad_value.bits = {% if bits == 64 %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %};
+        if (bad >> 13 != 0u) {
+            bad_value.bits = {% if exercise.bits == 64 %}UINT64_C(0x7ff8000000000000){% else %}UINT32_C(0x7fc00000){% endif %};
         }
-        switch ((bad >> 3) % {{ reals.len() }}u) {
-{%- for (name, _) in reals %}
+        switch ((bad >> 3) % {{ exercise.reals.len() }}u) {
+{%- for (name, _) in exercise.reals %}
         {% if loop.last %}default{% else %}case {{ loop.index0 }}u{% endif %}:
             inputs->{{ name }} = bad_value.value;
             break;
 {%- endfor %}
         }
     }
-{%- endif %}
-}
-
-/* the digest with one more word */
-static uint32_t {{ prefix }}_runner_fold(uint32_t digest, uint32_t word)
-{
-    return (((digest << 5) | (digest >> 27)) ^ word) * UINT32_C(0x9e3779b1);
-}
-
-static uint32_t {{ prefix }}_runner_fold_real(uint32_t digest, {{ real }} value)
-{
-    union {
-        {{ real }} value;
-        uint{{ bits }}_t bits;
-    } view;
-    view.value = value;
-{%- if bits == 64 %}
-    digest = {{ prefix }}_runner_fold(digest, (uint32_t)view.bits);
-    return {{ prefix }}_runner_fold(digest, (uint32_t)(view.bits >> 32));
-{%- else %}
-    return {{ prefix }}_runner_fold(digest, view.bits);
 {%- endif %}
 }
 
@@ -251,7 +218,7 @@ uint32_t {{ prefix }}_runner(void)
     uint32_t overhead;
     const uint32_t self_test = {{ prefix }}_self_test();
 
-    source.random = 1u;
+    source.random = 0u;
 {%- if !turns.is_empty() %}
     source.turn = 0u;
     source.left = 0u;
@@ -280,7 +247,7 @@ uint32_t {{ prefix }}_runner(void)
         most_at = cycles > most ? sample : most_at;
         most = cycles > most ? cycles : most;
         sum += cycles;
-{%- for value in folded %}
+{%- for value in exercise.folded %}
         digest = {{ value }};
 {%- endfor %}
         if (sample % {{ runner.stretch }}u == {{ runner.stretch - 1 }}u || sample == {{ runner.samples - 1 }}u) {

@@ -1,4 +1,4 @@
-/// Compares a run of {{ expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
+/// Compares a run of {{ self_test.expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
 /// number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
 /// machine: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number.
 #[must_use]
@@ -7,9 +7,9 @@
 #[rustfmt::skip]
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
-    const EXPECTED: [u{{ bits }}; {{ expected.len() }}] = [
-{%- for digest in expected %}
-        {{ digest }},
+    const EXPECTED: [u32; {{ self_test.expected.len() }}] = [
+{%- for digest in self_test.expected %}
+        {{ "0x{:08x}"|format(digest) }},
 {%- endfor %}
     ];
     // opaque: the compiler must call what the caller calls, and not work it out by itself
@@ -23,37 +23,51 @@ pub fn self_test() -> u32 {
     }
 
     let mut state = State::new();
-    let {% if !switches.is_empty() || !self_test.bad.is_empty() %}mut {% endif %}inputs = Inputs::new();
+    let {% if !usual.is_empty() || counter.is_some() || !self_test.bad.is_empty() %}mut {% endif %}inputs = Inputs::new();
     let mut outputs = Outputs::new();
-{%- for (input, value) in switches %}
-    inputs.{{ inputs[*input].name }} = {{ value }};
+{%- for (input, value) in usual %}
+    inputs.{{ input }} = {{ value }};
 {%- endfor %}
 {%- if !self_test.bad.is_empty() %}
-    let mut random: u32 = 1;
-    // noise: the next integer of 24 bits
-    let mut noise = || {
-        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        {% if bits == 64 %}f64::from(random >> 8){% else %}(random >> 8) as f32{% endif %}
+    let mut random: u32 = 0;
+    // the next integer of the noise
+    let mut integer = || {
+        random = random.wrapping_mul({{ Noise::FACTOR }}).wrapping_add({{ Noise::SUMMAND }}) % {{ Noise::RANGE }};
+        random
     };
+{%- if self.is_scaled() %}
+    // a number, of which one in four is small
+    let noise = |integer: u32, scale: {{ real }}| {
+        let noise = ({% if bits == 64 %}f64::from(integer){% else %}integer as f32{% endif %} - {{ Noise::HALF }}.0) * scale;
+        if integer < {{ Noise::SMALL_BELOW }} { noise * {{ Noise::SMALL }} } else { noise }
+    };
+{%- endif %}
     let not_a_number = {{ real }}::from_bits({% if bits == 64 %}0x7ff8_0000_0000_0000{% else %}0x7fc0_0000{% endif %});
 {%- endif %}
-    let mut digest: u{{ bits }} = 0;
+    let fold = |digest: u32, word: u32| (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);
+    let mut digest: u32 = 0;
     let mut sample: u32 = 0;
     for expected in &EXPECTED {
-{%- if !self_test.bad.is_empty() %}
-{%- if self_test.is_scaled() %}
+{%- if let Some(counter) = counter %}
+        inputs.{{ counter }} = sample.wrapping_add(1);
+{%- endif %}
+{%- if self.is_scaled() %}
         // at first within every limit, so that nothing is cut off
         let scale = if sample < {{ self_test.loud_from }} { {{ scales[0] }} } else { {{ scales[1] }} };
 {%- endif %}
-        // each input is no number for one sample: a block that does not notice it goes on with other bits
 {%- for (bad_sample, input) in self_test.bad %}
-        let value = {% if input.is_fraction %}noise() * {{ part }}{% else %}(noise() - 8_388_608.0) * scale{% endif %};
+{%- if loop.first %}
+        // each input is no number for one sample: a block that does not notice it goes on with other bits
+{%- endif %}
+        let value = {% if input.is_fraction %}{% if bits == 64 %}f64::from(integer()){% else %}integer() as f32{% endif %} * {{ part }}{% else %}noise(integer(), scale){% endif %};
         inputs.{{ inputs[input.own].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
 {%- endfor %}
-{%- endif %}
         step(&mut state, &inputs, &mut outputs);
-{%- for value in watched %}
-        digest = digest.rotate_left(5).wrapping_add({{ value }});
+{%- for words in watched %}
+        digest = fold(digest, {{ words[0] }});
+{%- if !words[1].is_empty() %}
+        digest = fold(digest, {{ words[1] }});
+{%- endif %}
 {%- endfor %}
         sample = sample.wrapping_add(1);
         if digest != *expected {

@@ -3,16 +3,15 @@
 use super::designed::Designed;
 use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
-use crate::noise::{Run, Running};
-use crate::runner::{self, Runner};
-use crate::self_test::{self, SelfTest};
-use crate::trial::{self, Recording};
+use crate::exercise::runner::{self, Runner};
+use crate::exercise::{self, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
 use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Literal, Real, RealKind};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The last pass.
 pub(super) const VERIFIED: &str = "verified";
@@ -74,7 +73,7 @@ impl dyn Kind + '_ {
 
     /// A run of so many samples for a user's own board, of a block of that axis.
     pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
-        self.typed(designed).runner(self, designed, block, samples)
+        runner::record(&block.exercise, &mut *self.start(designed), samples)
     }
 
     /// The reference, before its first cycle.
@@ -94,7 +93,6 @@ pub trait Typed: Sync {
     fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
     #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
     fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
-    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner;
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
 }
@@ -111,13 +109,6 @@ impl<B: Design> Typed for B {
         match designed.axis.real {
             RealKind::F64 => block::<f64, B>(part, designed),
             RealKind::F32 => block::<f32, B>(part, designed),
-        }
-    }
-
-    fn runner(&self, part: &dyn Part, designed: &Designed, block: &Block, samples: usize) -> Runner {
-        match designed.axis.real {
-            RealKind::F64 => runner::<f64, B>(part, designed, block, samples),
-            RealKind::F32 => runner::<f32, B>(part, designed, block, samples),
         }
     }
 
@@ -152,22 +143,28 @@ fn program<R: Real, B: Design + Reference<R>>(
 /// Specialises one block and records what it does.
 fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
     let coeffs = || rounded(&B::design(designed), R::KIND);
-    let ranges = part.ranges(designed);
     let notes = part.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, B>(&coeffs(), &notes);
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
     let own = legalise::own(&program)?;
-    let self_test = self_test::record::<R, B>(coeffs(), &own, &state_paths, ranges);
     let certificate = part.certificate(designed, &program)?;
-    let start = part.start_cycles(designed);
-    let drill = part.drill(designed);
-    let led = (&*drill, designed.axis.cycle_time_ns);
-    let trial = trial::recording::<R, B>(coeffs(), (&program, &own), &state_paths, ranges, start, led);
+    let wanted = Wanted {
+        ranges: part.ranges(designed),
+        start: part.start_cycles(designed),
+        drill: part.drill(designed),
+        cycle_time_ns: designed.axis.cycle_time_ns,
+    };
+    let exercise = Arc::new(Exercise::of::<R, B>(&coeffs(), (&program, &own), &state_paths, &wanted));
+    let self_test = SelfTest::record(&exercise, &mut Running::<R, B>::start(coeffs()));
+    let trial = Trial::of(&exercise);
+    let numbers = coeffs();
+    let start = || Box::new(Running::<R, B>::start(numbers)) as Box<dyn Run>;
+    let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
     let shown = shown(part, designed, &program);
     shown.refuse(program.block)?;
-    Ok(Block { program, own, notes, self_test, trial, certificate, shown, structure, state_paths })
+    Ok(Block { program, own, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }
 
 /// What is certain of the outputs of a program.
@@ -175,18 +172,6 @@ fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
     // Where nothing adds a velocity, it is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
     ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
-}
-
-/// Runs the reference of a block for a user's own board.
-fn runner<R: Real, B: Design + Reference<R>>(
-    part: &dyn Part,
-    designed: &Designed,
-    block: &Block,
-    samples: usize,
-) -> Runner {
-    let coeffs = rounded(&B::design(designed), R::KIND);
-    let (ranges, drill) = (part.ranges(designed), part.drill(designed));
-    runner::record::<R, B>(coeffs, (&block.program, &block.own), &block.state_paths, ranges, &drill, samples)
 }
 
 /// A block of one axis, ready to be printed.
@@ -198,17 +183,17 @@ pub struct Block {
     pub own: Own,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
+    pub(crate) exercise: Arc<Exercise>,
     pub(crate) self_test: SelfTest,
-    /// a recorded run
-    pub(crate) trial: Recording,
+    pub(crate) trial: Trial,
+    /// what the reference answers in the trial
+    pub(crate) answers: Recording,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
     /// what is certain of its outputs, whatever its state and its inputs hold
     pub shown: Shown,
     /// what is in it, without the values of its coefficients: the same text, the same structure
     pub structure: String,
-    /// the paths of all parts of the reference's state
-    state_paths: Vec<String>,
 }
 
 impl Block {

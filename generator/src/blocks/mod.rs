@@ -20,7 +20,7 @@ pub(crate) mod spindle;
 mod spindle_axis;
 mod values;
 
-pub use crate::trial::Drill;
+pub use crate::exercise::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;

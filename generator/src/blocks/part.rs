@@ -3,7 +3,7 @@
 use super::designed::Designed;
 use super::values::{self, Values};
 use crate::axis::Axis;
-use crate::trial::Drill;
+use crate::exercise::Drill;
 use compiler::pass::Defect;
 use compiler::program::Program;
 use portable::Literal;

@@ -2,7 +2,7 @@
 
 use super::{Certified, Design, Drill, Figure, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
-use crate::trial::Set;
+use crate::exercise::Set;
 use compiler::pass::Defect;
 use compiler::program::Program;
 use reference::axis::Axis;

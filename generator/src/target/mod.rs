@@ -12,12 +12,12 @@ pub(crate) use st::twincat::Cdata;
 
 use crate::blocks::Block;
 use crate::digest::with_checksum;
-use crate::runner::Runner;
+use crate::exercise::runner::Runner;
 use askama::Template;
 use compiler::legalise;
 use compiler::pass::{Defect, Stage};
 use compiler::program::Program;
-use portable::RealKind;
+use portable::{Literal, RealKind};
 use std::borrow::Cow;
 
 /// The tool's version, which every generated file names.
@@ -132,6 +132,21 @@ pub struct Header {
 pub struct Legal<'b> {
     block: &'b Block,
     program: Cow<'b, Program>,
+}
+
+impl Legal<'_> {
+    /// What the name of an input is, by its position among all, where the language has the inputs of the axis as they are.
+    fn input<'n>(&self, names: &'n [String], position: usize) -> &'n str {
+        let own = self.block.own.inputs.iter().position(|kept| *kept == position);
+        &names[own.expect("target: an exercise knows the inputs that the axis has")]
+    }
+
+    /// The inputs that are no reals as they mostly are, but for one that counts.
+    fn usual<'n>(&self, names: &'n [String], literal: fn(Literal) -> String) -> Vec<(&'n str, String)> {
+        let exercise = &self.block.exercise;
+        let usual = exercise.switches.iter().map(|(input, _)| *input).filter(|at| Some(*at) != exercise.counter());
+        usual.map(|at| (self.input(names, at), literal(exercise.usual[at]))).collect()
+    }
 }
 
 /// What a shared file may know of an axis: nothing that changes with a parameter other than the real type.

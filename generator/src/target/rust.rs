@@ -2,7 +2,7 @@
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{File, Header, Legal, block_name, rendered};
-use crate::self_test::SelfTest;
+use crate::exercise::{Exercise, Noise, SelfTest};
 use askama::Template;
 use compiler::interp::Machine;
 use compiler::print::rust::LANGUAGE;
@@ -31,19 +31,25 @@ struct RustFile<'a> {
     certificate: String,
     uses_nearest: bool,
     nearly_half: String,
+    exercise: &'a Exercise,
     self_test: &'a SelfTest,
-    /// the digest after each sample
-    expected: Vec<String>,
-    /// the inputs that are set once, by position
-    switches: Vec<(usize, String)>,
-    scales: [String; 2],
+    /// the inputs that are set once
+    usual: Vec<(&'a str, String)>,
+    /// the input that counts the calls
+    counter: Option<&'a str>,
+    scales: [String; 3],
     /// the factor of noise that is a part from 0 to 1
     part: String,
-    /// the bits of every output, and of every part of the state
-    watched: Vec<String>,
+    /// the words of every output, and of every part of the state
+    watched: Vec<[String; 2]>,
 }
 
 impl RustFile<'_> {
+    /// Whether an input gets noise that is scaled.
+    fn is_scaled(&self) -> bool {
+        self.exercise.reals.iter().any(|real| !real.is_fraction)
+    }
+
     /// Each struct with what its start is, and its members.
     fn starts(&self) -> Vec<(&str, &str, &[Member])> {
         let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
@@ -58,7 +64,7 @@ impl RustFile<'_> {
 
 /// The module of a block.
 pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
-    let (program, self_test) = (&*block.program, &block.block.self_test);
+    let (program, exercise) = (&*block.program, &*block.block.exercise);
     let printer = &Printer::new(program, &LANGUAGE, "");
     let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };
     let names = printer.names();
@@ -78,13 +84,9 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     }
     let state = outline.state().into_iter().zip(starts(program, &names.constants));
     let state = state.map(|(member, value)| Member { value, ..member }).collect();
-    let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<String> {
-        let bits = |(variable, name): (&Variable, &String)| bits_of(&format!("{of}.{name}"), variable.ty, program.real);
-        variables.iter().zip(names).map(bits).collect()
-    };
-    let digest = |digest: &u64| match program.real {
-        RealKind::F64 => format!("0x{digest:016x}"),
-        RealKind::F32 => format!("0x{digest:08x}"),
+    let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<[String; 2]> {
+        let words = |(variable, name): (&Variable, &String)| words(&format!("{of}.{name}"), variable.ty, program.real);
+        variables.iter().zip(names).map(words).collect()
     };
     let [constants] = outline.groups([Appearance::Declared]);
     let template = RustFile {
@@ -103,26 +105,28 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         nearly_half: (LANGUAGE.literal)(nearly_half),
-        self_test,
-        expected: self_test.expected.iter().map(digest).collect(),
-        switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
-        scales: self_test.scales.map(LANGUAGE.literal),
-        part: (LANGUAGE.literal)(crate::noise::part(axis.real)),
+        exercise,
+        self_test: &block.block.self_test,
+        usual: block.usual(&names.inputs, LANGUAGE.literal),
+        counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
+        scales: exercise.scales.map(LANGUAGE.literal),
+        part: (LANGUAGE.literal)(exercise.part),
         watched: [watched("outputs", &program.outputs, &names.outputs), watched("state", &program.state, &names.state)]
             .concat(),
     };
     vec![rendered(&file, "", &template)]
 }
 
-/// The bits of a value, as the digest takes them.
-fn bits_of(value: &str, ty: Type, real: RealKind) -> String {
+/// The words of a value, as the digest takes them; the second one may be empty.
+fn words(value: &str, ty: Type, real: RealKind) -> [String; 2] {
     match (ty, real) {
-        (Type::Real, _) => format!("{value}.to_bits()"),
-        (Type::I32, RealKind::F64) => format!("u64::from({value} as u32)"),
-        (Type::I32, RealKind::F32) => format!("{value} as u32"),
-        (Type::U32, RealKind::F32) => value.to_owned(),
-        (Type::Bool | Type::U32, RealKind::F64) => format!("u64::from({value})"),
-        (Type::Bool, RealKind::F32) => format!("u32::from({value})"),
+        (Type::Real, RealKind::F64) => {
+            [format!("{value}.to_bits() as u32"), format!("({value}.to_bits() >> 32) as u32")]
+        }
+        (Type::Real, RealKind::F32) => [format!("{value}.to_bits()"), String::new()],
+        (Type::I32, _) => [format!("{value} as u32"), String::new()],
+        (Type::U32, _) => [value.to_owned(), String::new()],
+        (Type::Bool, _) => [format!("u32::from({value})"), String::new()],
     }
 }
 

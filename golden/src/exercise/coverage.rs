@@ -51,7 +51,7 @@ impl fmt::Display for Coverage {
 #[must_use]
 pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &Samples) -> Coverage {
     let still = |run: &Samples, places: &[usize]| -> Vec<String> {
-        let moved = moved(run);
+        let moved = run.moved(run);
         places.iter().filter(|place| !moved[**place]).map(|place| run.shape.signals[*place].name.clone()).collect()
     };
     // With a limit of 0 nothing is added.
@@ -80,21 +80,6 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
         rows.push(("events of parameter sets", 3, events_of_sets(outputs, at)));
     }
     Coverage { rows }
-}
-
-/// Whether each signal has ever had another value than in the first sample.
-fn moved(run: &Samples) -> Vec<bool> {
-    let mut moved = vec![false; run.shape.signals.len()];
-    let (mut first, mut values) = (Vec::new(), Vec::new());
-    for sample in 0..run.len() {
-        run.read(sample, &mut values);
-        if sample == 0 {
-            first.clone_from(&values);
-        }
-        let differs = first.iter().zip(&values).map(|(first, value)| first != value);
-        moved.iter_mut().zip(differs).for_each(|(moved, differs)| *moved |= differs);
-    }
-    moved
 }
 
 /// The pairs of states of which one directly follows the other.

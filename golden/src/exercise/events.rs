@@ -1,6 +1,6 @@
 //! The part of an exercise that nothing answers to: moves, vibrations, noise, and events.
 
-use crate::boundaries;
+use super::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use compiler::program::Program;
@@ -67,11 +67,7 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
 }
 
 fn events() -> Vec<Event> {
-    let event = |signal: &str, value: &str, at, length, every| Event {
-        signal: signal.to_owned(),
-        value: value.to_owned(),
-        window: Window { at, length, every },
-    };
+    let event = Event::new;
     vec![
         event("mode", "1", 50, 0, 0),
         event("mode", "2", 12_000, 3_000, 25_000),

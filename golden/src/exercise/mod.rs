@@ -1,12 +1,14 @@
 //! The exercise of a block: what `verify` runs a user's own blocks with, and how much of the block it reached.
 //!
 //! ```text
+//! boundaries events at the boundaries of process data
 //! events     moves, vibrations, noise, disturbances: nothing answers to them
 //! spindle    the partner of a spindle: an operator, an interpolator, a drive
 //! sets       the supplier of parameter sets: another one, also damaged, late or absent
 //! coverage   what moved, what changed, which states, transitions and sets were reached
 //! ```
 
+mod boundaries;
 pub mod coverage;
 mod events;
 mod sets;

@@ -28,21 +28,16 @@ pub(super) fn other(designed: &Designed, block: &Block) -> Vec<Event> {
 /// set without a number, another number before its contents, a number that is none.
 pub(super) fn damaged(block: &Program) -> Vec<Event> {
     let parts = block.inputs.iter().filter_map(|input| Some((input, block.in_set(input)?)));
-    let event = |signal: &str, value: &str, at, length, every| Event {
-        signal: signal.to_owned(),
-        value: value.to_owned(),
-        window: Window { at, length, every },
-    };
     let mut events = Vec::new();
     for (input, part) in parts {
-        events.push(event(&input.path, "0", 0, 5, 45_000));
+        events.push(Event::new(&input.path, "0", 0, 5, 45_000));
         match part {
             "set_id" => {
-                events.push(event(&input.path, "0", 3_000, 2, 26_000));
-                events.push(event(&input.path, "1", 6_500, 300, 24_000));
-                events.push(event(&input.path, "7", 30_000, 700, 34_000));
+                events.push(Event::new(&input.path, "0", 3_000, 2, 26_000));
+                events.push(Event::new(&input.path, "1", 6_500, 300, 24_000));
+                events.push(Event::new(&input.path, "7", 30_000, 700, 34_000));
             }
-            "limit" => events.push(event(&input.path, "nan", 30_000, 700, 34_000)),
+            "limit" => events.push(Event::new(&input.path, "nan", 30_000, 700, 34_000)),
             _ => {}
         }
     }

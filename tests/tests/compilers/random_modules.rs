@@ -9,8 +9,8 @@ use generator::blocks::{self, Block, Designed};
 use generator::generate::header;
 use generator::target::{self, File};
 use golden::engine::{self, Engine, rust};
-use golden::samples::{Samples, Shape};
-use portable::Literal;
+use golden::exercise;
+use golden::samples::Samples;
 use rayon::prelude::*;
 
 const SEED: u64 = 20_261_124;
@@ -37,55 +37,8 @@ fn emitted(index: usize) -> Option<Emitted> {
     let block = blocks::blocks(&designed).unwrap_or_else(|defect| panic!("axis {index}: {defect}")).pop()?;
     let target = target::named("rust").expect("there is a target for Rust");
     let file = target.files(&header(&designed.axis, &block), &block).expect("Rust prints every block").remove(0);
-    let shape = Shape::of(&block.program.inputs, block.program.real);
-    let inputs = samples(rng, shape);
+    let inputs = exercise::inputs(&designed, &block, SAMPLES);
     Some(Emitted { designed, block, file, inputs })
-}
-
-/// Every input moves by itself: switches turn, numbers stay for some cycles, a few are beyond every range. The drill of the self-test,
-/// which runs first, leads a spindle through its states; this leads it out of them.
-fn samples(rng: &mut Rng, shape: Shape) -> Samples {
-    let mut now: Vec<Literal> = shape.signals.iter().map(|signal| signal.start).collect();
-    let names: Vec<String> = shape.signals.iter().map(|signal| signal.name.clone()).collect();
-    let mut samples = Samples::with_capacity(shape, SAMPLES);
-    for _ in 0..SAMPLES {
-        for (value, name) in now.iter_mut().zip(&names) {
-            *value = next(rng, name, *value);
-        }
-        samples.push(&now);
-    }
-    samples
-}
-
-/// The next value of an input.
-fn next(rng: &mut Rng, name: &str, now: Literal) -> Literal {
-    let mut real = || {
-        let size = *rng.pick(&[0.0, 1.0, 1e3, 1e5, 1e6, 3e6, 1e10]);
-        let share = (f64::from(u32::try_from(rng.below(2001)).unwrap_or(0)) - 1000.0) / 1000.0;
-        if rng.chance(1) { *rng.pick(&[f64::NAN, f64::INFINITY, -2e15]) } else { size * share }
-    };
-    match now {
-        Literal::F64(_) => {
-            let value = real();
-            Literal::F64(if rng.chance(20) { value } else { return now })
-        }
-        Literal::F32(_) => {
-            let value = real();
-            Literal::F32(if rng.chance(20) { single(value) } else { return now })
-        }
-        // Most requests, resets and a drive that is off last a few cycles.
-        Literal::Bool(_) if matches!(name, "drive_on" | "position_controlled") => Literal::Bool(!rng.chance(3)),
-        Literal::Bool(_) if name == "reset" => Literal::Bool(rng.chance(3)),
-        Literal::Bool(value) => Literal::Bool(value != rng.chance(10)),
-        Literal::I32(_) if rng.chance(5) => Literal::I32(*rng.pick(&[0, 1, 1, 1, 2, 3, 8, 9, 8, 9, 50, 100, -7, 250])),
-        Literal::U32(_) if name == "task_cycle_ns" => Literal::U32(u32::from(rng.chance(1))),
-        _ => now,
-    }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "the nearest number of single precision")]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 /// A spindle in the CNC or in a drive, with one of its blocks or all of them.

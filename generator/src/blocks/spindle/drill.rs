@@ -1,7 +1,7 @@
 //! What a self-test leads the changeover through: noise alone would never reach velocity control. No noise.
 
 use super::super::Drill;
-use crate::trial::Set;
+use crate::exercise::Set;
 use reference::spindle::Coeffs;
 
 /// M3 above Von, the drive's answer, M19, and the way back; then an error of its own and the reset from it.

@@ -1,15 +1,17 @@
 //! The three files of a block in C: its header, its source, its self-test.
 
+mod exercise;
 mod header;
 pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{File, Header, Legal, rendered};
-use crate::self_test::SelfTest;
+use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Expr, Program, Type, Var, Variable};
+use compiler::program::{Expr, Type, Var};
+use exercise::CExercise;
 use header::Macro;
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -55,21 +57,9 @@ struct CSource<'a> {
 #[template(path = "c/self_test.c")]
 struct CSelfTest<'a> {
     header: &'a str,
-    real: &'a str,
-    bits: usize,
-    /// what the numbers of this real type and the compilers' own functions for it end with
-    suffix: &'a str,
     block: &'a CBlock,
     self_test: &'a SelfTest,
-    /// the digest after each sample
-    expected: Vec<String>,
-    /// the inputs that are set once, by position
-    switches: Vec<(usize, String)>,
-    scales: [String; 2],
-    /// the factor of noise that is a part from 0 to 1
-    part: String,
-    /// the bits of every output, and of every part of the state
-    watched: Vec<String>,
+    exercise: CExercise<'a>,
 }
 
 /// A block.
@@ -132,16 +122,9 @@ pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     };
     let test_body = CSelfTest {
         header: &header,
-        real,
-        bits,
-        suffix,
         block: text,
         self_test,
-        expected: self_test.expected.iter().map(|digest| word(*digest, axis.real)).collect(),
-        switches: self_test.switches.iter().map(|(index, value)| (*index, (LANGUAGE.literal)(*value))).collect(),
-        scales: self_test.scales.map(LANGUAGE.literal),
-        part: (LANGUAGE.literal)(crate::noise::part(axis.real)),
-        watched: watched(program, printer, &prefix),
+        exercise: exercise::of(block, printer, (&prefix, "&random"), &self_test.expected),
     };
     let block = program.block;
     vec![
@@ -180,25 +163,4 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         step: printer.body(&program.step, 1),
         certificate: comment::wrapped(&outline.block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
     }
-}
-
-/// A digest as wide as a real.
-fn word(digest: u64, real: RealKind) -> String {
-    match real {
-        RealKind::F64 => format!("UINT64_C(0x{digest:016x})"),
-        RealKind::F32 => format!("UINT32_C(0x{digest:08x})"),
-    }
-}
-
-/// The bits of every output, then of every part of the state.
-fn watched(program: &Program, printer: &Printer<'_>, prefix: &str) -> Vec<String> {
-    let bits = |of: &str, variable: &Variable, member: &str| match variable.ty {
-        Type::Real => format!("{prefix}_bits_of({of}.{member})"),
-        Type::I32 => format!("(uint32_t){of}.{member}"),
-        Type::Bool | Type::U32 => format!("{of}.{member}"),
-    };
-    let names = printer.names();
-    let outputs = program.outputs.iter().zip(&names.outputs).map(|(output, name)| bits("outputs", output, name));
-    let state = program.state.iter().zip(&names.state).map(|(state, name)| bits("state", state, name));
-    outputs.chain(state).collect()
 }

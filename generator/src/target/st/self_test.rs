@@ -3,15 +3,16 @@
 
 use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
+use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
 use crate::target::{Header, Legal};
-use crate::trial::{Answer, Noise, Trial, Turn};
 use askama::Template;
 use compiler::legalise::{Cycle, RealInput};
-use compiler::print::signals;
+use compiler::print::{signals, st};
 use compiler::program::{Type, Variable};
 use portable::{Literal, Real, RealKind};
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// The signal that turns a block on.
 const ENABLE: &str = "Enable";
@@ -40,7 +41,7 @@ struct Body<'a> {
     /// the inputs that are turned
     switches: Vec<Switch<'a>>,
     /// the samples in which an input is out of range or huge, and its value
-    jumps: Vec<(usize, &'a str, String)>,
+    jumps: Vec<(&'a Range<usize>, &'a str, String)>,
     /// a number, and its rounded square
     contraction: [String; 2],
     inputs: Vec<&'a str>,
@@ -48,8 +49,11 @@ struct Body<'a> {
     set: Vec<(&'a str, String)>,
     outputs: &'a [String],
     /// what is expected from a sample on: names and values
-    steps: Vec<(usize, Vec<(&'a str, String)>)>,
+    steps: Vec<Step<'a>>,
 }
+
+/// What is expected from a sample on: outputs and their values.
+type Step<'a> = (usize, Vec<(&'a str, Cow<'a, str>)>);
 
 /// An input that has some values at some times, else its usual one.
 struct Switch<'a> {
@@ -63,7 +67,7 @@ struct Switch<'a> {
 /// The self-test as a function block.
 pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
     let (program, language) = (&block.program, dialect.language);
-    let trial: &Trial = &block.block.trial;
+    let trial = &block.block.trial;
     let [inputs, outputs] = &signals(program, language);
     let tested = listing::name(&axis.name, program.block, dialect);
     let body = body(block, dialect, trial, [inputs, outputs]);
@@ -77,7 +81,7 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
         variable(Type::I32, "random".to_owned(), "what the noise is made of"),
     ];
     let reals = [
-        ("noise", "an integer between -32768 and 32767"),
+        ("noise", "an integer of 22 bits, less by half of their range"),
         ("noise_scale", "its factor"),
         ("small", "another factor, for some"),
         ("factor", "a number whose square is rounded"),
@@ -139,6 +143,9 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         let own = program.inputs.iter().position(|input| input.path == *path);
         own.map_or("", |own| inputs[own].as_str())
     };
+    let off = trial.turns.iter().filter(|turn| turn.is_off);
+    let is_jump = |turn: &&Turn| trial.exercise.reals.iter().any(|real| real.position == turn.input);
+    let jumps = trial.turns.iter().filter(is_jump);
     let named = program.inputs.iter().zip(inputs);
     let (parts, signals): (Vec<_>, Vec<_>) = named.partition(|(input, _)| program.in_set(input).is_some());
     let switches = signals.iter().filter(|(input, _)| input.ty != Type::Real);
@@ -147,20 +154,15 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
             name,
             before: String::new(),
             usual: literal(Literal::Bool(true)),
-            turns: trial
-                .turns
-                .iter()
-                .filter(|turn| turn.is_off)
-                .map(|turn| (turn, literal(Literal::Bool(false))))
-                .collect(),
+            turns: off.clone().map(|turn| (turn, literal(Literal::Bool(false)))).collect(),
         },
         Some(position) => {
-            let turns = trial.turns.iter().filter(|turn| turn.input == position && !(turn.is_off && has_enable));
-            let counts = trial.counter == Some(position);
+            let turns = trial.turns_of(position).filter(|turn| !(turn.is_off && has_enable));
+            let counts = trial.exercise.counter() == Some(position);
             Switch {
                 name,
                 before: if counts { format!("{}in_{name} + ", dialect.mark) } else { String::new() },
-                usual: literal(trial.usual[position]),
+                usual: literal(trial.exercise.usual[position]),
                 turns: turns.map(|turn| (turn, literal(turn.value))).collect(),
             }
         }
@@ -168,7 +170,7 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
     let factor = if is_single { 1.0 + libm::exp2(-15.0) } else { 1.0 + libm::exp2(-30.0) };
     let square = if is_single { 1.0 + libm::exp2(-14.0) } else { factor * factor };
     let noise = |of: &RealInput| {
-        let usual = of.is_fraction.then(|| literal(trial.usual[of.position]));
+        let usual = of.is_fraction.then(|| literal(trial.exercise.usual[of.position]));
         (name_of(of.position), usual)
     };
     let body = Body {
@@ -176,64 +178,50 @@ fn body(block: &Legal<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: 
         trial,
         real: dialect.language.ty(Type::Real, program.real),
         is_single,
-        scales: trial.scales.map(literal),
+        scales: trial.exercise.scales.map(literal),
         small: literal(real(Noise::SMALL.into())),
-        noise: trial.reals.iter().map(noise).collect(),
+        noise: trial.exercise.reals.iter().map(noise).collect(),
         has_parts: trial.has_parts(),
-        part: literal(trial.part),
+        part: literal(trial.exercise.part),
         switches: switches.collect(),
-        jumps: trial.jumps.iter().map(|(at, input, value)| (*at, name_of(*input), literal(*value))).collect(),
+        jumps: jumps.map(|turn| (&turn.samples, name_of(turn.input), literal(turn.value))).collect(),
         contraction: [factor, square].map(|value| literal(real(value))),
         inputs: signals.iter().map(|(_, name)| name.as_str()).collect(),
         set: parts.iter().map(|(part, name)| (name.as_str(), literal(part.start))).collect(),
         outputs,
-        steps: steps(block, dialect, trial, outputs),
+        steps: steps(block, outputs),
     };
     body.render().expect("target: no input can keep a template from being filled") + "\n"
 }
 
 /// What is expected, where it changes.
-fn steps<'n>(
-    block: &Legal<'_>,
-    dialect: &Dialect,
-    trial: &Trial,
-    names: &'n [String],
-) -> Vec<(usize, Vec<(&'n str, String)>)> {
+fn steps<'n>(block: &'n Legal<'_>, names: &'n [String]) -> Vec<Step<'n>> {
     let all = &block.block.program.outputs;
-    let value = |output: &Variable, answer: &Answer| {
-        let of = |path: &str| answer.outputs[all.iter().position(|known| known.path == path).unwrap_or_default()];
-        let cycle = Cycle {
-            fault: of("fault") == Literal::Bool(true),
-            error_id: if let Literal::U32(id) = of("error_id") { id } else { 0 },
-            is_enabled: !answer.is_off,
-            works: answer.is_busy,
-        };
-        cycle.value(&output.path).unwrap_or_else(|| of(&output.path))
+    let place = |path: &str| all.iter().position(|known| known.path == path);
+    let [fault, error_id] = ["fault", "error_id"].map(place);
+    let places: Vec<_> = block.program.outputs.iter().map(|output| (output, place(&output.path))).collect();
+    let cycle = |answer: &Answer| Cycle {
+        fault: fault.is_some_and(|at| answer.outputs[at] == Literal::Bool(true)),
+        error_id: if let Some(Literal::U32(id)) = error_id.map(|at| answer.outputs[at]) { id } else { 0 },
+        is_enabled: !answer.is_off,
+        works: answer.is_busy,
     };
-    let mut last: Vec<Option<Literal>> = vec![None; names.len()];
+    let mut before: Option<&Answer> = None;
     let mut steps = Vec::new();
-    for answer in &trial.answers {
+    for answer in block.block.answers.iter() {
+        let cycles = [before.map(cycle), Some(cycle(answer))];
         let mut step = Vec::new();
-        for ((output, name), last) in block.program.outputs.iter().zip(names).zip(&mut last) {
-            let value = unsigned_zero(value(output, answer));
-            if *last != Some(value) {
-                step.push((name.as_str(), (dialect.language.operand)(value).0));
-                *last = Some(value);
-            }
+        for ((output, place), name) in places.iter().zip(names) {
+            let change = match cycles.map(|cycle| cycle?.value(&output.path)) {
+                [before, Some(now)] => (before != Some(now)).then(|| Cow::Owned(st::literal(now))),
+                [_, None] => place.and_then(|at| answer.changes[at].as_deref()).map(Cow::Borrowed),
+            };
+            step.extend(change.map(|text| (name.as_str(), text)));
         }
         if !step.is_empty() {
             steps.push((answer.sample, step));
         }
+        before = Some(answer);
     }
     steps
-}
-
-/// The value; of a zero its sign is not compared.
-fn unsigned_zero(value: Literal) -> Literal {
-    match value {
-        // -0 + 0 is 0.
-        Literal::F64(value) => Literal::F64(value + 0.0),
-        Literal::F32(value) => Literal::F32(value + 0.0),
-        other => other,
-    }
 }

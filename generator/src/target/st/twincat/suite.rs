@@ -4,7 +4,6 @@ use super::{TESTS, TWINCAT, block_name, guid, rendered};
 use crate::target::st::listing::{Origin, origin};
 use crate::target::st::self_test;
 use crate::target::{File, Header, Legal};
-use crate::trial::Trial;
 use askama::Template;
 
 /// The suite of a block.
@@ -24,7 +23,6 @@ pub(super) fn file(axis: &Header, block: &Legal<'_>) -> File {
     let name = &block_name(&axis.name, block.program.block);
     let suite = &suite_name(name);
     let file = format!("{suite}.TcPOU");
-    let trial: &Trial = &block.block.trial;
     let text = TcSuite {
         origin: origin(axis, &file, block, &TWINCAT),
         id: guid("POU", suite),
@@ -32,7 +30,7 @@ pub(super) fn file(axis: &Header, block: &Legal<'_>) -> File {
         name: suite,
         block: name,
         self_test: &self_test::name(name),
-        samples: trial.samples,
+        samples: block.block.trial.samples,
     };
     rendered(TESTS, &file, &text)
 }

@@ -2,7 +2,7 @@
 //! does not meet them; they are found by bisection, on the block's own program, one real input at a time.
 
 use crate::csv::{Reals, cell};
-use crate::stimulus::{Event, Window};
+use crate::stimulus::Event;
 use compiler::interp::Machine;
 use compiler::program::{Program, Type};
 use portable::{Literal, RealKind};
@@ -13,8 +13,7 @@ const NEIGHBOURS: i64 = 3;
 
 /// Pairs of cycles from `first` on: a reset, and the first cycle behind it with one real input near a change. All other
 /// reals are 0, feedforward is active, improved position control is off.
-#[must_use]
-pub fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
+pub(super) fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
     let mut probes = Vec::new();
     for (input, variable) in block.inputs.iter().enumerate().filter(|(_, variable)| variable.ty == Type::Real) {
         let mut values: Vec<i64> =
@@ -27,7 +26,7 @@ pub fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
     let event = |signal: &str, value: Literal, at: u64, length: u64| {
         let mut text = String::new();
         cell(value, Reals::Hexadecimal, &mut text);
-        Event { signal: signal.to_owned(), value: text, window: Window { at, length, every: 0 } }
+        Event::new(signal, &text, at, length, 0)
     };
     let length = 2 * probes.len() as u64;
     let mut events = Vec::new();

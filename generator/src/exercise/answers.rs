@@ -1,0 +1,115 @@
+//! What the reference answers in a trial, recorded once for all dialects.
+
+use super::run::Run;
+use super::trial::Trial;
+use compiler::print::st::literal;
+use compiler::program::{Off, Program};
+use portable::{Brake, Literal};
+use std::sync::{Arc, LazyLock};
+
+/// What the reference answers in a sample.
+#[derive(Clone, Debug)]
+pub(crate) struct Answer {
+    pub(crate) sample: usize,
+    /// whether it is turned off
+    pub(crate) is_off: bool,
+    /// whether it has to be called further on when it is turned off
+    pub(crate) is_busy: bool,
+    /// all outputs; of a zero its sign is not compared
+    pub(crate) outputs: Vec<Literal>,
+    /// those that differ from the answer before, as Structured Text
+    pub(crate) changes: Vec<Option<String>>,
+}
+
+/// The answers, recorded where they are first looked at: not every target prints them.
+pub(crate) type Recording = Arc<LazyLock<Vec<Answer>, Box<dyn FnOnce() -> Vec<Answer> + Send>>>;
+
+/// Runs the reference when somebody asks; `state_paths` are the paths of all leaves of its state.
+pub(crate) fn recording(
+    trial: Trial,
+    program: &Program,
+    state_paths: &[String],
+    start: impl FnOnce() -> Box<dyn Run> + Send + 'static,
+) -> Recording {
+    let works = Works::of(program, state_paths);
+    Arc::new(LazyLock::new(Box::new(move || record(&trial, &mut *start(), works))))
+}
+
+fn record(trial: &Trial, run: &mut dyn Run, works: Works) -> Vec<Answer> {
+    let (mut outputs, mut answers) = (Vec::new(), Vec::<Answer>::new());
+    for (sample, inputs) in trial.inputs().into_iter().enumerate() {
+        run.step(&inputs, &mut outputs);
+        if trial.compares(sample) {
+            let outputs: Vec<Literal> = outputs.iter().copied().map(unsigned_zero).collect();
+            let before = answers.last();
+            let change = |(at, value): (usize, &Literal)| {
+                let differs = before.is_none_or(|before| before.outputs[at] != *value);
+                differs.then(|| literal(*value))
+            };
+            answers.push(Answer {
+                sample,
+                is_off: trial.holding(sample).any(|turn| turn.is_off),
+                is_busy: works.shows(run, &outputs),
+                changes: outputs.iter().enumerate().map(change).collect(),
+                outputs,
+            });
+        }
+    }
+    answers
+}
+
+/// The value; of a zero without its sign.
+fn unsigned_zero(value: Literal) -> Literal {
+    match value {
+        // -0 + 0 is 0.
+        Literal::F64(value) => Literal::F64(value + 0.0),
+        Literal::F32(value) => Literal::F32(value + 0.0),
+        other => other,
+    }
+}
+
+/// What shows that a block that was turned off is not at rest yet.
+#[derive(Clone, Copy)]
+enum Works {
+    Never,
+    /// a part of the state
+    Fades(usize),
+    /// two outputs
+    Brakes {
+        velocity: usize,
+        state: usize,
+        resting: &'static [i32],
+    },
+}
+
+impl Works {
+    fn of(program: &Program, state_paths: &[String]) -> Self {
+        let output = |path: &str| program.outputs.iter().position(|output| output.path == path);
+        let found = match program.switch.as_ref().map(|switch| &switch.off) {
+            Some(Off::Mode(_, Some(fades))) => {
+                state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
+            }
+            Some(Off::Brake(Brake { velocity, state, resting })) => {
+                output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
+            }
+            Some(Off::Mode(_, None) | Off::False) | None => None,
+        };
+        found.unwrap_or(Self::Never)
+    }
+
+    fn shows(self, run: &dyn Run, outputs: &[Literal]) -> bool {
+        match self {
+            Self::Never => false,
+            Self::Fades(leaf) => {
+                let mut fades = false;
+                run.state(&[leaf], &mut |value| fades = value == Literal::Bool(true));
+                fades
+            }
+            Self::Brakes { velocity, state, resting } => {
+                let stands = matches!(outputs[velocity], Literal::F64(0.0) | Literal::F32(0.0));
+                let rests = matches!(outputs[state], Literal::I32(number) if resting.contains(&number));
+                !(stands && rests)
+            }
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! What happens to the inputs of a block in its exercise. When it happens, the kind of run says.
+
+use super::noise::Noise;
+use compiler::legalise::{Own, RealInput};
+use compiler::program::{Program, Variable};
+use compiler::{leaf, leaves};
+use portable::{Block, Literal, Real};
+use reference::signal::sample_limit;
+use std::ops::Range;
+
+/// What happens to the inputs of a block. Inputs have their position among all that the block can have.
+#[derive(Clone, Debug)]
+pub(crate) struct Exercise {
+    /// the inputs with which the block does all that it can; of one that counts, by how much it grows from sample to sample
+    pub(crate) usual: Vec<Literal>,
+    /// the real inputs that the axis reads: they get noise
+    pub(crate) reals: Vec<RealInput>,
+    /// the other inputs that it reads, each with its other values
+    pub(crate) switches: Vec<(usize, Vec<Literal>)>,
+    /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at rest
+    pub(crate) scales: [Literal; 3],
+    /// the factor of noise that is a part from 0 to 1
+    pub(crate) part: Literal,
+    /// what the block is led through, in samples from where that begins
+    pub(crate) drill: Vec<Turn>,
+    /// the inputs that matter where calls are counted
+    pub(crate) calls: Option<Calls>,
+    /// the input that turns the block off, and what it is then
+    pub(super) off: Option<(usize, Literal)>,
+    pub(super) not_a_number: Literal,
+    /// numbers that are out of range, or huge
+    pub(crate) beyond: Literal,
+    pub(super) huge: [Literal; 2],
+    /// how many cycles the block takes until it acts in full
+    pub(super) start: usize,
+    /// what is looked at: outputs, and parts of the state
+    pub(super) outputs: Vec<usize>,
+    pub(super) state: Vec<usize>,
+}
+
+/// Some samples in which an input is not as it mostly is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Turn {
+    pub(crate) samples: Range<usize>,
+    pub(crate) input: usize,
+    pub(crate) value: Literal,
+    /// whether the block is turned off, whatever turns it off
+    pub(crate) is_off: bool,
+}
+
+/// A part of what a block is led through, because noise alone would not: an input, its value, and the samples in which it has it,
+/// counted from where the drill begins.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drill {
+    pub(crate) input: &'static str,
+    pub(crate) value: Set,
+    pub(crate) samples: Range<usize>,
+}
+
+/// The value of an input in a drill.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Set {
+    Bool(bool),
+    I32(i32),
+    Real(f64),
+}
+
+/// What a block's folder says of its exercise.
+pub(crate) struct Wanted {
+    /// the ranges of the noise on its real inputs, each above 0: where no limit acts, and where limits do
+    pub(crate) ranges: [f64; 2],
+    pub(crate) start: usize,
+    pub(crate) drill: Vec<Drill>,
+    pub(crate) cycle_time_ns: u32,
+}
+
+/// The inputs that matter where calls are counted.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Calls {
+    pub(crate) counter: usize,
+    pub(super) reset: usize,
+}
+
+impl Exercise {
+    /// The exercise of a block; `state_paths` are the paths of all leaves of the reference's state.
+    pub(crate) fn of<R: Real, B: Block<R>>(
+        coeffs: &B::Coeffs,
+        (program, own): (&Program, &Own),
+        state_paths: &[String],
+        wanted: &Wanted,
+    ) -> Self {
+        let mut usual = exercised::<R, B>(coeffs);
+        let (reals, signals) = (own.reals(), own.signals());
+        let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
+        let counter = position("cycle_counter").filter(|input| signals.contains(input));
+        let calls = counter.and_then(|counter| Some(Calls { counter, reset: position("reset")? }));
+        // Where calls are counted, TwinCAT looks at the task if these are 0.
+        if let (Some(counter), Some(cycle)) = (counter, position("task_cycle_ns")) {
+            (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(wanted.cycle_time_ns));
+        }
+        let is_switch = |input: &usize| reals.iter().all(|real| real.position != *input);
+        let drill = wanted.drill.iter().filter_map(|part| {
+            let input = position(part.input).filter(|input| signals.contains(input))?;
+            let value = match part.value {
+                Set::Bool(value) => Literal::Bool(value),
+                Set::I32(value) => Literal::I32(value),
+                Set::Real(value) => leaf(R::lit(value)),
+            };
+            Some(Turn::new(part.samples.clone(), input, value))
+        });
+        let [quiet, loud] = wanted.ranges;
+        let huge = sample_limit::<R>() * R::lit(0.125);
+        Self {
+            drill: drill.collect(),
+            switches: signals.iter().copied().filter(is_switch).map(|input| (input, others(usual[input]))).collect(),
+            scales: [Noise::scale::<R>(quiet), Noise::scale::<R>(loud), leaf(R::ZERO)],
+            part: Noise::part::<R>(),
+            calls,
+            off: program.switch.as_ref().map(|switch| (switch.input, switch.off.value())),
+            not_a_number: leaf(R::lit(f64::NAN)),
+            beyond: leaf(sample_limit::<R>() + sample_limit::<R>()),
+            huge: [leaf(huge), leaf(-huge)],
+            start: wanted.start,
+            outputs: own.outputs.clone(),
+            state: kept(&own.program, state_paths),
+            usual,
+            reals,
+        }
+    }
+
+    /// The input that counts the calls.
+    pub(crate) fn counter(&self) -> Option<usize> {
+        self.calls.map(|calls| calls.counter)
+    }
+
+    /// The inputs of a sample but for what happens in it; calls are counted from 1 on.
+    pub(super) fn usual_at(&self, sample: usize) -> Vec<Literal> {
+        let mut inputs = self.usual.clone();
+        if let Some(counter) = self.counter() {
+            inputs[counter] = Literal::U32(u32::try_from(sample).unwrap_or(u32::MAX).wrapping_add(1));
+        }
+        inputs
+    }
+}
+
+impl Turn {
+    pub(super) fn new(samples: Range<usize>, input: usize, value: Literal) -> Self {
+        Self { samples, input, value, is_off: false }
+    }
+
+    /// The same so many samples later.
+    pub(super) fn later(&self, by: usize) -> Self {
+        Self { samples: self.samples.start + by..self.samples.end + by, ..self.clone() }
+    }
+}
+
+/// The inputs with which a block does all that it can.
+fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
+    let mut inputs = B::inputs(coeffs);
+    B::exercise(&mut inputs, coeffs);
+    leaves(&inputs)
+}
+
+/// Where the parts of a program's state stand among all leaves of the reference's.
+fn kept(program: &Program, state_paths: &[String]) -> Vec<usize> {
+    let place = |part: &Variable| state_paths.iter().position(|path| *path == part.path);
+    let places: Option<Vec<usize>> = program.state.iter().map(place).collect();
+    let places = places.expect("exercise: the program's state is part of the reference's");
+    assert!(places.is_sorted(), "exercise: the program's state is in another order than the reference's");
+    places
+}
+
+/// Other values of a switch; of an integer those beside it, and two far away.
+fn others(value: Literal) -> Vec<Literal> {
+    match value {
+        Literal::Bool(value) => vec![Literal::Bool(!value)],
+        Literal::I32(value) => [1, -1, 200, -200].map(|more| Literal::I32(value.wrapping_add(more))).into(),
+        Literal::U32(value) => vec![Literal::U32(value.wrapping_add(1))],
+        other => panic!("exercise: {other:?} is no switch"),
+    }
+}

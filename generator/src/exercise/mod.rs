@@ -1,0 +1,29 @@
+//! The exercise of a block: what it is put through by itself, and what the reference answers. Self-tests, on a controller or in a build, and
+//! runners on a user's own board take it. How a target prints it is elsewhere.
+//!
+//! ```text
+//! inputs     what happens to the inputs of a block
+//! run        the reference in operation, and the digest of what it shows
+//! noise      the integers that every target can make itself
+//! self_test  a few samples, each with a digest of outputs and state: a build that fuses, reorders or shortens operations
+//! trial      a run with the answers themselves: what a user can repeat on the controller
+//! answers    the reference's answers in a trial
+//! runner     a long run, of which only digests are kept
+//! ```
+
+mod answers;
+mod inputs;
+mod noise;
+mod run;
+pub mod runner;
+mod self_test;
+mod trial;
+
+pub(crate) use answers::{Answer, Recording, recording};
+pub use inputs::Drill;
+pub(crate) use inputs::{Exercise, Set, Turn, Wanted};
+pub(crate) use noise::Noise;
+pub use run::Run;
+pub(crate) use run::Running;
+pub(crate) use self_test::SelfTest;
+pub(crate) use trial::Trial;

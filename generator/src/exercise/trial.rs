@@ -1,0 +1,154 @@
+//! A run of a block that a user can repeat on the controller itself. No NaN, no infinity: some runtimes stop on them. What it does is so
+//! simple that every controller can do it too, to the bit.
+
+use super::inputs::{Exercise, Turn};
+use super::noise::Noise;
+use portable::Literal;
+use std::sync::Arc;
+
+/// What a run does.
+#[derive(Clone, Debug)]
+pub(crate) struct Trial {
+    pub(crate) exercise: Arc<Exercise>,
+    /// the first samples with the full noise, and at rest
+    pub(crate) scaled_from: [usize; 2],
+    /// the samples in which an input is not as it mostly is
+    pub(crate) turns: Vec<Turn>,
+    /// the samples that are compared: those before the first number, and those from the second one on
+    pub(crate) compared: [usize; 2],
+    /// how many samples there are
+    pub(crate) samples: usize,
+}
+
+/// Samples at the beginning that are compared.
+const BEGINNING: usize = 8;
+/// Samples with little noise behind the beginning, once the block acts in full.
+const QUIET_SAMPLES: usize = 24;
+/// Samples with the full noise.
+const LOUD_SAMPLES: usize = 8;
+/// From one turn to the next.
+const TURN_DISTANCE: usize = 5;
+/// For how long something stays turned.
+const TURN_LENGTH: usize = 2;
+/// From one jump of a real input to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+const JUMP_DISTANCE: usize = 3;
+/// Calls that are not regular, and by how much the counter grows there: one is missing, which is tolerated; many are missing, which is a
+/// pause; and twice the same one is there again, which is a fault.
+const IRREGULAR: [(usize, u32); 4] = [(0, 2), (10, 9), (20, 0), (21, 0)];
+/// Where a reset comes: behind the pause, and behind the fault.
+const RESETS: [usize; 2] = [12, 40];
+/// Samples at rest, at the end.
+const REST_SAMPLES: usize = 5;
+/// A run is not longer for a block that takes its time.
+const LONGEST_START: usize = 10_000;
+
+/// Turns one after the other.
+struct Plan {
+    turns: Vec<Turn>,
+    next: usize,
+}
+
+impl Plan {
+    /// One more, `length` samples long; the next one comes `distance` samples behind it.
+    fn add(&mut self, input: usize, value: Literal, length: usize, distance: usize) {
+        self.turns.push(Turn::new(self.next..self.next + length, input, value));
+        self.next += distance;
+    }
+
+    /// One that lies ahead of what comes next.
+    fn ahead(&mut self, after: usize, input: usize, value: Literal) {
+        let at = self.next + after;
+        self.turns.push(Turn::new(at..at + 1, input, value));
+    }
+}
+
+impl Trial {
+    /// What happens when: noise until the block acts in full, its drill, then one input after the other is turned or out of range.
+    pub(crate) fn of(exercise: &Arc<Exercise>) -> Self {
+        let acts_from = BEGINNING + exercise.start.min(LONGEST_START);
+        let drill_from = acts_from + QUIET_SAMPLES;
+        let drill: Vec<Turn> = exercise.drill.iter().map(|turn| turn.later(drill_from)).collect();
+        let loud_from = drill.iter().map(|turn| turn.samples.end).max().unwrap_or(drill_from);
+        let mut plan = Plan { turns: drill, next: loud_from + LOUD_SAMPLES };
+        let (counter, reals) = (exercise.counter(), &exercise.reals);
+        let switches = exercise.switches.iter().filter(|(input, _)| Some(*input) != counter);
+        let others = switches.clone().flat_map(|(input, values)| values.iter().map(|value| (*input, *value)));
+        for (input, value) in others.clone() {
+            plan.add(input, value, TURN_LENGTH, TURN_DISTANCE);
+        }
+        // Once more, each directly behind a fault.
+        for (input, value) in others.filter(|(_, value)| matches!(value, Literal::Bool(_))) {
+            reals.iter().take(1).for_each(|real| plan.ahead(0, real.position, exercise.beyond));
+            plan.next += 1;
+            plan.add(input, value, TURN_LENGTH, TURN_DISTANCE);
+        }
+        if let Some((input, value)) = exercise.off {
+            plan.add(input, value, TURN_LENGTH, TURN_DISTANCE);
+            plan.turns.iter_mut().rev().take(1).for_each(|turn| turn.is_off = true);
+        }
+        if let Some(calls) = exercise.calls {
+            IRREGULAR.iter().for_each(|(after, more)| plan.ahead(*after, calls.counter, Literal::U32(*more)));
+            RESETS.iter().for_each(|after| plan.ahead(*after, calls.reset, Literal::Bool(true)));
+            plan.next += RESETS[1] + TURN_DISTANCE;
+        }
+        for value in [exercise.beyond, exercise.huge[0], exercise.huge[1]] {
+            reals.iter().for_each(|real| plan.add(real.position, value, 1, JUMP_DISTANCE));
+        }
+        // What is huge is forgotten, and then nothing moves any more.
+        let is_false = |(input, _): &&(usize, _)| exercise.usual[*input] == Literal::Bool(false);
+        switches.clone().find(is_false).into_iter().for_each(|(input, _)| plan.ahead(0, *input, Literal::Bool(true)));
+        Self {
+            exercise: exercise.clone(),
+            scaled_from: [loud_from, plan.next],
+            samples: plan.next + REST_SAMPLES,
+            turns: plan.turns,
+            compared: [BEGINNING, acts_from],
+        }
+    }
+
+    /// Whether an input is a part of something.
+    pub(crate) fn has_parts(&self) -> bool {
+        self.exercise.reals.iter().any(|real| real.is_fraction)
+    }
+
+    /// Whether the answers in a sample are compared.
+    pub(crate) fn compares(&self, sample: usize) -> bool {
+        sample < self.compared[0] || sample >= self.compared[1]
+    }
+
+    /// The turns that hold in a sample.
+    pub(crate) fn holding(&self, sample: usize) -> impl Iterator<Item = &Turn> {
+        self.turns.iter().filter(move |turn| turn.samples.contains(&sample))
+    }
+
+    /// The turns of an input, in which it has other values.
+    pub(crate) fn turns_of(&self, input: usize) -> impl Iterator<Item = &Turn> {
+        self.turns.iter().filter(move |turn| turn.input == input)
+    }
+
+    /// The inputs of every sample, in the order of all inputs.
+    pub(crate) fn inputs(&self) -> Vec<Vec<Literal>> {
+        let exercise = &*self.exercise;
+        let (mut noise, mut count) = (Noise::default(), 0u32);
+        let sample = |sample: usize| {
+            let scale = exercise.scales[self.scaled_from.iter().filter(|from| sample >= **from).count()];
+            let mut inputs = exercise.usual.clone();
+            for real in &exercise.reals {
+                let number = noise.next(real, [scale, exercise.part]);
+                // At first a part stays, so that the block has usual cycles.
+                if !(real.is_fraction && sample < self.scaled_from[0]) {
+                    inputs[real.position] = number;
+                }
+            }
+            self.holding(sample).for_each(|turn| inputs[turn.input] = turn.value);
+            if let Some(counter) = exercise.counter()
+                && let Literal::U32(more) = inputs[counter]
+            {
+                count = count.wrapping_add(more);
+                inputs[counter] = Literal::U32(count);
+            }
+            inputs
+        };
+        (0..self.samples).map(sample).collect()
+    }
+}

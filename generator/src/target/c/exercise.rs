@@ -1,0 +1,97 @@
+//! What the self-test and the runner of a block have in common in C: the noise on its inputs, and the digest of what it shows.
+
+use crate::exercise::Noise;
+use crate::target::Legal;
+use crate::target::outline::COMMENT_WIDTH;
+use askama::Template;
+use compiler::legalise::RealInput;
+use compiler::print::{Printer, c::LANGUAGE};
+use compiler::program::{Type, Variable};
+use portable::RealKind;
+
+/// The functions of the noise and of the digest, and what calls them.
+#[derive(Template)]
+#[template(path = "c/exercise.c")]
+pub(super) struct CExercise<'a> {
+    /// what the names of the functions begin with
+    pub(super) owner: String,
+    /// whether integers are drawn beside those on the real inputs
+    pub(super) draws: bool,
+    pub(super) real: &'a str,
+    pub(super) bits: usize,
+    /// what the numbers of this real type end with
+    pub(super) suffix: &'a str,
+    /// the factors of the noise: little, full
+    pub(super) scales: [String; 2],
+    /// the inputs that get noise, each with what draws it
+    pub(super) reals: Vec<(&'a str, String)>,
+    /// whether one of them is no part from 0 to 1: its noise is scaled
+    pub(super) is_scaled: bool,
+    /// the other inputs as they mostly are
+    pub(super) usual: Vec<(&'a str, String)>,
+    /// the input that counts the calls
+    pub(super) counter: Option<&'a str>,
+    /// what takes each output, and each part of the state, into the digest
+    pub(super) folded: Vec<String>,
+    /// the digests, some in a line
+    pub(super) expected: String,
+}
+
+impl CExercise<'_> {
+    /// Whether a real is taken into the digest.
+    fn folds_reals(&self) -> bool {
+        self.folded.iter().any(|call| call.contains("_fold_real("))
+    }
+}
+
+/// The exercise as C has it; `owner` is what its functions begin with, `random` where its integers come from.
+pub(super) fn of<'p>(
+    block: &Legal<'_>,
+    printer: &'p Printer<'_>,
+    (owner, random): (&str, &str),
+    expected: &[u32],
+) -> CExercise<'p> {
+    let (program, exercise) = (&*block.program, &*block.block.exercise);
+    let (real, part) = (LANGUAGE.ty(Type::Real, program.real), (LANGUAGE.literal)(exercise.part));
+    let noise = |of: &RealInput| match of.is_fraction {
+        true => format!("({real}){owner}_integer({random}) * {part}"),
+        false => format!("{owner}_noise({random}, scale)"),
+    };
+    let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
+        variables.iter().zip(names).map(|(variable, member)| fold(owner, of, variable, member)).collect()
+    };
+    let names = printer.names();
+    let name = |position| block.input(&names.inputs, position);
+    let [quiet, loud, _] = exercise.scales.map(LANGUAGE.literal);
+    CExercise {
+        draws: false,
+        real,
+        bits: if program.real == RealKind::F64 { 64 } else { 32 },
+        suffix: if program.real == RealKind::F64 { "" } else { "f" },
+        scales: [quiet, loud],
+        reals: exercise.reals.iter().map(|real| (name(real.position), noise(real))).collect(),
+        is_scaled: exercise.reals.iter().any(|real| !real.is_fraction),
+        usual: block.usual(&names.inputs, LANGUAGE.literal),
+        counter: exercise.counter().map(name),
+        folded: [folded("outputs", &program.outputs, &names.outputs), folded("state", &program.state, &names.state)]
+            .concat(),
+        expected: in_lines(expected),
+        owner: owner.to_owned(),
+    }
+}
+
+fn fold(owner: &str, of: &str, variable: &Variable, member: &str) -> String {
+    match variable.ty {
+        Type::Real => format!("{owner}_fold_real(digest, {of}.{member})"),
+        Type::I32 => format!("{owner}_fold(digest, (uint32_t){of}.{member})"),
+        Type::Bool | Type::U32 => format!("{owner}_fold(digest, {of}.{member})"),
+    }
+}
+
+/// Words in lines that fit.
+fn in_lines(words: &[u32]) -> String {
+    let words: Vec<String> = words.iter().map(|word| format!("UINT32_C(0x{word:08x})")).collect();
+    let in_line = COMMENT_WIDTH / ("UINT32_C(0x00000000), ".len());
+    let lines: Vec<String> = words.chunks(in_line).map(|line| line.join(", ")).collect();
+    lines.join(",\n    ")
+}
