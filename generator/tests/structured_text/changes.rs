@@ -80,7 +80,7 @@ fn a_weight_changes_its_own_lines_only() {
             let says_the_weight =
                 ["weight", "-0.81", "the stage adds", sum_limit].iter().any(|word| line.contains(word));
             let is_expected =
-                line.trim_start().starts_with("0x") || line.contains("UINT64_C(0x") || line.contains("expected_");
+                line.trim_start().starts_with("0x") || line.contains("UINT32_C(0x") || line.contains("expected_");
             let is_certified =
                 ["range:", "designed", "measured", "before the limit", " precision"].iter().any(|it| line.contains(it));
             let is_macro =
