@@ -1,6 +1,6 @@
-//! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table, as JSON, as a picture.
+//! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table or as JSON.
 
-use crate::arguments::{Analysis, DriveArguments, SetArguments};
+use crate::arguments::{DriveArguments, SetArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
@@ -33,14 +33,14 @@ pub fn run(
     format: Format,
     axis: Option<&str>,
     drive: &DriveArguments,
-    to: &Analysis,
+    is_for_machines: bool,
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     let axes: Vec<&Designed> = match axis {
         Some(name) => vec![input::axis(&set, Some(name))?],
         None => set.axes.iter().collect(),
     };
-    if to.json {
+    if is_for_machines {
         let all: Vec<Value> = axes.iter().map(|designed| as_json(designed)).collect();
         let one = if axis.is_some() { all.into_iter().next().unwrap_or_default() } else { Value::Array(all) };
         output::line(format!("{one:#}"))?;

@@ -127,8 +127,9 @@ pub enum Command {
         axis: Option<String>,
         #[command(flatten)]
         drive: DriveArguments,
-        #[command(flatten)]
-        to: Analysis,
+        /// Print it for machines: JSON
+        #[arg(long)]
+        json: bool,
     },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
@@ -303,20 +304,6 @@ pub struct DriveArguments {
     /// Integral time of the speed controller, for a response from the current
     #[arg(long, value_name = "TIME")]
     pub speed_integral_time: Option<String>,
-}
-
-/// Where an analysis goes.
-#[derive(Args)]
-pub struct Analysis {
-    /// Print it for machines: JSON
-    #[arg(long)]
-    pub json: bool,
-    /// SVG file for the picture of one axis
-    #[arg(long, value_name = "FILE")]
-    pub picture: Option<PathBuf>,
-    /// Replace any file of that name, not only an earlier picture
-    #[arg(long, requires = "picture")]
-    pub force: bool,
 }
 
 /// Where a single file goes.

@@ -16,7 +16,7 @@ pub(crate) fn of_stage(coeffs: &stage::Coeffs<f64>, t: f64) -> Complex {
     }
     let mut h = Complex::from(coeffs.gain);
     if coeffs.mode != Mode::Direct {
-        h = h * of_oscillation(&coeffs.oscillation, t);
+        h *= of_oscillation(&coeffs.oscillation, t);
     }
     coeffs.filter.iter().fold(h, |h, filter| h * of_filter(filter, t))
 }

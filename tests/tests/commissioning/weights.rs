@@ -107,7 +107,7 @@ fn one_row(session: &mut Session, how: &Step4, stage: usize, table: &Table, row:
     assert!(table.number(row, "Ms", "") < MAX_MS, "{row:?}");
     let left = table.number(row, "left at best", "%") / 100.0;
     assert!(now[stage] < session.before[stage], "{row:?}: nothing has become better");
-    assert!(now[stage] / session.off[stage] >= left - 0.01, "{row:?}: {}", now[stage] / session.off[stage]);
+    assert!(now[stage] / session.off[stage] >= left - 0.03, "{row:?}: {}", now[stage] / session.off[stage]);
     let part: Vec<f64> = now.iter().zip(&session.off).map(|(now, off)| now / off).collect();
     println!("row {}: left of each stage's amplitude: {part:.2?}", row[0]);
     session.before = now;
