@@ -18,6 +18,7 @@ use crate::case::named_block;
 use crate::subject::Subject;
 use generator::axis::DriveModel;
 use generator::blocks::Designed;
+use loop_margins::OfPlant;
 use machine::Machine;
 use machine::closed_loop::{self, Position, Record, Signals, UM};
 use machine::drive::{Drive, Setup};
@@ -125,6 +126,7 @@ fn only(designed: &Designed, stage: Option<usize>) -> Designed {
 struct Setting {
     moved: Moved,
     model: DriveModel,
+    of_plant: Option<OfPlant>,
     filter: Option<ResponseFilter>,
     position: Position,
     sequence: Sequence,
@@ -144,14 +146,14 @@ impl Setting {
             Moved::Drive => axis.drive.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
         };
         let model = match moved {
-            Moved::Demonstration => loop_margins::of_plant(&plant(cycle), kv),
+            Moved::Demonstration => DriveModel::default(),
             Moved::Drive => {
                 let delay = axis.drive.delay_cycles.unwrap_or(Setup::DELAY.delay);
                 DriveModel { delay_cycles: Some(delay), position_gain: Some(kv), ..axis.drive.clone() }
             }
         };
-        let filter = model.response.as_ref().filter(|_| moved == Moved::Drive);
-        let filter = filter.map(|measured| ResponseFilter::new(&measured.response, cycle));
+        let of_plant = (moved == Moved::Demonstration).then(|| OfPlant::new(&plant(cycle), kv));
+        let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle));
         let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::min);
         let usual = match moved {
             Moved::Demonstration => Sequence::DEMONSTRATION.dwell,
@@ -163,7 +165,7 @@ impl Setting {
         let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;
         let frequencies = stages.iter().map(|(_, f0)| *f0).collect();
         let position = Position { kv, ..Position::DEMONSTRATION };
-        Self { moved, model, filter, position, sequence, cycle, frequencies, fade }
+        Self { moved, model, of_plant, filter, position, sequence, cycle, frequencies, fade }
     }
 
     fn machine(&self) -> Box<dyn Machine> {
@@ -204,14 +206,17 @@ impl Setting {
         (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
         let record = closed_loop::run(self.machine(), &self.position, &self.sequence, &mut cycle);
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
-        let margins = loop_margins::margins(&loop_of, &self.model);
+        let ms = match &self.of_plant {
+            Some(of_plant) => of_plant.ms(&loop_of),
+            None => loop_margins::ms(&loop_of, &self.model),
+        };
         let (amplitudes, following_error) = self.measured(&record);
         Ok(Row {
             name: name.to_owned(),
             amplitudes,
             following_error,
             peak_v_add: peak(&record.v_add),
-            ms: margins.ms.filter(|_| margins.stable).map(|[ms, _]| ms),
+            ms,
             at_limit: at_limit(&record, &limited[self.fade..]),
             error_id,
             record,
