@@ -9,6 +9,7 @@
 //! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
 //! scenario   the inputs that an NC program makes, in a loop with a machine; svg: its picture, as text
+//! simulate   improved position control in the loop of an axis, with and without it: figures, pictures, CSV
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
@@ -24,6 +25,7 @@ pub mod recording;
 pub mod samples;
 pub mod scenario;
 pub mod shows;
+pub mod simulate;
 pub mod source;
 pub mod stimulus;
 pub mod subject;

@@ -4,6 +4,7 @@ use crate::emit;
 use crate::messages::Format;
 use crate::results::Files;
 use crate::run;
+use crate::simulate;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
@@ -130,6 +131,18 @@ pub enum Command {
         /// Print it for machines: JSON
         #[arg(long)]
         json: bool,
+    },
+    /// Runs the block of an axis in a closed loop with a drive, off against on: vibrations, following error, stability
+    Simulate {
+        #[command(flatten)]
+        set: SetArguments,
+        /// The axis; optional if the set has only one
+        #[arg(long, value_name = "X")]
+        axis: Option<String>,
+        #[command(flatten)]
+        drive: DriveArguments,
+        #[command(flatten)]
+        to: Simulated,
     },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
@@ -304,6 +317,27 @@ pub struct DriveArguments {
     /// Integral time of the speed controller, for a response from the current
     #[arg(long, value_name = "TIME")]
     pub speed_integral_time: Option<String>,
+}
+
+/// What is simulated, and where it goes.
+#[derive(Args)]
+pub struct Simulated {
+    /// A machine with mechanics in the place of the drive
+    #[arg(long, value_name = "PLANT", value_parser = ["demonstration"],
+        conflicts_with_all = ["delay", "time_constant", "response", "response_from", "speed_gain", "speed_integral_time"])]
+    pub plant: Option<String>,
+    /// Time at constant speed, each way: 2s [default: 1.5s, longer where the ripple needs it]
+    #[arg(long, value_name = "TIME", value_parser = simulate::dwell)]
+    pub dwell: Option<f64>,
+    /// CSV file for both runs, a line each cycle
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// SVG file for the picture
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Replace any files of these names, not only earlier outputs of this command
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Where a single file goes.

@@ -29,6 +29,7 @@ mod scenario;
 mod schema;
 mod shared;
 mod shell;
+mod simulate;
 mod verify;
 
 use arguments::{Cli, Command, Golden, OneFile, ToFile};
@@ -71,6 +72,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             verify::run_scenario(&set, format, &request, &engines, &results)
         }
         Command::Analyze { set, axis, drive, json } => analyze::run(&set, format, axis.as_deref(), &drive, json),
+        Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Scenario { set, program, axis, block, stimulus, picture, force } => {
             let request = scenario::Request { axis, block, program, stimulus, picture, force };
             scenario::run(&set, format, &request)

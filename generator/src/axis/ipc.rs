@@ -53,7 +53,7 @@ impl Ipc {
 
     /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded
     /// up to whole cycles.
-    pub(crate) fn fade_time(&self) -> f64 {
+    pub fn fade_time(&self) -> f64 {
         let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
         lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))

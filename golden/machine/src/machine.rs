@@ -27,3 +27,21 @@ pub trait Machine {
     /// One cycle with a velocity command, which is held. Gives what the controller reads when it computes the next command.
     fn step(&mut self, v_cmd: f64) -> Measured;
 }
+
+impl<M: Machine + ?Sized> Machine for Box<M> {
+    fn cycle(&self) -> f64 {
+        (**self).cycle()
+    }
+
+    fn delay_cycles(&self) -> usize {
+        (**self).delay_cycles()
+    }
+
+    fn now(&self) -> Measured {
+        (**self).now()
+    }
+
+    fn step(&mut self, v_cmd: f64) -> Measured {
+        (**self).step(v_cmd)
+    }
+}

@@ -110,9 +110,11 @@ pub fn brick_wall(samples: &[f64], cycle: f64, band: [f64; 2]) -> Vec<f64> {
     for k in lines.take_while(|k| k / (length * cycle) <= band[1]) {
         let w = TAU * k / length;
         let [re, im] = fourier(samples, w);
-        for (n, filtered) in filtered.iter_mut().enumerate() {
-            let turn = w * n as f64;
-            *filtered += 2.0 / length * (re * libm::cos(turn) - im * libm::sin(turn));
+        let (cos, sin) = (libm::cos(w), libm::sin(w));
+        let mut turn = [1.0, 0.0];
+        for filtered in &mut filtered {
+            *filtered += 2.0 / length * (re * turn[0] - im * turn[1]);
+            turn = [turn[0] * cos - turn[1] * sin, turn[0] * sin + turn[1] * cos];
         }
     }
     filtered

@@ -1,5 +1,6 @@
 //! The loop that improved position control closes, judged by what shares no line with the crate `stability`: eigenvalues of the whole loop,
 //! a fine grid of frequencies, the emitted C in the loop.
+#![expect(clippy::print_stdout, reason = "the figures of a report")]
 
 mod eigenvalues;
 mod emitted;

@@ -78,7 +78,7 @@ pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     if let Some(damping) = stage.mode.osc_damping() {
         let g = warped(stage.f0(), of.cycle_time);
         let im = 2.0 * damping * g * t;
-        h *= Complex { re: g * g, im } / Complex { re: (g - t) * (g + t), im });
+        h *= Complex { re: g * g, im } / Complex { re: (g - t) * (g + t), im };
     }
     for FilterDesign { filter, band, .. } in of.filter.iter().flatten() {
         let kind = kinds::of(filter).expect("certificate: a designed filter has a type");

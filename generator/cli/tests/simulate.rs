@@ -1,0 +1,132 @@
+//! `axgen simulate`: the table of the demonstration plant with the shipped example, a drive whose ripple answers as its analysis says, a
+//! measured response as a machine, and loops that oscillate.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use tempfile::TempDir;
+
+const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/rack-and-pinion.lis");
+
+/// The exit code and what was printed.
+fn simulate(at: &Path, arguments: &str) -> (i32, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    command.current_dir(at).args(["simulate", "example.lis", "--cycle-time", "1ms"]).args(arguments.split_whitespace());
+    let output = command.output().unwrap();
+    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+}
+
+/// The shipped example, with another damping of its INDIRECT stage.
+fn example(damping: &str) -> TempDir {
+    let text = fs::read_to_string(EXAMPLE).unwrap();
+    let line = |value: &str| format!("stage[1].filter.damping    {value}\n");
+    assert_eq!(text.matches(&line("0.8")).count(), 1);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("example.lis"), text.replace(&line("0.8"), &line(damping))).unwrap();
+    folder
+}
+
+/// The numbers of a row.
+fn row(text: &str, name: &str) -> Vec<f64> {
+    let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
+    let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));
+    row.split_whitespace().map(|cell| cell.parse().unwrap_or_else(|_| panic!("{name}: {cell}"))).collect()
+}
+
+fn assert_near(what: &str, found: f64, expected: f64, tolerance: f64) {
+    assert!((found / expected - 1.0).abs() <= tolerance, "{what}: {found}, {expected} expected");
+}
+
+#[test]
+fn the_demonstration_plant_gives_its_table() {
+    let folder = example("0.8");
+    let (code, text) = simulate(folder.path(), "--plant demonstration");
+    assert_eq!(code, 0, "{text}");
+    // 53 Hz, 11 Hz, ring-down, Ms
+    let rows = [
+        ("off", [0.810, 0.518, 0.869, 1.11]),
+        ("stage 0 alone", [0.361, 0.514, 0.879, 1.50]),
+        ("stage 1 alone", [0.833, 0.166, 0.325, 1.99]),
+        ("all", [0.366, 0.168, 0.334, 1.95]),
+    ];
+    for (name, expected) in rows {
+        let found = row(&text, name);
+        for (column, expected) in [0, 1, 2, 5].into_iter().zip(expected) {
+            assert_near(&format!("{name}, column {column}"), found[column], expected, 0.02);
+        }
+    }
+    // The definition does not say with which cycle's command the position is compared: one cycle is 0.53 mm at full speed.
+    assert_near("following error off", row(&text, "off")[3], 0.70, 0.12);
+    assert_near("following error", row(&text, "all")[3], 2.31, 0.12);
+}
+
+#[test]
+fn little_damping_is_unstable() {
+    let (code, text) = simulate(example("0.2").path(), "--plant demonstration");
+    assert_eq!(code, 1, "{text}");
+    assert!(text.contains("the loop is unstable") && text.contains("unstable\n"), "{text}");
+}
+
+/// A ripple that no command asked for becomes |S| times as large.
+#[test]
+fn a_drive_answers_a_ripple_as_its_sensitivity_says() {
+    let folder = example("0.8");
+    let (code, text) = simulate(folder.path(), "--delay 2");
+    assert_eq!(code, 0, "{text}");
+    let [off, all] = ["off", "all"].map(|name| row(&text, name));
+    assert_near("11 Hz off", off[1], off_at(11.0), 0.02);
+    assert_near("53 Hz off", off[0], off_at(53.0), 0.02);
+    assert!(all[0] < 0.5 * off[0] && all[1] < 0.5 * off[1], "{text}");
+}
+
+/// |S| of the position loop alone: Kv 20/s, two cycles of delay at 1 ms.
+fn off_at(hz: f64) -> f64 {
+    let w = std::f64::consts::TAU * hz * 1e-3;
+    // L = Kv T / (1 - z^-1) z^-2: the position is the sum of the velocities up to the same cycle.
+    let gain = 20.0 * 1e-3 / (2.0 * (w / 2.0).sin());
+    let angle = -2.0 * w + w / 2.0 - std::f64::consts::FRAC_PI_2;
+    1.0 / (1.0 + gain * angle.cos()).hypot(gain * angle.sin())
+}
+
+/// A response that is a delay of two cycles and a time constant of 3 ms: the same as the drive with these numbers.
+#[test]
+fn a_response_drives_as_what_it_was_measured_on() {
+    let folder = example("0.8");
+    let e = (-1.0_f64 / 3.0).exp();
+    let line = |k: u32| {
+        let hz = f64::from(k) * 0.25;
+        let w = std::f64::consts::TAU * hz * 1e-3;
+        let (re, im) = (1.0 - e * w.cos(), e * w.sin());
+        format!("{hz},{},{}\n", (1.0 - e) / re.hypot(im), (-2.0 * w - im.atan2(re)).to_degrees())
+    };
+    let lines: String = (1..2000).map(line).collect();
+    fs::write(folder.path().join("p.csv"), format!("f [Hz],magnitude,phase [deg]\n{lines}")).unwrap();
+    let (code, measured) = simulate(folder.path(), "--response p.csv");
+    assert_eq!(code, 0, "{measured}");
+    let deviation = measured.lines().find_map(|line| line.strip_prefix("its filter differs from the response by "));
+    let deviation: f64 = deviation.unwrap().split(' ').next().unwrap().parse().unwrap();
+    assert!(deviation < 1.0, "{measured}");
+    let (_, stated) = simulate(folder.path(), "--delay 2 --time-constant 3ms");
+    for name in ["off", "stage 0 alone", "stage 1 alone", "all"] {
+        for (found, expected) in row(&measured, name).into_iter().zip(row(&stated, name)) {
+            assert!((found - expected).abs() <= 0.01 * expected + 0.02, "{name}: {measured}{stated}");
+        }
+    }
+}
+
+#[test]
+fn files_are_written_and_kept() {
+    let folder = example("0.8");
+    let at = folder.path();
+    for _ in 0..2 {
+        assert_eq!(simulate(at, "--csv s.csv --picture s.svg").0, 0);
+    }
+    let csv = fs::read_to_string(at.join("s.csv")).unwrap();
+    assert!(csv.lines().count() > 4000 && csv.lines().all(|line| line.split(',').count() == 9));
+    let svg = fs::read_to_string(at.join("s.svg")).unwrap();
+    roxmltree::Document::parse(&svg).unwrap();
+    assert_eq!(simulate(at, "--csv s.svg").0, 2, "a picture is no earlier CSV file");
+    assert_eq!(simulate(at, "--dwell 0.1s").0, 2);
+}

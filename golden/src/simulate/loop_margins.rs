@@ -1,0 +1,119 @@
+//! Ms of the loop that is simulated: of the axis by its analysis, of the position loop alone, and the response of the demonstration plant.
+
+use generator::analysis;
+use generator::axis::{DriveModel, MeasuredDrive};
+use generator::blocks::Designed;
+use machine::Machine;
+use machine::measure::fourier;
+use machine::plant::Plant;
+use stability::{Band, Complex64, Controller, Drive, Loop, Margins, Points, Response, STAGES};
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// Cycles of the plant's impulse response: 16 s at 1 ms, in which every vibration of it is gone.
+const CYCLES: usize = 16_384;
+/// Lines of its response, and the lowest one [Hz].
+const LINES: u32 = 2_000;
+const LOWEST: f64 = 0.5;
+/// The plant is linear without its mesh: any impulse does [m/s].
+const IMPULSE: f64 = 1.0;
+
+/// Ms of the loop with the stages of an axis; none: unstable, or perhaps so.
+pub(super) fn ms(designed: &Designed, model: &DriveModel) -> Option<f64> {
+    margins(designed, model).ms.map(|[ms, _]| ms)
+}
+
+/// The loop with the stages of an axis; without stages the position loop alone.
+fn margins(designed: &Designed, model: &DriveModel) -> Margins {
+    match analysis::analyze(designed, model).drives.into_iter().next() {
+        Some(of) if is_on(designed) => of.margins,
+        _ => of_position(designed.axis.cycle_time(), model),
+    }
+}
+
+/// Whether a stage acts.
+fn is_on(designed: &Designed) -> bool {
+    designed.axis.ipc.stage.iter().any(Option::is_some)
+}
+
+/// The position loop alone.
+fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
+    let drive = match &model.response {
+        Some(measured) => Drive::Measured(&measured.response),
+        None => Drive::Delay { cycles: model.delay_cycles.unwrap_or(1.0), time_constant: model.time_constant },
+    };
+    let nyquist = 0.5 / cycle_time;
+    let controller = Controller {
+        cycle_time,
+        weight: [0.0; STAGES],
+        stage: Box::new(|_| [Complex64::new(0.0, 0.0); STAGES]),
+        // Where a position loop has its corner, about.
+        bands: vec![Band { centre: nyquist / 50.0, width: nyquist / 50.0 }],
+        position_gain: model.position_gain,
+    };
+    let points = Points::new(controller, &[drive]);
+    Loop::new(&points, drive).margins()
+}
+
+/// A loop whose drive is a plant: its position is measured, not the sum of its measured velocities.
+pub(super) struct OfPlant {
+    /// its response from v_cmd to the measured v_motor, and the gain of its position controller
+    pub model: DriveModel,
+    /// from v_cmd to the change of the measured position in a cycle, by the cycle
+    change: Response,
+    cycle: f64,
+}
+
+impl OfPlant {
+    /// From its impulse response; the gain of the position controller is in 1/s.
+    pub(super) fn new(plant: &Plant, position_gain: f64) -> Self {
+        let mut running = plant.without_mesh().at_rest();
+        let cycle = running.cycle();
+        // What is measured in a cycle is the answer to the commands before.
+        let (mut v, mut change, mut x) = (vec![0.0], vec![0.0], 0.0);
+        for n in 0..CYCLES {
+            let measured = running.step(if n == 0 { IMPULSE } else { 0.0 });
+            v.push(measured.v_motor / IMPULSE);
+            change.push((measured.x - x) / cycle / IMPULSE);
+            x = measured.x;
+        }
+        let response = |samples: &[f64]| {
+            let hz = frequencies(cycle);
+            let lines = hz.iter().map(|hz| fourier(samples, TAU * hz * cycle));
+            let lines: Vec<Complex64> = lines.map(|[re, im]| Complex64::new(re, im)).collect();
+            Response::new(&hz, &lines, &vec![0.0; hz.len()], cycle)
+        };
+        let measured = MeasuredDrive { file: "the demonstration plant".to_owned(), response: Arc::new(response(&v)) };
+        let model =
+            DriveModel { response: Some(measured), position_gain: Some(position_gain), ..DriveModel::default() };
+        Self { model, change: response(&change), cycle }
+    }
+
+    /// Ms of the loop with the stages of an axis; none: unstable.
+    pub(super) fn ms(&self, designed: &Designed) -> Option<f64> {
+        if !margins(designed, &self.model).stable {
+            return None;
+        }
+        let without = DriveModel { position_gain: None, ..self.model.clone() };
+        let of_stages = analysis::analyze(designed, &without).drives.into_iter().next().filter(|_| is_on(designed));
+        let open: Vec<(f64, Complex64)> = match of_stages {
+            Some(of) => of.curve.iter().map(|point| (point.hz, point.open)).collect(),
+            None => frequencies(self.cycle).into_iter().map(|hz| (hz, Complex64::new(0.0, 0.0))).collect(),
+        };
+        let nearest = open.iter().map(|(hz, open)| (1.0 + open + self.position(*hz)).norm_sqr());
+        Some(1.0 / nearest.fold(f64::INFINITY, f64::min).sqrt())
+    }
+
+    /// The part of the open loop that is the position loop.
+    fn position(&self, hz: f64) -> Complex64 {
+        let (sin, cos) = libm::sincos(TAU * hz * self.cycle);
+        let gain = self.model.position_gain.unwrap_or(0.0) * self.cycle;
+        self.change.value(hz) * gain / Complex64::new(1.0 - cos, sin)
+    }
+}
+
+/// From the lowest line to the Nyquist frequency, evenly on a logarithmic scale [Hz].
+fn frequencies(cycle: f64) -> Vec<f64> {
+    let part = |k: u32| f64::from(k) / f64::from(LINES - 1);
+    (0..LINES).map(|k| LOWEST * libm::pow(0.5 / cycle / LOWEST, part(k))).collect()
+}

@@ -1,0 +1,131 @@
+//! A measured response as a machine: the velocity of the motor is the command through its impulse response. No file, no parameter.
+
+use machine::{Machine, Measured};
+use stability::{Complex64, Response};
+use std::f64::consts::TAU;
+
+/// Length of an impulse response [s], and its cycles at most: what rings longer is cut off, which the deviation shows.
+const LENGTH: f64 = 4.0;
+const MOST: usize = 16_384;
+/// Later values are left out where all of them together are below this part of all.
+const NEGLIGIBLE: f64 = 1e-7;
+/// Sums that are built beside each other: the compiler makes vectors of them.
+const LANES: usize = 8;
+
+/// A drive as it was measured, while it runs.
+#[derive(Clone, Debug)]
+pub struct ResponseFilter {
+    cycle: f64,
+    /// the impulse response, the latest value first; the last one acts a cycle behind its command
+    taps: Vec<f64>,
+    /// all commands, behind as many zeros as there are taps
+    commands: Vec<f64>,
+    now: Measured,
+}
+
+impl ResponseFilter {
+    /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. What the response does
+    /// before its command, or in the same cycle, no machine can do: it is left out.
+    #[must_use]
+    pub fn new(response: &Response, cycle: f64) -> Self {
+        let impulse = impulse(response, cycle);
+        let all: f64 = impulse.iter().map(|value| value.abs()).sum();
+        let mut rest = 0.0;
+        let late = impulse.iter().rev().take_while(|value| {
+            rest += value.abs();
+            rest <= NEGLIGIBLE * all
+        });
+        let length = (impulse.len() - late.count()).max(2);
+        let taps: Vec<f64> = impulse[1..length].iter().rev().copied().collect();
+        Self { cycle, commands: vec![0.0; taps.len()], taps, now: Measured::default() }
+    }
+
+    /// The largest difference from the response at its own lines, as a part of its largest magnitude; and the frequency [Hz].
+    #[must_use]
+    pub fn deviation(&self, response: &Response) -> [f64; 2] {
+        let (mut worst, mut at, mut largest) = (0.0, 0.0, f64::MIN_POSITIVE);
+        let lines = response.frequencies().iter().filter(|hz| **hz * self.cycle <= 0.5);
+        for hz in lines {
+            let wanted = response.value(*hz);
+            let difference = (self.value(*hz) - wanted).norm_sqr().sqrt();
+            largest = wanted.norm_sqr().sqrt().max(largest);
+            if difference > worst {
+                (worst, at) = (difference, *hz);
+            }
+        }
+        [worst / largest, at]
+    }
+
+    /// Its own response at a frequency [Hz].
+    fn value(&self, hz: f64) -> Complex64 {
+        let turn = turned(-TAU * hz * self.cycle);
+        // Horner: the latest value is the highest power.
+        self.taps.iter().fold(Complex64::new(0.0, 0.0), |sum, tap| (sum + tap) * turn)
+    }
+}
+
+fn turned(angle: f64) -> Complex64 {
+    let (sin, cos) = libm::sincos(angle);
+    Complex64::new(cos, sin)
+}
+
+/// The first half of the inverse transform: the second one is what would be before the command.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
+fn impulse(response: &Response, cycle: f64) -> Vec<f64> {
+    let half = ((LENGTH / cycle) as usize).clamp(LANES, MOST).next_power_of_two() / 2;
+    let length = 2 * half;
+    let turns: Vec<Complex64> = (0..length).map(|n| turned(TAU * n as f64 / length as f64)).collect();
+    let lines: Vec<Complex64> = (0..=half)
+        .map(|k| {
+            let value = response.value(k as f64 / (length as f64 * cycle));
+            // The lines at both ends stand for themselves, the others for their mirror images too.
+            if k == 0 || k == half { value } else { value * 2.0 }
+        })
+        .collect();
+    let at = |n: usize| {
+        let sum = lines.iter().enumerate().map(|(k, line)| {
+            let turn = turns[k * n % length];
+            line.re * turn.re - line.im * turn.im
+        });
+        sum.sum::<f64>() / length as f64
+    };
+    (0..half).map(at).collect()
+}
+
+impl Machine for ResponseFilter {
+    fn cycle(&self) -> f64 {
+        self.cycle
+    }
+
+    /// The cycle of the largest value, behind the one for which a command is held.
+    fn delay_cycles(&self) -> usize {
+        let largest = (0..self.taps.len()).max_by(|a, b| self.taps[*a].abs().total_cmp(&self.taps[*b].abs()));
+        self.taps.len() - 1 - largest.unwrap_or(0)
+    }
+
+    fn now(&self) -> Measured {
+        self.now
+    }
+
+    fn step(&mut self, v_cmd: f64) -> Measured {
+        self.commands.push(v_cmd);
+        let latest = &self.commands[self.commands.len() - self.taps.len()..];
+        let (before, v) = (self.now, product(latest, &self.taps));
+        let (x, a_load) = (before.x + v * self.cycle, (v - before.v_motor) / self.cycle);
+        self.now = Measured { x, v_motor: v, v_load: v, a_load };
+        self.now
+    }
+}
+
+/// The sum of the products.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; LANES];
+    let (a, b) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in a.zip(b) {
+        for lane in 0..LANES {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    rest + sums.iter().sum::<f64>()
+}

@@ -1,0 +1,54 @@
+//! What comes out of a simulation. Nothing is computed here.
+
+use machine::closed_loop::Record;
+
+/// How long `v_add` may be at its limit without a ramp [s].
+const AT_LIMIT: f64 = 0.2;
+
+/// What moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Moved {
+    /// a drive without mechanics, with the numbers or the response of the axis, and a ripple at the f0 of each stage
+    Drive,
+    /// the demonstration plant
+    Demonstration,
+}
+
+/// All runs of an axis.
+pub struct Simulation {
+    pub moved: Moved,
+    /// gain of the position controller [1/s]
+    pub kv: f64,
+    /// the f0 of each stage, with its number [Hz]
+    pub stages: Vec<(usize, f64)>,
+    /// off, each stage alone, all
+    pub rows: Vec<Row>,
+    /// how far the filter of a measured response is from it, and where [Hz]
+    pub deviation: Option<[f64; 2]>,
+}
+
+/// A run.
+pub struct Row {
+    pub name: String,
+    /// of the demonstration plant at 53 Hz, at 11 Hz, and the ring-down [m/s^2]; else of v_motor at each f0 [mm/s]
+    pub amplitudes: Vec<f64>,
+    /// [mm]
+    pub following_error: f64,
+    /// [um/s]
+    pub peak_v_add: f64,
+    /// none: unstable, or perhaps so
+    pub ms: Option<f64>,
+    /// how long v_add was at its limit where no ramp is [s]
+    pub at_limit: f64,
+    /// what the block said of itself: its first error id
+    pub error_id: Option<f64>,
+    pub record: Record,
+}
+
+impl Row {
+    /// v_add at its limit for longer than any vibration needs.
+    #[must_use]
+    pub fn is_at_limit(&self) -> bool {
+        self.at_limit > AT_LIMIT
+    }
+}

@@ -1,0 +1,185 @@
+//! The loop of a run: machine, position controller, moves, and the block in it; what is measured.
+
+use super::loop_margins::{self, OfPlant};
+use super::response_filter::ResponseFilter;
+use super::ripple::Ripple;
+use super::row::{Moved, Row};
+use crate::case::named_block;
+use crate::subject::Subject;
+use generator::axis::DriveModel;
+use generator::blocks::Designed;
+use machine::Machine;
+use machine::closed_loop::{self, Position, Record, Signals, UM};
+use machine::drive::{Drive, Setup};
+use machine::measure::{self, figures, peak};
+use machine::plant::{DEMONSTRATION, Plant};
+use machine::sequence::Sequence;
+
+/// Mode of the block (P-AXIS-00758).
+pub(super) const OFF: f64 = 0.0;
+pub(super) const ON: f64 = 1.0;
+/// How long behind a ramp the limit may still act because of it [s].
+const SETTLED: f64 = 0.3;
+/// Periods of a ripple at constant speed, at least, and the time before they count [s].
+const PERIODS: f64 = 20.0;
+const BEFORE: f64 = 0.4;
+
+/// Its active stages with their f0 [Hz].
+pub(super) fn stages(designed: &Designed) -> impl Iterator<Item = (usize, f64)> {
+    let all = designed.axis.ipc.stage.iter().enumerate();
+    all.filter_map(|(index, stage)| Some((index, stage.as_ref()?.f0())))
+}
+
+/// The axis with one of its stages, or with none.
+pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
+    let mut axis = designed.axis.clone();
+    for (index, of) in axis.ipc.stage.iter_mut().enumerate() {
+        if Some(index) != stage {
+            *of = None;
+        }
+    }
+    Designed::from(axis)
+}
+
+/// What all runs share.
+pub(super) struct Setting {
+    moved: Moved,
+    pub(super) model: DriveModel,
+    of_plant: Option<OfPlant>,
+    pub(super) filter: Option<ResponseFilter>,
+    pub(super) position: Position,
+    sequence: Sequence,
+    cycle: f64,
+    frequencies: Vec<f64>,
+    /// cycles at rest, in which the block fades in
+    fade: usize,
+}
+
+impl Setting {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a fade is below 2^24 cycles")]
+    pub(super) fn new(designed: &Designed, moved: Moved, dwell: Option<f64>, stages: &[(usize, f64)]) -> Self {
+        let axis = &designed.axis;
+        let cycle = axis.cycle_time();
+        let kv = match moved {
+            Moved::Demonstration => Position::DEMONSTRATION.kv,
+            Moved::Drive => axis.drive.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
+        };
+        let model = match moved {
+            Moved::Demonstration => DriveModel::default(),
+            Moved::Drive => {
+                let delay = axis.drive.delay_cycles.unwrap_or(Setup::DELAY.delay);
+                DriveModel { delay_cycles: Some(delay), position_gain: Some(kv), ..axis.drive.clone() }
+            }
+        };
+        let of_plant = (moved == Moved::Demonstration).then(|| OfPlant::new(&plant(cycle), kv));
+        let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle));
+        let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::min);
+        let usual = match moved {
+            Moved::Demonstration => Sequence::DEMONSTRATION.dwell,
+            Moved::Drive => Sequence::DEMONSTRATION.dwell.max(BEFORE + PERIODS / lowest),
+        };
+        let speed = Sequence::DEMONSTRATION.speed.min(axis.ipc.v_max / UM);
+        let sequence = Sequence { speed, dwell: dwell.unwrap_or(usual), ..Sequence::DEMONSTRATION };
+        // Tuned weights follow within a fade, and the block is on after another one.
+        let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;
+        let frequencies = stages.iter().map(|(_, f0)| *f0).collect();
+        let position = Position { kv, ..Position::DEMONSTRATION };
+        Self { moved, model, of_plant, filter, position, sequence, cycle, frequencies, fade }
+    }
+
+    fn machine(&self) -> Box<dyn Machine> {
+        match (self.moved, &self.filter) {
+            (Moved::Demonstration, _) => Box::new(plant(self.cycle).at_rest()),
+            (Moved::Drive, Some(filter)) => Box::new(Ripple::new(filter.clone(), self.frequencies.clone())),
+            (Moved::Drive, None) => {
+                let (delay, time_constant) = (self.model.delay_cycles, self.model.time_constant);
+                let delay = delay.unwrap_or(Setup::DELAY.delay);
+                let setup = Setup { cycle: self.cycle, delay, time_constant: time_constant.unwrap_or(0.0) };
+                Box::new(Ripple::new(Drive::new(setup), self.frequencies.clone()))
+            }
+        }
+    }
+
+    /// One run from rest, with the block's fade behind it.
+    pub(super) fn row(&self, name: &str, designed: &Designed, mode: f64) -> Result<Row, String> {
+        let mut subject = Subject::start(designed, &named_block(designed, "ipc")?);
+        let signals = subject.inputs.shape.signals.iter().map(|signal| signal.name.clone());
+        let tuned: Vec<String> = signals.filter(|name| name.starts_with("tuning_")).collect();
+        tuned.iter().for_each(|name| _ = subject.set(name, 1.0));
+        subject.set("mode", mode);
+        let mut error_id = None;
+        let mut limited = Vec::new();
+        let mut cycle = |signals: &Signals| {
+            let Signals { v_command, v_motor, v_direct } = *signals;
+            for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
+                subject.set(input, value);
+            }
+            subject.step();
+            subject.record_anew();
+            if subject.get("fault") != 0.0 || subject.get("tripped") != 0.0 {
+                error_id = error_id.or(Some(subject.get("error_id")));
+            }
+            limited.push(subject.get("limited") != 0.0);
+            subject.get("v_add")
+        };
+        (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
+        let record = closed_loop::run(self.machine(), &self.position, &self.sequence, &mut cycle);
+        let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
+        let ms = match &self.of_plant {
+            Some(of_plant) => of_plant.ms(&loop_of),
+            None => loop_margins::ms(&loop_of, &self.model),
+        };
+        let (amplitudes, following_error) = self.measured(&record);
+        Ok(Row {
+            name: name.to_owned(),
+            amplitudes,
+            following_error,
+            peak_v_add: peak(&record.v_add),
+            ms,
+            at_limit: at_limit(&record, &limited[self.fade..]),
+            error_id,
+            record,
+        })
+    }
+
+    /// Amplitudes, and the largest following error [mm].
+    fn measured(&self, record: &Record) -> (Vec<f64>, f64) {
+        match self.moved {
+            Moved::Demonstration => {
+                let of = figures(record);
+                (vec![of.at_speed, of.at_ramps, of.ring_down], of.following_error * 1e3)
+            }
+            Moved::Drive => {
+                let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
+                let amplitudes = self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect();
+                (amplitudes, errors.fold(0.0, f64::max) * 1e3)
+            }
+        }
+    }
+}
+
+/// The demonstration plant at a cycle of the CNC [s].
+fn plant(cycle: f64) -> Plant {
+    Plant { cycle, ..DEMONSTRATION }
+}
+
+/// The amplitude of v_motor at a frequency at constant speed, mean of both ways [mm/s].
+fn of_ripple(record: &Record, f0: f64) -> f64 {
+    let (mut sum, mut ways) = (0.0, 0.0);
+    for window in measure::dwells(record) {
+        let v: Vec<f64> = record.signals[window].iter().map(|of| of.v_motor / 1e3).collect();
+        let mean = v.iter().sum::<f64>() / v.len() as f64;
+        let v: Vec<f64> = v.iter().map(|v| v - mean).collect();
+        sum += measure::amplitude(&v, record.cycle, [0.99 * f0, 1.01 * f0]);
+        ways += 1.0;
+    }
+    sum / ways
+}
+
+/// How long v_add is at its limit where no ramp is the reason [s].
+fn at_limit(record: &Record, limited: &[bool]) -> f64 {
+    let is_ramp =
+        |n: f64| record.ramps.iter().any(|[from, to]| n >= *from as f64 && n < *to as f64 + SETTLED / record.cycle);
+    let cycles = limited.iter().enumerate().filter(|(n, limited)| **limited && !is_ramp(*n as f64)).count();
+    cycles as f64 * record.cycle
+}

@@ -1,0 +1,97 @@
+//! A simulation as a table, and off against on as CSV.
+
+use super::{Moved, Row, Simulation};
+use generator::blocks::Designed;
+use machine::closed_loop::UM;
+use std::fmt::Write;
+
+/// First line of the CSV file.
+pub const HEAD: &str = "time [s],x_command [mm],x off [mm],x on [mm],v_motor off [mm/s],v_motor on [mm/s],v_add [mm/s],\
+    a_load off [m/s^2],a_load on [m/s^2]";
+
+/// The table, and what is wrong with the loop.
+#[must_use]
+pub fn table(simulation: &Simulation, designed: &Designed) -> String {
+    let axis = &designed.axis;
+    let all = simulation.rows.last();
+    let samples = all.map_or(0, |row| row.record.command.len());
+    let moved = match simulation.moved {
+        Moved::Demonstration => "the demonstration plant",
+        Moved::Drive if simulation.deviation.is_some() => "the measured drive, ripple of 1 mm/s at each f0",
+        Moved::Drive => "a drive without mechanics, ripple of 1 mm/s at each f0",
+    };
+    let mut text =
+        format!("axis {}: {moved}, Kv {}/s, {:.3} s\n", axis.name, simulation.kv, samples as f64 * axis.cycle_time());
+    if let Some([deviation, hz]) = simulation.deviation {
+        text += &format!("its filter differs from the response by {:.2} % at most, at {hz:.1} Hz\n", deviation * 100.0);
+    }
+    let (mut columns, decimals) = match simulation.moved {
+        Moved::Demonstration => (["53 Hz", "11 Hz", "ring-down"].map(|name| format!("{name} [m/s^2]")).to_vec(), 3),
+        Moved::Drive => (simulation.stages.iter().map(|(_, f0)| format!("{f0} Hz [mm/s]")).collect(), 3),
+    };
+    columns.extend(["following error [mm]", "peak v_add [um/s]", "Ms"].map(str::to_owned));
+    text += &line("", &columns, &columns);
+    for row in &simulation.rows {
+        let mut cells: Vec<String> = row.amplitudes.iter().map(|value| format!("{value:.decimals$}")).collect();
+        cells.push(format!("{:.2}", row.following_error));
+        cells.push(format!("{:.0}", row.peak_v_add));
+        cells.push(row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("{ms:.2}")));
+        text += &line(&row.name, &cells, &columns);
+    }
+    text + &verdicts(simulation)
+}
+
+fn line(name: &str, cells: &[String], columns: &[String]) -> String {
+    let cells =
+        cells.iter().zip(columns).map(|(cell, column)| format!("  {cell:>width$}", width = column.len().max(8)));
+    format!("  {name:<13}{}\n", cells.collect::<String>())
+}
+
+/// Whether some run oscillates.
+#[must_use]
+pub fn is_unstable(simulation: &Simulation) -> bool {
+    simulation.rows.iter().any(|row| row.ms.is_none())
+}
+
+/// What is to be said of each run beside its numbers.
+fn verdicts(simulation: &Simulation) -> String {
+    simulation.rows.iter().filter_map(verdict).collect()
+}
+
+fn verdict(row: &Row) -> Option<String> {
+    let name = &row.name;
+    let said = match (row.is_at_limit(), row.ms, row.error_id) {
+        (true, None, _) => format!("v_add at its limit for {:.1} s: the loop is unstable", row.at_limit),
+        (false, None, _) => "v_add has not reached its limit yet, but the loop is unstable".to_owned(),
+        (true, Some(_), _) => {
+            format!(
+                "v_add at its limit for {:.1} s: the loop is stable, the limit too small for this vibration",
+                row.at_limit
+            )
+        }
+        (false, Some(_), Some(id)) => format!("error {id} of the block; `axgen explain {id}` says what it means"),
+        (false, Some(_), None) => return None,
+    };
+    Some(format!("{name}: {said}\n"))
+}
+
+/// Off against on, a line each cycle.
+#[must_use]
+pub fn csv(simulation: &Simulation) -> String {
+    let mut text = format!("{HEAD}\n");
+    let [Some(off), Some(on)] = [simulation.rows.first(), simulation.rows.last()].map(|row| row.map(|row| &row.record))
+    else {
+        return text;
+    };
+    for (n, x) in off.command.iter().enumerate() {
+        let mm = |x: f64| x * 1e3;
+        let v = |v: f64| v / UM * 1e3;
+        let time = n as f64 * off.cycle;
+        let [x, x_off, x_on] = [*x, off.x[n], on.x[n]].map(mm);
+        let [v_off, v_on, v_add] = [off.signals[n].v_motor, on.signals[n].v_motor, on.v_add[n]].map(v);
+        let [a_off, a_on] = [off.sensor[n], on.sensor[n]];
+        writeln!(text, "{time:.6},{x:.6},{x_off:.6},{x_on:.6},{v_off:.6},{v_on:.6},{v_add:.6},{a_off:.6},{a_on:.6}")
+            .expect("csv: a string takes all text");
+    }
+    text
+}
