@@ -503,7 +503,7 @@ fn check_says_what_the_blocks_would_do() {
     let run = axgen(folder.path(), &["check", "two-frequencies.lis", "--cycle-time", "1ms"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""));
     assert_eq!(
-        run.out.lines().skip(1).take(9).collect::<Vec<_>>(),
+        run.out.lines().skip(1).take(10).collect::<Vec<_>>(),
         [
             "  stage  mode                          f0     Q   weight  phase at f0  filters",
             "  0      DIRECT from v_motor           53 Hz  10  0.5     180 deg      BANDPASS CRIT_DAMPING order 2",
@@ -511,10 +511,11 @@ fn check_says_what_the_blocks_would_do() {
             "  2      NOT_ACTIVE",
             "  limit: large, a wrong stage can move the axis fast: |v_add| <= 499500 um/s, 99.9 % of vb_max 500000",
             "  start: ON: acts from the first cycle on; fades in 100 ms",
-            "  stage 0: good: at the least a delay of 1.5 cycles turns it by 29 deg at 53 Hz; drive and mechanics may turn it by 61 deg \
-             more before it excites the vibration",
-            "  stage 1: fair: at the least a delay of 1.5 cycles turns it by 49 deg at 90 Hz; drive and mechanics may turn it by 41 deg \
-             more before it excites the vibration",
+            "  stage 0: weight 0.5; a drive that only delays 1.5 cycles stays calm (Ms <= 2) up to 2.5 and stable up to 7; a delay of 1.5 cycles and \
+             a time constant of 3 ms: 1.7 and 4.4",
+            "  stage 1: weight 0.5; a drive that only delays 1.5 cycles stays calm (Ms <= 2) up to 0.54 and stable up to 1.2; a delay of 1.5 cycles \
+             and a time constant of 3 ms: 0.77 and 1.5",
+            "  the weights hold for the drive alone: mechanics are not in them; a measured response has them (drive.response)",
             "  stages 0 and 1: apart: 29.9 Hz between their bands, they hardly influence each other",
         ]
     );

@@ -106,7 +106,7 @@ fn step(design: &StageDesign, closed: Option<&Loop<'_>>, part: f64) -> Option<St
             weight[index] *= part;
             weight[index + 1..].fill(0.0);
             let closed = closed.with(weight);
-            let [ms, _] = closed.margins().ms?;
+            let [ms, _] = closed.ms()?;
             Some(Step { left: closed.left(index, stage.f0()), ms: Some(ms) })
         }
     }

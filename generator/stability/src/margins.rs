@@ -116,19 +116,29 @@ impl<'a> Loop<'a> {
         magnitude(line.rest) / magnitude(line.rest + line.part * self.weight[stage])
     }
 
+    /// The largest |S|, and where [Hz]; none: the loop is unstable.
+    #[must_use]
+    pub fn ms(&self) -> Option<[f64; 2]> {
+        let (distance, at) = self.least(|at| self.whole(at).distance(1.0));
+        (distance > 0.0 && self.is_stable()).then(|| [1.0 / distance, self.points.controller.hz(&at.0)])
+    }
+
+    /// The loop with all of L as its part.
+    fn whole(&self, (point, value): &At) -> Line {
+        Line {
+            rest: Complex64::new(1.0, 0.0),
+            part: self.open(point, value, &self.weight),
+            uncertainty: value.uncertainty,
+        }
+    }
+
     /// Whether it is stable, its largest |S|, its margins.
     #[must_use]
     pub fn margins(&self) -> Margins {
-        let weight = &self.weight;
-        let whole = |(point, value): &At| Line {
-            rest: Complex64::new(1.0, 0.0),
-            part: self.open(point, value, weight),
-            uncertainty: value.uncertainty,
-        };
-        let (distance, at) = self.least(|at| whole(at).distance(1.0));
-        if distance <= 0.0 || !self.is_stable() {
+        let Some(ms) = self.ms() else {
             return Margins { stable: self.is_stable(), ms: None, gain_db: None, phase_deg: None };
-        }
+        };
+        let whole = |at: &At| self.whole(at);
         let mut factor = LARGEST_FACTOR;
         self.crossings(
             |at| whole(at).side(),
@@ -153,7 +163,7 @@ impl<'a> Loop<'a> {
         );
         Margins {
             stable: true,
-            ms: Some([1.0 / distance, self.points.controller.hz(&at.0)]),
+            ms: Some(ms),
             gain_db: Some(20.0 * libm::log10(factor)).filter(|_| factor < LARGEST_FACTOR),
             phase_deg: phase.map(f64::to_degrees),
         }
@@ -298,26 +308,25 @@ impl<'a> Loop<'a> {
 
     /// The least value over all frequencies, and where: at the points, then between the neighbours of those that are nearly the least.
     fn least(&self, of: impl Fn(&At) -> f64) -> (f64, At) {
-        let all: Vec<At> = self.all().collect();
-        let values: Vec<f64> = all.iter().map(&of).collect();
-        let (mut found, mut at) = (f64::INFINITY, all[0]);
-        for (value, place) in values.iter().zip(&all) {
+        let values: Vec<f64> = self.all().map(|at| of(&at)).collect();
+        let t = |k: usize| self.points.points[k].t;
+        let (mut found, mut at) = (f64::INFINITY, t(0));
+        for (k, value) in values.iter().enumerate() {
             if *value < found {
-                (found, at) = (*value, *place);
+                (found, at) = (*value, t(k));
             }
         }
         let near = found * NEAR;
         for (k, window) in values.windows(3).enumerate() {
             let is_least = window[1] <= window[0] && window[1] <= window[2] && window[1] < window[0].max(window[2]);
             if is_least && window[1] <= near {
-                let [from, to] = [all[k], all[k + 2]].map(|(point, _)| point.t);
-                let (t, value) = least(from, to, |t| of(&self.at_t(t)));
+                let (t, value) = least(t(k), t(k + 2), |t| of(&self.at_t(t)));
                 if value < found {
-                    (found, at) = (value, self.at_t(t));
+                    (found, at) = (value, t);
                 }
             }
         }
-        (found, at)
+        (found, self.at_t(at))
     }
 
     /// Calls `found` where a function of the frequency changes its sign.

@@ -405,7 +405,7 @@ fn a_difference_is_said_in_what_it_means() {
 fn check_certifies_range_and_response() {
     let folder = started();
     let (_, out, _) = axgen(folder.path(), &["check", "axes.toml"]);
-    assert!(!out.contains("range") && out.contains("\n  stage 0: good: "), "{out}");
+    assert!(!out.contains("range") && out.contains("\n  stage 0: weight 0.5; a drive that only delays "), "{out}");
     let (_, out, _) = axgen(folder.path(), &["check", "axes.toml", "--verbose"]);
     assert!(out.contains("\n  range: |v| <= 500000 gives |v_add| <= "), "{out}");
     assert!(out.contains("\n  stage[0] at 53 Hz: designed 0.5 at 180 deg, measured 0.5 at 180 deg; at "), "{out}");
