@@ -2,9 +2,9 @@
 
 use super::{Certified, Design, Drill, Figure, Part, Summary, ipc};
 use crate::blocks::designed::Designed;
-use crate::exercise::Set;
 use compiler::pass::Defect;
 use compiler::program::Program;
+use portable::Literal;
 use reference::axis::Axis;
 use reference::ipc::mode_off;
 use reference::spindle::Spindle;
@@ -47,7 +47,7 @@ impl Part for SpindleAxis {
     /// Improved position control is turned off for two samples in POSITION, before the changeover begins.
     fn drill(&self, designed: &Designed) -> Vec<Drill> {
         let mut parts = Spindle.drill(designed);
-        parts.push(Drill { input: "mode", value: Set::I32(mode_off()), samples: 3..5 });
+        parts.push(Drill { input: "mode", value: Literal::I32(mode_off()), samples: 3..5 });
         parts
     }
 

@@ -39,7 +39,7 @@ pub(crate) struct Exercise {
 }
 
 /// Some samples in which an input is not as it mostly is.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub(crate) struct Turn {
     pub(crate) samples: Range<usize>,
     pub(crate) input: usize,
@@ -50,19 +50,12 @@ pub(crate) struct Turn {
 
 /// A part of what a block is led through, because noise alone would not: an input, its value, and the samples in which it has it,
 /// counted from where the drill begins.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Drill {
     pub(crate) input: &'static str,
-    pub(crate) value: Set,
+    /// a real in double precision
+    pub(crate) value: Literal,
     pub(crate) samples: Range<usize>,
-}
-
-/// The value of an input in a drill.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Set {
-    Bool(bool),
-    I32(i32),
-    Real(f64),
 }
 
 /// What a block's folder says of its exercise.
@@ -102,9 +95,8 @@ impl Exercise {
         let drill = wanted.drill.iter().filter_map(|part| {
             let input = position(part.input).filter(|input| signals.contains(input))?;
             let value = match part.value {
-                Set::Bool(value) => Literal::Bool(value),
-                Set::I32(value) => Literal::I32(value),
-                Set::Real(value) => leaf(R::lit(value)),
+                Literal::F64(value) => leaf(R::lit(value)),
+                other => other,
             };
             Some(Turn::new(part.samples.clone(), input, value))
         });

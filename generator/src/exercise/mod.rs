@@ -21,7 +21,7 @@ mod trial;
 
 pub(crate) use answers::{Answer, Recording, recording};
 pub use inputs::Drill;
-pub(crate) use inputs::{Exercise, Set, Turn, Wanted};
+pub(crate) use inputs::{Exercise, Turn, Wanted};
 pub(crate) use noise::Noise;
 pub use run::Run;
 pub(crate) use run::Running;

@@ -11,7 +11,9 @@ pub(crate) struct Noise(u32);
 
 impl Noise {
     pub(crate) const FACTOR: u32 = 509;
-    pub(crate) const SUMMAND: u32 = 1_234_567;
+    /// The first number of a signal, which comes from 0, is next to 0: a block that starts there holds next to nothing, and the last bits
+    /// of what it adds show.
+    pub(crate) const SUMMAND: u32 = Self::HALF + 3;
     pub(crate) const BITS: u32 = 22;
     pub(crate) const RANGE: u32 = 1 << Self::BITS;
     /// A signal's integer is less by half of the range.

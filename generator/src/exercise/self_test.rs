@@ -30,7 +30,8 @@ impl SelfTest {
     /// Runs the reference. At the beginning each real input is no number for a sample: a build that takes it for one goes on with
     /// other bits.
     pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run) -> Self {
-        let bad: Vec<_> = (1..).step_by(BAD_SAMPLE_DISTANCE).zip(exercise.reals.iter().copied()).collect();
+        let bad: Vec<_> =
+            (BAD_SAMPLE_DISTANCE..).step_by(BAD_SAMPLE_DISTANCE).zip(exercise.reals.iter().copied()).collect();
         let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
         let (mut noise, mut outputs, mut digest) = (Noise::default(), Vec::new(), 0);
         let mut sample = |sample: usize| {

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    24b07b46380553b7afd909d8d399d808
+// checksum    c6c81a3b0eaec62a94714722b736e57d
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -404,41 +404,41 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
     const EXPECTED: [u32; 35] = [
-        0x598c7035,
-        0xa6c3a106,
-        0x668601cf,
-        0x129045a7,
-        0xba75fd0e,
-        0x627034b6,
-        0x2419831d,
-        0x02d08f91,
-        0xcd64de2b,
-        0x878753f2,
-        0xce65357c,
-        0x16cfc7fd,
-        0x70741997,
-        0x1ae85dad,
-        0x66d0ad58,
-        0x3ce5bff2,
-        0xd61e6f75,
-        0x5f698d83,
-        0xbd5f2cf2,
-        0x6551d320,
-        0x9db273d0,
-        0x1183e35f,
-        0xd91c36d0,
-        0xf9d6e51d,
-        0xc67500b0,
-        0x38cca9ed,
-        0x3b0eb3b3,
-        0x8a689990,
-        0xc530caab,
-        0xf542b8af,
-        0x0c37ff44,
-        0x99cae0ca,
-        0x20f4c17d,
-        0xd6ce3704,
-        0x81fbf5fa,
+        0xaf8bcffc,
+        0xf3594ac2,
+        0x32b48dab,
+        0x58868301,
+        0x7d50114a,
+        0x661db265,
+        0xbbcdd144,
+        0xf7b6d9af,
+        0xb53ef0d1,
+        0x3304272e,
+        0x78328957,
+        0xfa486af2,
+        0xe0266419,
+        0x8b053d71,
+        0xe9bbb4aa,
+        0xe501a28e,
+        0x6aa4b03c,
+        0xdc3e9609,
+        0x3221a736,
+        0x35494558,
+        0x6ca9b239,
+        0xb3ac85e5,
+        0x168ddffe,
+        0x29ba2dda,
+        0x463ec847,
+        0xa72e9b11,
+        0xf173f3d6,
+        0xd75b6c26,
+        0x63c23f83,
+        0x99b2fa29,
+        0x72852dbe,
+        0x4b99a214,
+        0x2c3e48a8,
+        0xa86f1909,
+        0x5742a7d2,
     ];
     // opaque: the compiler must call what the caller calls, and not work it out by itself
     let step: fn(&mut State, &Inputs, &mut Outputs) = core::hint::black_box(step);
@@ -460,7 +460,7 @@ pub fn self_test() -> u32 {
     let mut random: u32 = 0;
     // the next integer of the noise
     let mut integer = || {
-        random = random.wrapping_mul(509).wrapping_add(1234567) % 4194304;
+        random = random.wrapping_mul(509).wrapping_add(2097155) % 4194304;
         random
     };
     // a number, of which one in four is small
@@ -477,7 +477,7 @@ pub fn self_test() -> u32 {
         let scale = if sample < 27 { 0.015625 } else { 4.0 };
         // each input is no number for one sample: a block that does not notice it goes on with other bits
         let value = noise(integer(), scale);
-        inputs.v_motor = if sample == 1 { not_a_number } else { value };
+        inputs.v_motor = if sample == 3 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);
         digest = fold(digest, outputs.v_add.to_bits() as u32);
         digest = fold(digest, (outputs.v_add.to_bits() >> 32) as u32);
