@@ -12,8 +12,8 @@ const NOISE: usize = 2000;
 const WINDOW: usize = 1000;
 const WINDOWS: usize = 6;
 
-/// How much larger the last window is than the first one after the noise, rms; infinite where it is larger than the noise was, as it is at the
-/// limit. The motor does what was commanded one cycle before.
+/// How much larger the last window is than the first one after the noise, rms; infinite where it is as large as the
+/// limit makes it. The motor does what was commanded one cycle before.
 fn growth(designed: &Designed, rng: &mut Rng) -> f64 {
     let mut block = Subject::new(designed);
     block.set("mode", 1.0);
@@ -27,7 +27,7 @@ fn growth(designed: &Designed, rng: &mut Rng) -> f64 {
         }
     }
     let last = (windows[WINDOWS - 1] / WINDOW as f64).sqrt();
-    if last > 1000.0 { f64::INFINITY } else { (windows[WINDOWS - 1] / windows[0]).sqrt() }
+    if last > 300_000.0 { f64::INFINITY } else { (windows[WINDOWS - 1] / windows[0]).sqrt() }
 }
 
 /// A loop that neither grows nor falls in six seconds is called neither.
