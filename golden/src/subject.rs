@@ -5,6 +5,7 @@ use crate::engine::{self, Cycle};
 use crate::samples::{Samples, Shape};
 use compiler::program::Type;
 use generator::blocks::{Block, Designed};
+use machine::closed_loop::Signals;
 use portable::{Literal, RealKind};
 
 /// A block between two cycles.
@@ -66,6 +67,16 @@ impl Subject {
         self.inputs.push(&self.given);
         (self.step)(&self.given, &mut self.answers);
         self.outputs.push(&self.answers);
+    }
+
+    /// One cycle with what improved position control sees; gives `v_add` [um/s].
+    pub fn cycle(&mut self, signals: &Signals) -> f64 {
+        let Signals { v_command, v_motor, v_direct } = *signals;
+        for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
+            self.set(input, value);
+        }
+        self.step();
+        self.get("v_add")
     }
 
     /// What went in and came out so far is forgotten.

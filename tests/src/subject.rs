@@ -67,12 +67,7 @@ impl Subject {
 
     /// One cycle; gives `v_add` [um/s].
     pub fn step(&mut self, signals: &Signals) -> f64 {
-        let Signals { v_command, v_motor, v_direct } = *signals;
-        for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
-            self.0.set(input, value);
-        }
-        self.0.step();
-        self.get("v_add")
+        self.0.cycle(signals)
     }
 
     /// What went in and came out so far is forgotten.

@@ -70,7 +70,7 @@ fn drive_json(of: &OfDrive) -> Value {
         .collect();
     let (delay, time_constant, response) = match &of.drive {
         Known::Delay { cycles, time_constant } => (Some(cycles), time_constant.as_ref(), None),
-        Known::Measured { file } => (None, None, Some(file)),
+        Known::Measured(measured) => (None, None, Some(&measured.file)),
     };
     json!({
         "delay_cycles": delay,

@@ -8,13 +8,14 @@
 mod lead;
 mod text;
 
+pub use crate::blocks::ipc::closed_loop::Known;
 pub use text::text;
 
 use crate::axis::DriveModel;
 use crate::blocks::Designed;
-use crate::blocks::ipc::closed_loop::{self, USUAL_DELAY, USUAL_TIME_CONSTANT};
+use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
-use stability::{Curve, Drive, Loop, Margins, Points};
+use stability::{Curve, Loop, Margins, Points};
 
 /// An axis, and its loop with each drive.
 pub struct Analysis {
@@ -33,15 +34,6 @@ pub struct OfDrive {
     pub curve: Vec<Curve>,
 }
 
-/// Which drive it is.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Known {
-    /// a pure delay in cycles, and a time constant [s] after it
-    Delay { cycles: f64, time_constant: Option<f64> },
-    /// a measured response: its file
-    Measured { file: String },
-}
-
 /// A stage in a loop.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OfStage {
@@ -57,24 +49,16 @@ pub struct OfStage {
 /// The loop of an axis: with the drive that the model states, else with two usual ones; and with the ideal one.
 #[must_use]
 pub fn analyze(designed: &Designed, model: &DriveModel) -> Analysis {
-    let delay =
-        |cycles, time_constant| (Drive::Delay { cycles, time_constant }, Known::Delay { cycles, time_constant });
-    let mut drives = match (closed_loop::stated(model), &model.response) {
-        (Some(drive), Some(measured)) => vec![(drive, Known::Measured { file: measured.file.clone() })],
-        (Some(_), None) => vec![delay(model.delay_cycles.unwrap_or(USUAL_DELAY), model.time_constant)],
-        (None, _) => vec![delay(USUAL_DELAY, None), delay(USUAL_DELAY, Some(USUAL_TIME_CONSTANT))],
-    };
-    let ideal = delay(1.0, None);
-    if !drives.contains(&ideal) {
-        drives.push(ideal);
+    let mut drives = Known::of(model);
+    if !drives.contains(&Known::IDEAL) {
+        drives.push(Known::IDEAL);
     }
-    let all: Vec<Drive<'_>> = drives.iter().map(|(drive, _)| *drive).collect();
-    let Some(points) = closed_loop::points(designed, &all) else { return Analysis { drives: Vec::new() } };
+    let Some(points) = closed_loop::points(designed, &drives) else { return Analysis { drives: Vec::new() } };
     Analysis { drives: drives.into_iter().map(|drive| of_drive(designed, &points, drive)).collect() }
 }
 
-fn of_drive(designed: &Designed, points: &Points<'_>, (drive, known): (Drive<'_>, Known)) -> OfDrive {
-    let closed = Loop::new(points, drive);
+fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
+    let closed = Loop::new(points, drive.drive());
     let stage = |design: &StageDesign| OfStage {
         stage: design.index,
         weight: design.stage.weight(),
@@ -85,5 +69,6 @@ fn of_drive(designed: &Designed, points: &Points<'_>, (drive, known): (Drive<'_>
     let stages = closed_loop::stages(designed).map(stage).collect();
     let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));
     let lag = closed_loop::stages(designed).map(lag).collect();
-    OfDrive { drive: known, margins: closed.margins(), stages, lag, curve: closed.curve() }
+    let (margins, curve) = (closed.margins(), closed.curve());
+    OfDrive { drive, margins, stages, lag, curve }
 }

@@ -1,11 +1,10 @@
 //! An analysis in words: a table for each drive, a verdict for each stage and for the sum, and what the parameters alone say.
 
-use super::{Analysis, Known, OfDrive, OfStage, analyze, lead};
+use super::{Analysis, OfDrive, OfStage, analyze, lead};
 use crate::blocks::Designed;
-use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::number::{decimals, digits, down_to, significant};
-use stability::{Drive, MAX_MS};
+use stability::MAX_MS;
 
 /// Beyond this lag of a loop at f0 an all-pass is mandatory, from the other on it is worth a try [degrees].
 const MANDATORY: f64 = 90.0;
@@ -33,13 +32,7 @@ pub fn text(designed: &Designed) -> String {
 }
 
 fn of_drive(of: &OfDrive) -> Vec<String> {
-    let drive = match &of.drive {
-        Known::Delay { cycles, time_constant } => {
-            closed_loop::words(&Drive::Delay { cycles: *cycles, time_constant: *time_constant })
-        }
-        Known::Measured { file } => format!("the drive of {file}"),
-    };
-    let mut lines = vec![format!("  {drive}: {}", sum(of))];
+    let mut lines = vec![format!("  {}: {}", of.drive.words(), sum(of))];
     lines.push("    stage  weight  phase at f0  calm up to  stable up to".to_owned());
     lines.extend(of.stages.iter().map(|stage| {
         format!(

@@ -5,14 +5,14 @@ mod rows;
 mod stage;
 
 use crate::axis::Axis;
-use crate::blocks::ipc::closed_loop;
+use crate::blocks::ipc::closed_loop::{self, Known};
 use crate::blocks::{self, Designed, IPC};
 use crate::number::digits;
 use crate::parameters::Name;
 use crate::target::{File, block_name, rendered, stem};
 use askama::Template;
 use rows::{Limit, PARTS, limits};
-use stability::{Drive, Loop, MAX_MS};
+use stability::{Loop, MAX_MS};
 use stage::Stage;
 
 /// A measured velocity may differ so much from the commanded one [%]: less than any wrong unit, more than a rounding or a lag.
@@ -102,9 +102,9 @@ fn page(designed: &Designed, parameters: String) -> Page {
     let is_inside = kind != IPC;
     let is_tunable = axis.ipc.tuning().is_some();
     // The drive that the set states, else the ideal one.
-    let drive = closed_loop::stated(&axis.drive).unwrap_or(Drive::IDEAL);
-    let points = closed_loop::points(designed, &[drive]);
-    let closed = points.as_ref().map(|points| Loop::new(points, drive));
+    let drive = [Known::stated(&axis.drive).unwrap_or(Known::IDEAL)];
+    let points = closed_loop::points(designed, &drive);
+    let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
     let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, closed.as_ref())).collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::max);

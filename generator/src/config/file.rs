@@ -79,36 +79,28 @@ pub(crate) fn is_set(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
-/// The bytes of a file that a setting names. That it cannot be read is said there.
-pub(crate) fn read_bytes(path: &Path, named_at: &Setting, load: Load<'_>) -> Result<Vec<u8>, Report> {
-    load(path).map_err(|unreadable| {
-        let (code, found) = unreadable.said();
-        let found = format!("{} {found}", shown(&path.slashes().to_string()));
-        let allowed = "a file that can be read; its path begins at the folder of the set";
-        Report::from(Diagnostic::error(code, named_at.value_place(), found).allowed(allowed))
-    })
-}
-
 /// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
 pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
-    let whole = Place::whole(path.slashes());
-    let unreadable = match load(path) {
-        Ok(bytes) => {
-            // A set is UTF-8, as TOML has it.
-            let (text, encoding) = if is_set(path) { (bytes, Encoding::Plain) } else { encoding::decoded(bytes) };
-            return Ok(Source::new(&whole.file, text, encoding));
-        }
-        Err(unreadable) => unreadable,
-    };
-    let file = shown(&whole.file);
-    let (code, found) = unreadable.said();
-    let error = |found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
-    Err(Report::from(match unreadable {
-        Unreadable::TooLarge => {
-            error(format!("{file} {found} for a set or an axis list")).allowed(format!("{} MiB", LARGEST >> 20))
-        }
-        Unreadable::System(_) if named_at.is_some() => error(format!("{file} {found}"))
-            .allowed("a file that can be read; its path begins at the folder of the set"),
-        Unreadable::System(_) => error(format!("{file} {found}")),
-    }))
+    let bytes = bytes(path, "a set or an axis list", named_at, load)?;
+    // A set is UTF-8, as TOML has it.
+    let (text, encoding) = if is_set(path) { (bytes, Encoding::Plain) } else { encoding::decoded(bytes) };
+    Ok(Source::new(&Place::whole(path.slashes()).file, text, encoding))
+}
+
+/// The same as bytes; `kind`: what it should be.
+pub(crate) fn bytes(path: &Path, kind: &str, named_at: Option<&Setting>, load: Load<'_>) -> Result<Vec<u8>, Report> {
+    load(path).map_err(|unreadable| {
+        let whole = Place::whole(path.slashes());
+        let file = shown(&whole.file);
+        let (code, found) = unreadable.said();
+        let error = |found| Diagnostic::error(code, named_at.map_or(whole, Setting::value_place), found);
+        Report::from(match unreadable {
+            Unreadable::TooLarge => {
+                error(format!("{file} {found} for {kind}")).allowed(format!("{} MiB", LARGEST >> 20))
+            }
+            Unreadable::System(_) if named_at.is_some() => error(format!("{file} {found}"))
+                .allowed("a file that can be read; its path begins at the folder of the set"),
+            Unreadable::System(_) => error(format!("{file} {found}")),
+        })
+    })
 }

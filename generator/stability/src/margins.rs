@@ -13,8 +13,9 @@ pub const MAX_MS: f64 = 2.0;
 const LARGEST_FACTOR: f64 = 1e6;
 /// Halvings of an interval in which 1 + L turns by more than a quarter.
 const DEPTH: u32 = 40;
-/// A local minimum within that factor of the least one may be the least one between the points.
-const NEAR: f64 = 1.2;
+/// A local minimum within that factor of the least one may be the least one between the points: where two stages and the position controller
+/// meet, a point missed the minimum beside it by a half.
+const NEAR: f64 = 4.0;
 
 /// What is known of a closed loop. Every figure is the worst within two standard errors of a measured response.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,26 +139,13 @@ impl<'a> Loop<'a> {
         let Some(ms) = self.ms() else {
             return Margins { stable: self.is_stable(), ms: None, gain_db: None, phase_deg: None };
         };
-        let whole = |at: &At| self.whole(at);
-        let mut factor = LARGEST_FACTOR;
-        self.crossings(
-            |at| whole(at).side(),
-            |at| {
-                let nearest = whole(at).nearest();
-                if nearest > 1.0 {
-                    factor = factor.min(nearest);
-                }
-            },
-        );
-        if self.is_uncertain() {
-            factor = factor.min(self.least(|at| whole(at).largest_weight(0.0, LARGEST_FACTOR)).0);
-        }
+        let factor = self.largest_stable(|at| self.whole(at), [1.0, LARGEST_FACTOR]);
         let mut phase: Option<f64> = None;
         self.crossings(
-            |at| whole(at).part.norm_sqr() - 1.0,
+            |at| self.whole(at).part.norm_sqr() - 1.0,
             |at| {
                 let of_error = 2.0 * libm::asin((at.1.uncertainty / 2.0).min(1.0));
-                let margin = (angle(-whole(at).part).abs() - of_error).max(0.0);
+                let margin = (angle(-self.whole(at).part).abs() - of_error).max(0.0);
                 phase = Some(phase.map_or(margin, |least| least.min(margin)));
             },
         );
@@ -175,20 +163,7 @@ impl<'a> Loop<'a> {
         if !self.is_stable_with(&self.without(stage)) {
             return 0.0;
         }
-        let mut largest = LARGEST_WEIGHT;
-        self.crossings(
-            |at| self.line(at, stage).side(),
-            |at| {
-                let nearest = self.line(at, stage).nearest();
-                if nearest > 0.0 {
-                    largest = largest.min(nearest);
-                }
-            },
-        );
-        if self.is_uncertain() {
-            largest = largest.min(self.least(|at| self.line(at, stage).largest_weight(0.0, LARGEST_WEIGHT)).0);
-        }
-        largest
+        self.largest_stable(|at| self.line(at, stage), [0.0, LARGEST_WEIGHT])
     }
 
     /// The largest weight of a stage, the others as they are, up to which the loop is stable and |S| stays within [`MAX_MS`].
@@ -211,7 +186,7 @@ impl<'a> Loop<'a> {
         if !self.is_stable_with(&[0.0; STAGES]) {
             return [0.0; 2];
         }
-        [self.largest_stable(whole, LARGEST_FACTOR), self.largest(whole, LARGEST_FACTOR)]
+        [self.largest_stable(whole, [0.0, LARGEST_FACTOR]), self.largest(whole, LARGEST_FACTOR)]
     }
 
     fn without(&self, stage: usize) -> [f64; STAGES] {
@@ -220,14 +195,14 @@ impl<'a> Loop<'a> {
         weight
     }
 
-    /// The largest weight of a part, up to `most`, with which a loop stays stable that is stable without it.
-    fn largest_stable(&self, line: impl Fn(&At) -> Line, most: f64) -> f64 {
+    /// The largest weight of a part, above `least` and up to `most`, with which a loop stays stable that is stable with `least`.
+    fn largest_stable(&self, line: impl Fn(&At) -> Line, [least, most]: [f64; 2]) -> f64 {
         let mut largest = most;
         self.crossings(
             |at| line(at).side(),
             |at| {
                 let nearest = line(at).nearest();
-                if nearest > 0.0 {
+                if nearest > least {
                     largest = largest.min(nearest);
                 }
             },

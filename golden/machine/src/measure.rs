@@ -20,13 +20,19 @@ pub struct Figures {
 /// All of them.
 #[must_use]
 pub fn figures(record: &Record) -> Figures {
-    let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
     Figures {
         at_speed: mean(dwells(record).map(|window| amplitude(&record.sensor[window], record.cycle, [50.0, 56.0]))),
         at_ramps: mean(ramps(record).map(|window| amplitude(&record.sensor[window], record.cycle, [9.5, 12.5]))),
         ring_down: ring_down(record),
-        following_error: errors.fold(0.0, f64::max),
+        following_error: following_error(record),
     }
+}
+
+/// The largest difference between the command and the motor's position [m].
+#[must_use]
+pub fn following_error(record: &Record) -> f64 {
+    let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
+    errors.fold(0.0, f64::max)
 }
 
 type Window = std::ops::Range<usize>;

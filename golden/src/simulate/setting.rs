@@ -110,17 +110,13 @@ impl Setting {
         let mut error_id = None;
         let mut limited = Vec::new();
         let mut cycle = |signals: &Signals| {
-            let Signals { v_command, v_motor, v_direct } = *signals;
-            for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
-                subject.set(input, value);
-            }
-            subject.step();
+            let v_add = subject.cycle(signals);
             subject.record_anew();
             if subject.get("fault") != 0.0 || subject.get("tripped") != 0.0 {
                 error_id = error_id.or(Some(subject.get("error_id")));
             }
             limited.push(subject.get("limited") != 0.0);
-            subject.get("v_add")
+            v_add
         };
         (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
         let record = closed_loop::run(self.machine(), &self.position, &self.sequence, &mut cycle);
@@ -129,11 +125,10 @@ impl Setting {
             Some(of_plant) => of_plant.ms(&loop_of),
             None => loop_margins::ms(&loop_of, &self.model),
         };
-        let (amplitudes, following_error) = self.measured(&record);
         Ok(Row {
             name: name.to_owned(),
-            amplitudes,
-            following_error,
+            amplitudes: self.amplitudes(&record),
+            following_error: measure::following_error(&record) * 1e3,
             peak_v_add: peak(&record.v_add),
             ms,
             at_limit: at_limit(&record, &limited[self.fade..]),
@@ -142,18 +137,14 @@ impl Setting {
         })
     }
 
-    /// Amplitudes, and the largest following error [mm].
-    fn measured(&self, record: &Record) -> (Vec<f64>, f64) {
+    /// The amplitudes of a row.
+    fn amplitudes(&self, record: &Record) -> Vec<f64> {
         match self.moved {
             Moved::Demonstration => {
                 let of = figures(record);
-                (vec![of.at_speed, of.at_ramps, of.ring_down], of.following_error * 1e3)
+                vec![of.at_speed, of.at_ramps, of.ring_down]
             }
-            Moved::Drive => {
-                let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
-                let amplitudes = self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect();
-                (amplitudes, errors.fold(0.0, f64::max) * 1e3)
-            }
+            Moved::Drive => self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect(),
         }
     }
 }

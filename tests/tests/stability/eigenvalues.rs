@@ -207,7 +207,7 @@ fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
 
 #[test]
 fn the_largest_s_is_that_of_a_fine_grid() {
-    let count = 60;
+    let count = if is_exhaustive() { 500 } else { 60 };
     let mut rng = Rng::new(0x0517);
     let (mut stable, mut worst) = (0, 0.0_f64);
     for _ in 0..count {

@@ -1,8 +1,8 @@
 //! The loop that improved position control closes, judged by what shares no line with the crate `stability`: eigenvalues of the whole loop,
-//! a fine grid of frequencies, the emitted C in the loop.
+//! a fine grid of frequencies, the block itself in the loop.
 #![expect(clippy::print_stdout, reason = "the figures of a report")]
 
 mod eigenvalues;
-mod emitted;
 mod examples;
+mod ideal_drive;
 mod random;

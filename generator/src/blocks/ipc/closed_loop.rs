@@ -2,7 +2,7 @@
 //! it is judged with.
 
 use super::stage::StageDesign;
-use crate::axis::{DirectSource, DriveModel, Filter, Mode};
+use crate::axis::{DirectSource, DriveModel, Filter, MeasuredDrive, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::response;
 use crate::number::significant;
@@ -10,9 +10,63 @@ use reference::stage::Coeffs;
 use stability::{Band, Complex64, Controller, Drive, Points, STAGES};
 
 /// Cycles of a usual drive: the cycle that the command needs, and half a cycle of its hold.
-pub(crate) const USUAL_DELAY: f64 = 1.5;
+const USUAL_DELAY: f64 = 1.5;
 /// Time constant of a usual drive with a slow velocity controller [s].
-pub(crate) const USUAL_TIME_CONSTANT: f64 = 0.003;
+const USUAL_TIME_CONSTANT: f64 = 0.003;
+
+/// Which drive a loop is judged with.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Known {
+    /// a pure delay in cycles, and a time constant [s] after it
+    Delay { cycles: f64, time_constant: Option<f64> },
+    /// a measured response
+    Measured(MeasuredDrive),
+}
+
+impl Known {
+    /// The ideal drive: the motor does exactly what was commanded one cycle before.
+    pub(crate) const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
+
+    /// The drive that a set states; none: it states none.
+    pub(crate) fn stated(model: &DriveModel) -> Option<Self> {
+        match &model.response {
+            Some(measured) => Some(Self::Measured(measured.clone())),
+            None if model.is_given() => Some(Self::Delay {
+                cycles: model.delay_cycles.unwrap_or(USUAL_DELAY),
+                time_constant: model.time_constant,
+            }),
+            None => None,
+        }
+    }
+
+    /// The drives that a loop is judged with: the one that the set states, else two usual ones.
+    pub(crate) fn of(model: &DriveModel) -> Vec<Self> {
+        let usual = || {
+            [None, Some(USUAL_TIME_CONSTANT)].map(|time_constant| Self::Delay { cycles: USUAL_DELAY, time_constant })
+        };
+        Self::stated(model).map_or_else(|| usual().into(), |stated| vec![stated])
+    }
+
+    /// Its response.
+    pub(crate) fn drive(&self) -> Drive<'_> {
+        match self {
+            Self::Delay { cycles, time_constant } => Drive::Delay { cycles: *cycles, time_constant: *time_constant },
+            Self::Measured(measured) => Drive::Measured(&measured.response),
+        }
+    }
+
+    /// In words.
+    pub(crate) fn words(&self) -> String {
+        let delay = |cycles: f64| format!("{} cycle{}", significant(cycles, 4), if cycles > 1.0 { "s" } else { "" });
+        match self {
+            Self::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", delay(*cycles)),
+            Self::Delay { cycles, time_constant: Some(time) } => {
+                format!("a delay of {} and a time constant of {} ms", delay(*cycles), significant(time * 1e3, 4))
+            }
+            Self::Measured(measured) => format!("the drive of {}", measured.file),
+        }
+    }
+}
 
 /// Whether a stage closes a loop through the velocity of the motor; another one does not change its stability.
 pub(crate) fn looks_at_motor(mode: Mode) -> bool {
@@ -28,7 +82,7 @@ pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> 
 }
 
 /// The controller of an axis at the points of the frequency axis that these drives need; none: no stage closes a loop.
-pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Drive<'_>]) -> Option<Points<'d>> {
+pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known]) -> Option<Points<'d>> {
     let mut coeffs: [Option<Coeffs<f64>>; STAGES] = [None; STAGES];
     let mut weight = [0.0; STAGES];
     let mut bands = Vec::new();
@@ -48,33 +102,7 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Drive<'_>]) -> Option
         bands,
         position_gain: designed.axis.drive.position_gain,
     };
-    Some(Points::new(controller, drives))
+    Some(Points::new(controller, &drives.iter().map(Known::drive).collect::<Vec<_>>()))
 }
 
 const ZERO: Complex64 = Complex64::new(0.0, 0.0);
-
-/// The drive that a set states; none: it states none.
-pub(crate) fn stated(model: &DriveModel) -> Option<Drive<'_>> {
-    match &model.response {
-        Some(measured) => Some(Drive::Measured(&measured.response)),
-        None if model.is_given() => {
-            Some(Drive::Delay { cycles: model.delay_cycles.unwrap_or(USUAL_DELAY), time_constant: model.time_constant })
-        }
-        None => None,
-    }
-}
-
-/// A drive without mechanics, in words.
-pub(crate) fn words(drive: &Drive<'_>) -> String {
-    match *drive {
-        Drive::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", cycles_text(cycles)),
-        Drive::Delay { cycles, time_constant: Some(time) } => {
-            format!("a delay of {} and a time constant of {} ms", cycles_text(cycles), significant(time * 1e3, 4))
-        }
-        Drive::Measured(_) => "the measured drive".to_owned(),
-    }
-}
-
-fn cycles_text(cycles: f64) -> String {
-    format!("{} cycle{}", significant(cycles, 4), if cycles > 1.0 { "s" } else { "" })
-}

@@ -24,18 +24,11 @@ pub(crate) fn read(
     }
     let from = from(designed, e)?;
     let folder = if setting.source.is_option() { Path::new("") } else { set.parent().unwrap_or(Path::new("")) };
-    let source = file::read_bytes(&folder.join(name), setting, load);
-    let bytes = source.map_err(|unreadable| e.report.extend(unreadable)).ok()?;
-    match read_response(name, &bytes, from, designed.axis.cycle_time(), &bands(designed)) {
-        Ok(measured) => {
-            e.report.extend(measured.said);
-            Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
-        }
-        Err(report) => {
-            e.report.extend(report);
-            None
-        }
-    }
+    let read = file::bytes(&folder.join(name), "a frequency response", Some(setting), load)
+        .and_then(|bytes| read_response(name, &bytes, from, designed.axis.cycle_time(), &bands(designed)));
+    let measured = read.map_err(|report| e.report.extend(report)).ok()?;
+    e.report.extend(measured.said);
+    Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
 }
 
 /// What it is from; `drive.delay` is what the measurement lacks.

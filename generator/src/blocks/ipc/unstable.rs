@@ -1,6 +1,6 @@
 //! Stages that make their loop unstable even where the drive is ideal: a warning, and an error where the block starts ON.
 
-use super::closed_loop::{points, stages, stated};
+use super::closed_loop::{Known, points, stages};
 use crate::axis::Enable;
 use crate::blocks::designed::Designed;
 use crate::codes;
@@ -9,7 +9,7 @@ use crate::number::{down_to, significant};
 use crate::parameters::Name;
 use crate::parameters::words::{Boolean, Words};
 use crate::rules::effective::{Effective, as_written};
-use stability::{Drive, Loop, MAX_MS, Points};
+use stability::{Loop, MAX_MS};
 
 /// Judges the loop on the ideal drive, and on the one that the set states.
 ///
@@ -22,17 +22,16 @@ pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
         // A gantry slave's block never acts.
         return;
     }
-    let stated = stated(&axis.drive);
-    let drives: Vec<Drive<'_>> = std::iter::once(Drive::IDEAL).chain(stated).collect();
+    let stated = Known::stated(&axis.drive);
+    let drives: Vec<Known> = stated.into_iter().chain([Known::IDEAL]).collect();
     let Some(points) = points(designed, &drives) else { return };
-    let is_stable = |drive: Drive<'_>| Loop::new(&points, drive).is_stable();
     let is_error = axis.ipc.enable == Enable::On && axis.ipc.limit() > 0.0 && !is_accepted(e);
-    match stated.map(|drive| (drive, is_stable(drive))) {
-        None if is_stable(Drive::IDEAL) => {}
-        None => say(designed, e, &points, (Drive::IDEAL, IDEAL), is_error),
-        Some((drive, false)) => say(designed, e, &points, (drive, STATED), is_error),
-        Some((_, true)) if is_stable(Drive::IDEAL) => {}
-        Some((_, true)) => say(designed, e, &points, (Drive::IDEAL, IDEAL), false),
+    // The stated one first; the ideal one is the last.
+    let judged = drives.iter().map(|drive| Loop::new(&points, drive.drive()));
+    if let Some((n, closed)) = judged.enumerate().find(|(_, closed)| !closed.is_stable()) {
+        let is_last = n + 1 == drives.len();
+        // A stated drive with which the loop is stable is the consent to what the ideal one does.
+        say(designed, e, &closed, if is_last { IDEAL } else { STATED }, is_error && n == 0);
     }
 }
 
@@ -45,36 +44,30 @@ fn is_accepted(e: &mut Effective<'_>) -> bool {
 }
 
 /// The stages, each with the weight up to which the loop stays calm; of several that only together are unstable, the part of all weights.
-fn say(
-    designed: &Designed,
-    e: &mut Effective<'_>,
-    points: &Points<'_>,
-    (drive, what): (Drive<'_>, &str),
-    is_error: bool,
-) {
-    let closed = Loop::new(points, drive);
+fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) {
     let [_, calm_part] = closed.largest_parts();
     for design in stages(designed) {
         let (i, weight) = (design.index, design.stage.weight());
         let [stable, calm] = [closed.largest_stable_weight(i), closed.largest_weight(i)];
         let asked = significant(weight, 4);
         let down = |value: f64| down_to(value, 3);
-        let (found, instead) = match () {
-            () if stable <= 0.0 => (
+        let (found, instead) = if stable <= 0.0 {
+            (
                 format!("stage[{i}] with the weight {asked} is one of several with which {what} oscillates"),
                 format!(
                     "a weight of {}, and {} % of the other weights",
                     down(weight * calm_part),
                     down(calm_part * 100.0)
                 ),
-            ),
-            () => (
+            )
+        } else {
+            (
                 format!(
                     "stage[{i}] with the weight {asked} makes {what} oscillate, from the weight {} on",
                     down(stable)
                 ),
                 format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
-            ),
+            )
         };
         let number = u32::try_from(i).expect("design: there are three stages");
         let place = (Name::WeightFactNum, [number, 0]);

@@ -2,16 +2,17 @@
 //! decided here; warnings are in `advice` and `phase`.
 
 use super::certificate::{designed, noise};
+use super::closed_loop::{self, Known};
+use super::filter;
 use super::stage::StageDesign;
-use super::{closed_loop, filter};
-use crate::axis::{Axis, DriveModel, Enable, Mode};
+use crate::axis::{Axis, Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::band::warped;
 use crate::design::response::{Complex, angle, magnitude};
 use crate::number::{decimals, down_to, significant};
 use crate::parameters::words::{DirectSource, StageMode, Words};
 use portable::RealKind;
-use stability::{Drive, Loop, MAX_MS};
+use stability::{Loop, MAX_MS};
 
 /// Below this limit, in 0.1 % of the largest velocity, a stage that excites the vibration does little; above the other, much.
 const SMALL_LIMIT: u32 = 50;
@@ -130,27 +131,12 @@ fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String
     }
 }
 
-/// The drives that a loop is judged with: the one that the set states, else two usual ones.
-fn drives(model: &DriveModel) -> Vec<(String, Drive<'_>)> {
-    match (closed_loop::stated(model), &model.response) {
-        (Some(drive), Some(measured)) => vec![(format!("the drive of {}", measured.file), drive)],
-        (Some(drive), None) => vec![(closed_loop::words(&drive), drive)],
-        (None, _) => {
-            let usual = [None, Some(closed_loop::USUAL_TIME_CONSTANT)]
-                .map(|time_constant| Drive::Delay { cycles: closed_loop::USUAL_DELAY, time_constant });
-            usual.map(|drive| (closed_loop::words(&drive), drive)).into()
-        }
-    }
-}
-
 /// The verdicts on the stages, and what is not in them.
 fn stages(designed: &Designed) -> Vec<String> {
-    let drives = drives(&designed.axis.drive);
-    let alone: Vec<Drive<'_>> = drives.iter().map(|(_, drive)| *drive).collect();
-    let points = closed_loop::points(designed, &alone);
-    let loops: Vec<(String, Loop<'_>)> = (points.iter())
-        .flat_map(|points| drives.iter().map(move |(words, drive)| (words.clone(), Loop::new(points, *drive))))
-        .collect();
+    let drives = Known::of(&designed.axis.drive);
+    let points = closed_loop::points(designed, &drives);
+    let closed = |points| drives.iter().map(move |known| (known.words(), Loop::new(points, known.drive())));
+    let loops: Vec<(String, Loop<'_>)> = points.iter().flat_map(closed).collect();
     let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| stage_verdict(design, &loops)).collect();
     if points.is_some() && designed.axis.drive.response.is_none() {
         lines.push(
