@@ -147,13 +147,14 @@ table! {
     /// file of a measured frequency response to the velocity of the motor, relative to the set: for the stability of the loop, in the place of
     /// the delay and the time constant
     DriveResponse: AXIS_KEY("drive.response")
-    /// what that response is from: the commanded velocity, or the current, with the speed controller's gain and integral time beside it
+    /// the signal that the response starts from: the commanded velocity; or the current, which needs the gain and the integral time of the
+    /// speed controller too
     DriveResponseFrom: AXIS_KEY("drive.response_from", kind: Kind::Word(ResponseFrom::WORDS), default: &["v_cmd"])
     /// gain of the speed controller, in units of the current in the response for one of its velocity
     DriveSpeedGain: AXIS_KEY("drive.speed_gain", kind: above_0(f64::MAX))
     /// integral time of the speed controller
     DriveSpeedIntegralTime: AXIS_KEY("drive.speed_integral_time", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
-    /// consent to a block that starts ON though its loop oscillates even with an ideal drive: for test stands without a machine
+    /// accepts a block that starts ON although its loop oscillates even with an ideal drive: for test stands without a machine
     AcceptUnstable: AXIS_KEY("accept_unstable", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
     /// whether the blocks look at the rate of their calls: input `cycle_counter`; skipped and doubled calls are a fault, and after a pause the
     /// block starts anew

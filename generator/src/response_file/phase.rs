@@ -7,8 +7,9 @@
 //! dead time = the tau that maximises sum q Re(exp(j (phase - minimum phase + w tau))), q = 1/(0.05^2 + relative error^2)
 //! ```
 //! What |P| does above the last line is not known. Falling faster there would count less as dead time, a sampled system falls more slowly: on these
-//! the dead time is known to 0.2 cycles from lines up to a fifth of half the sampling frequency on. A response that was measured in the drive gets up
-//! to half a cycle more than it has: too much rather than too little.
+//! the dead time is known to 0.2 cycles from lines up to a fifth of half the sampling frequency on. A response that was measured in the drive
+//! gets up to 0.4 cycles more than it has with lines up to a quarter of the sampling frequency, and up to 1.2 with lines up to a tenth: too much
+//! rather than too little.
 
 use super::{From, Point, Said, magnitude, turned};
 use crate::codes;

@@ -22,9 +22,6 @@ pub(crate) struct Value {
 }
 
 impl Drive<'_> {
-    /// The ideal drive: the motor does exactly what was commanded one cycle before.
-    pub const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
-
     /// Cycles of pure delay, as far as they are known without its lines.
     pub(crate) fn delay_cycles(&self) -> f64 {
         match self {

@@ -69,7 +69,7 @@ impl Known {
 }
 
 /// Whether a stage closes a loop through the velocity of the motor; another one does not change its stability.
-pub(crate) fn looks_at_motor(mode: Mode) -> bool {
+fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
         Mode::Direct { source: DirectSource::Direct } | Mode::SetPoint { .. } => false,
