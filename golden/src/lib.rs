@@ -8,7 +8,8 @@
 //! compare    how many bits of two runs differ, and where first
 //! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
-//! scenario   the inputs that an NC program makes, in a loop with a machine; svg: its picture, as text
+//! scenario   the inputs that an NC program makes, in a loop with a machine, and its picture
+//! analysis   the picture of an analysis; svg: how pictures are drawn
 //! simulate   improved position control in the loop of an axis, with and without it: figures, pictures, CSV
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
@@ -16,6 +17,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod analysis;
 pub mod case;
 pub mod compare;
 pub mod csv;

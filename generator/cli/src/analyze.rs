@@ -1,15 +1,19 @@
-//! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table or as JSON.
+//! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table, as JSON, as a picture.
 
-use crate::arguments::{DriveArguments, SetArguments};
+use crate::arguments::{Analyzed, DriveArguments, SetArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
+use crate::one_file::{self, Rule};
 use crate::output;
 use generator::analysis::{self, Known, OfDrive};
 use generator::blocks::Designed;
+use generator::codes;
 use generator::config::OptionKey;
 use generator::parameters::Name;
+use golden::svg;
 use serde_json::{Value, json};
+use std::path::Path;
 
 impl DriveArguments {
     /// Its options as keys.
@@ -33,14 +37,18 @@ pub fn run(
     format: Format,
     axis: Option<&str>,
     drive: &DriveArguments,
-    is_for_machines: bool,
+    to: &Analyzed,
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
+    if let Some(path) = &to.picture {
+        one_file::kept_apart(path, [arguments.set.as_path()].into_iter())?;
+        draw(path, input::axis(&set, axis)?, to.force)?;
+    }
     let axes: Vec<&Designed> = match axis {
         Some(name) => vec![input::axis(&set, Some(name))?],
         None => set.axes.iter().collect(),
     };
-    if is_for_machines {
+    if to.json {
         let all: Vec<Value> = axes.iter().map(|designed| as_json(designed)).collect();
         let one = if axis.is_some() { all.into_iter().next().unwrap_or_default() } else { Value::Array(all) };
         output::line(format!("{one:#}"))?;
@@ -48,6 +56,16 @@ pub fn run(
     }
     axes.iter().try_for_each(|designed| output::print(analysis::text(designed)))?;
     Ok(Exit::Done)
+}
+
+fn draw(path: &Path, designed: &Designed, force: bool) -> Result<(), Exit> {
+    let analysis = analysis::analyze(designed, &designed.axis.drive);
+    let picture = golden::analysis::svg(designed, &analysis).ok_or_else(|| {
+        let found = format!("no stage of axis {} looks at v_motor: there is no loop to draw", designed.axis.name);
+        Exit::input(codes::USAGE, "--picture", found)
+    })?;
+    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
+    one_file::write(Some(path), picture.as_bytes(), Rule::own(force, &is_picture))
 }
 
 fn as_json(designed: &Designed) -> Value {

@@ -128,9 +128,8 @@ pub enum Command {
         axis: Option<String>,
         #[command(flatten)]
         drive: DriveArguments,
-        /// Print it for machines: JSON
-        #[arg(long)]
-        json: bool,
+        #[command(flatten)]
+        to: Analyzed,
     },
     /// Runs the block of an axis in a closed loop with a drive, off against on: vibrations, following error, stability
     Simulate {
@@ -317,6 +316,20 @@ pub struct DriveArguments {
     /// Integral time of the speed controller, for a response from the current
     #[arg(long, value_name = "TIME")]
     pub speed_integral_time: Option<String>,
+}
+
+/// Where an analysis goes.
+#[derive(Args)]
+pub struct Analyzed {
+    /// Print it for machines: JSON
+    #[arg(long)]
+    pub json: bool,
+    /// SVG file for the picture of one axis: Bode diagrams, |S|, Nyquist curve
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Replace any file of that name, not only an earlier picture
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// What is simulated, and where it goes.

@@ -71,7 +71,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             let request = verify::Scenario { program, axis, block };
             verify::run_scenario(&set, format, &request, &engines, &results)
         }
-        Command::Analyze { set, axis, drive, json } => analyze::run(&set, format, axis.as_deref(), &drive, json),
+        Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Scenario { set, program, axis, block, stimulus, picture, force } => {
             let request = scenario::Request { axis, block, program, stimulus, picture, force };

@@ -14,6 +14,7 @@ use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
 use golden::csv::{self, Reals};
 use golden::samples::Samples;
 use golden::scenario::{self, Mistake, Scenario, picture};
+use golden::svg;
 use std::path::{Path, PathBuf};
 
 /// What the command takes, beside the set.
@@ -47,7 +48,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let drawn = picture::svg(&scenario, &name, designed);
     // An earlier stimulus has signals of the block in its first line, an earlier picture is one of ours.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
-    let is_picture = |found: &[u8]| found.starts_with(picture::HEAD.as_bytes());
+    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let [of_stimulus, of_picture] = [Rule::own(request.force, &is_stimulus), Rule::own(request.force, &is_picture)];
     let stimulus = request.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
     let picture = request.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));

@@ -9,6 +9,7 @@ use crate::output;
 use crate::run::block_of;
 use generator::codes;
 use golden::simulate::{self, Moved, picture, text};
+use golden::svg;
 
 /// Limits of `--dwell` [s].
 const SHORTEST: f64 = 1.0;
@@ -46,7 +47,7 @@ pub fn run(
         ));
     }
     let is_csv = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
-    let is_picture = |found: &[u8]| found.starts_with(picture::HEAD.as_bytes());
+    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let [of_csv, of_picture] = [Rule::own(to.force, &is_csv), Rule::own(to.force, &is_picture)];
     for (out, rule) in [(to.csv.as_deref(), of_csv), (to.picture.as_deref(), of_picture)] {
         let Some(out) = out else { continue };

@@ -9,13 +9,17 @@ mod lead;
 mod text;
 
 pub use crate::blocks::ipc::closed_loop::Known;
-pub use text::text;
+pub use text::{summary, text};
 
 use crate::axis::DriveModel;
 use crate::blocks::Designed;
 use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
 use stability::{Curve, Loop, Margins, Points};
+
+/// Lines of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
+const LINES: u32 = 600;
+const LOWEST: f64 = 1.0 / 20.0;
 
 /// An axis, and its loop with each drive.
 pub struct Analysis {
@@ -31,6 +35,7 @@ pub struct OfDrive {
     pub stages: Vec<OfStage>,
     /// how far the drive alone lags at the f0 of each of them [degrees, 0 to 360]
     pub lag: Vec<(usize, f64)>,
+    /// by frequency
     pub curve: Vec<Curve>,
 }
 
@@ -69,6 +74,17 @@ fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
     let stages = closed_loop::stages(designed).map(stage).collect();
     let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));
     let lag = closed_loop::stages(designed).map(lag).collect();
-    let (margins, curve) = (closed.margins(), closed.curve());
+    let (margins, curve) = (closed.margins(), curve(designed, &closed));
     OfDrive { drive, margins, stages, lag, curve }
+}
+
+/// The loop at the points of its margins, and evenly between them on a logarithmic scale.
+fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
+    let nyquist = 0.5 / designed.axis.cycle_time();
+    let lowest = closed_loop::stages(designed).map(|design| design.stage.f0()).fold(nyquist, f64::min) * LOWEST;
+    let hz = |k: u32| lowest * libm::pow(nyquist / lowest, f64::from(k) / f64::from(LINES));
+    let mut curve = closed.curve();
+    curve.extend((0..LINES).map(|k| closed.at_frequency(hz(k))));
+    curve.sort_by(|a, b| a.hz.total_cmp(&b.hz));
+    curve
 }

@@ -32,7 +32,7 @@ pub fn text(designed: &Designed) -> String {
 }
 
 fn of_drive(of: &OfDrive) -> Vec<String> {
-    let mut lines = vec![format!("  {}: {}", of.drive.words(), sum(of))];
+    let mut lines = vec![format!("  {}", summary(of))];
     lines.push("    stage  weight  phase at f0  calm up to  stable up to".to_owned());
     lines.extend(of.stages.iter().map(|stage| {
         format!(
@@ -48,7 +48,12 @@ fn of_drive(of: &OfDrive) -> Vec<String> {
     lines
 }
 
-/// The verdict on the sum of the stages.
+/// A drive, and the verdict on the sum of the stages with it.
+#[must_use]
+pub fn summary(of: &OfDrive) -> String {
+    format!("{}: {}", of.drive.words(), sum(of))
+}
+
 fn sum(of: &OfDrive) -> String {
     let Some([ms, hz]) = of.margins.ms else {
         return match of.margins.stable {

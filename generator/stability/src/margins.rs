@@ -100,14 +100,23 @@ impl<'a> Loop<'a> {
     /// The loop at its points.
     #[must_use]
     pub fn curve(&self) -> Vec<Curve> {
+        self.all().map(|at| self.curve_at(&at)).collect()
+    }
+
+    /// The loop at a frequency [Hz].
+    #[must_use]
+    pub fn at_frequency(&self, hz: f64) -> Curve {
+        self.curve_at(&self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time)))
+    }
+
+    fn curve_at(&self, (point, value): &At) -> Curve {
         let weight = &self.weight;
-        let point = |at: At| Curve {
-            hz: self.points.controller.hz(&at.0),
-            open: self.open(&at.0, &at.1, weight),
-            stage: std::array::from_fn(|i| at.0.stage[i] * weight[i]),
-            drive: at.1.response,
-        };
-        self.all().map(point).collect()
+        Curve {
+            hz: self.points.controller.hz(point),
+            open: self.open(point, value, weight),
+            stage: std::array::from_fn(|i| point.stage[i] * weight[i]),
+            drive: value.response,
+        }
     }
 
     /// The part of what acts on the motor at a frequency [Hz] that a stage leaves: |S| with it by |S| without it.

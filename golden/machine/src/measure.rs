@@ -35,7 +35,8 @@ pub fn following_error(record: &Record) -> f64 {
     errors.fold(0.0, f64::max)
 }
 
-type Window = std::ops::Range<usize>;
+/// Cycles of a record.
+pub type Window = std::ops::Range<usize>;
 
 /// Cycles of a time [s].
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]

@@ -3,12 +3,9 @@
 use super::Scenario;
 use crate::samples::Samples;
 use crate::subject::number;
-use crate::svg::{self, Curve, Curves, Panel, Picture, Point, Rows};
+use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Point, Rows};
 use generator::axis::Changeover;
 use generator::blocks::Designed;
-
-/// What every picture begins with.
-pub const HEAD: &str = svg::HEAD;
 
 /// Points of a curve, at most.
 const MOST: usize = 600;
@@ -29,18 +26,14 @@ pub fn svg(scenario: &Scenario, name: &str, designed: &Designed) -> String {
     let events = events.map(|step| {
         (run.time(step.from), step.number.map_or_else(|| format!("line {}", step.line), |number| format!("N{number}")))
     });
-    let block = if scenario.outputs.shape.signals.iter().any(|signal| signal.name == "spindle_state") {
+    let panels = if scenario.outputs.shape.signals.iter().any(|signal| signal.name == "spindle_state") {
         spindle(&run, designed)
     } else {
         path(&run)
     };
-    svg::svg(&Picture {
-        title: name.to_owned(),
-        setup: setup(scenario, designed),
-        until: run.time(scenario.inputs.len()),
-        events: events.collect(),
-        panels: block,
-    })
+    let across = Across::Time { until: run.time(scenario.inputs.len()) };
+    let parts = vec![Part::Over(Over { across, events: events.collect(), panels })];
+    Picture { title: name.to_owned(), setup: vec![setup(scenario, designed)], parts }.svg()
 }
 
 fn setup(scenario: &Scenario, designed: &Designed) -> String {

@@ -1,46 +1,100 @@
-//! The picture of a simulation: off against on, and what was added. How a picture is drawn is in `svg`.
+//! The picture of a simulation: off against on, over time and as spectra, and what was added. How a picture is drawn is in `svg`.
 
-use super::{Moved, Simulation};
-use crate::svg::{self, Curve, Curves, Panel, Picture};
+use super::{Moved, Row, Simulation};
+use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture};
 use machine::closed_loop::Record;
-
-/// What every picture begins with.
-pub const HEAD: &str = svg::HEAD;
+use machine::measure::{self, Window, spectrum};
 
 /// Points of a curve, at most: the vibration must be seen.
-const MOST: usize = 4000;
+const MOST: usize = 2500;
+/// The spectra begin there [Hz], and end at that factor of the highest f0, or at the Nyquist frequency.
+const LOWEST: f64 = 5.0;
+const HIGHEST: f64 = 2.5;
+
+/// A signal of a record, cycle by cycle.
+type Signal = fn(&Record, usize) -> f64;
 
 /// The picture of the axis of that name.
 #[must_use]
 pub fn svg(simulation: &Simulation, axis: &str) -> String {
-    let [Some(off), Some(on)] = [simulation.rows.first(), simulation.rows.last()].map(|row| row.map(|row| &row.record))
-    else {
-        return String::new();
-    };
-    let (setup, name, seen): (_, _, fn(&Record, usize) -> f64) = match simulation.moved {
-        Moved::Demonstration => ("the demonstration plant", "load acceleration [m/s^2]", |record, n| record.sensor[n]),
+    let [Some(off), Some(on)] = [simulation.rows.first(), simulation.rows.last()] else { return String::new() };
+    let both = [("off", &off.record), ("on", &on.record)];
+    let (setup, name, unit, seen): (_, _, _, Signal) = match simulation.moved {
+        Moved::Demonstration => ("the demonstration plant", "load acceleration", "m/s^2", |record, n| record.sensor[n]),
         Moved::Drive => {
-            ("a drive without mechanics, ripple of 1 mm/s at each f0", "v_motor - planned [mm/s]", |record, n| {
+            ("a drive without mechanics, ripple of 1 mm/s at each f0", "v_motor - planned", "mm/s", |record, n| {
                 record.signals[n].v_motor / 1e3 - record.v_planned[n] * 1e3
             })
         }
     };
-    let curves =
-        |name: &str, curves| Panel::Curves(Curves { name: name.to_owned(), scale: None, marks: Vec::new(), curves });
-    svg::svg(&Picture {
-        title: format!("axis {axis}"),
-        setup: setup.to_owned(),
-        until: on.command.len() as f64 * on.cycle,
+    let time = Over {
+        across: Across::Time { until: on.record.command.len() as f64 * on.record.cycle },
         events: Vec::new(),
         panels: vec![
-            curves(name, vec![curve("off", off, seen), curve("on", on, seen)]),
-            curves("v_add [mm/s]", vec![curve("v_add", on, |record, n| record.v_add[n] / 1e3)]),
+            panel(&format!("{name} [{unit}]"), both.map(|(name, record)| curve(name, record, seen)).into()),
+            panel("v_add [mm/s]", vec![curve("v_add", &on.record, |record, n| record.v_add[n] / 1e3)]),
         ],
-    })
+    };
+    let nyquist = 0.5 / on.record.cycle;
+    let highest =
+        simulation.stages.iter().fold(2.0 * LOWEST, |highest, (_, f0)| if *f0 > highest { *f0 } else { highest });
+    let to = if highest * HIGHEST < nyquist { highest * HIGHEST } else { nyquist };
+    let spectra = |windows: fn(&Record) -> Vec<Window>| {
+        both.map(|(name, record)| of_spectrum(name, record, &windows(record), seen, [LOWEST, to])).into()
+    };
+    let mut panels =
+        vec![panel(&format!("at constant speed [{unit}]"), spectra(|record| measure::dwells(record).collect()))];
+    if simulation.moved == Moved::Demonstration {
+        panels.push(panel(&format!("around the ramps [{unit}]"), spectra(|record| measure::ramps(record).collect())));
+    }
+    let events = simulation.stages.iter().map(|(stage, f0)| (*f0, format!("f0 of stage {stage}")));
+    let mut events: Vec<(f64, String)> = events.collect();
+    events.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let frequency = Over { across: Across::Frequency { from: LOWEST, to }, events, panels };
+    Picture {
+        title: format!("axis {axis}"),
+        setup: [setup.to_owned()].into_iter().chain([off, on].map(numbers)).collect(),
+        parts: vec![Part::Over(time), Part::Over(frequency)],
+    }
+    .svg()
 }
 
-fn curve(name: &str, record: &Record, value: impl Fn(&Record, usize) -> f64) -> Curve {
+/// The numbers of a run, below the title.
+fn numbers(row: &Row) -> String {
+    let ms = row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("Ms {ms:.2}"));
+    format!(
+        "{}: following error {:.2} mm, peak v_add {:.1} mm/s, {ms}",
+        row.name,
+        row.following_error,
+        row.peak_v_add / 1e3
+    )
+}
+
+fn panel(name: &str, curves: Vec<Curve>) -> Panel {
+    Panel::Curves(Curves { name: name.to_owned(), curves, ..Curves::default() })
+}
+
+fn curve(name: &str, record: &Record, value: Signal) -> Curve {
     let step = record.command.len().div_ceil(MOST).max(1);
     let points = (0..record.command.len()).step_by(step).map(|n| (n as f64 * record.cycle, value(record, n)));
     Curve { name: name.to_owned(), pieces: vec![points.collect()] }
+}
+
+/// The mean amplitude over some windows, line by line.
+fn of_spectrum(name: &str, record: &Record, windows: &[Window], seen: Signal, band: [f64; 2]) -> Curve {
+    let shortest = windows.iter().map(ExactSizeIterator::len).min().unwrap_or(0);
+    let mut sum: Vec<[f64; 2]> = Vec::new();
+    for window in windows {
+        let values: Vec<f64> = window.clone().take(shortest).map(|n| seen(record, n)).collect();
+        let mean = values.iter().sum::<f64>() / shortest as f64;
+        let values: Vec<f64> = values.iter().map(|value| value - mean).collect();
+        let lines = spectrum(&values, record.cycle, band);
+        if sum.is_empty() {
+            sum = lines;
+        } else {
+            sum.iter_mut().zip(lines).for_each(|(sum, [_, amplitude])| sum[1] += amplitude);
+        }
+    }
+    let points = sum.iter().map(|[hz, amplitude]| (*hz, amplitude / windows.len() as f64)).collect();
+    Curve { name: name.to_owned(), pieces: vec![points] }
 }

@@ -55,17 +55,36 @@ impl Known {
         }
     }
 
+    /// Its numbers, or its file.
+    #[must_use]
+    pub fn short(&self) -> String {
+        match self {
+            Self::Delay { cycles, time_constant } => {
+                let time = time_constant.map_or_else(String::new, |time| format!(", {}", milliseconds(time)));
+                delay(*cycles) + &time
+            }
+            Self::Measured(measured) => measured.file.clone(),
+        }
+    }
+
     /// In words.
     pub(crate) fn words(&self) -> String {
-        let delay = |cycles: f64| format!("{} cycle{}", significant(cycles, 4), if cycles > 1.0 { "s" } else { "" });
         match self {
             Self::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", delay(*cycles)),
             Self::Delay { cycles, time_constant: Some(time) } => {
-                format!("a delay of {} and a time constant of {} ms", delay(*cycles), significant(time * 1e3, 4))
+                format!("a delay of {} and a time constant of {}", delay(*cycles), milliseconds(*time))
             }
             Self::Measured(measured) => format!("the drive of {}", measured.file),
         }
     }
+}
+
+fn delay(cycles: f64) -> String {
+    format!("{} cycle{}", significant(cycles, 4), if cycles > 1.0 { "s" } else { "" })
+}
+
+fn milliseconds(time: f64) -> String {
+    format!("{} ms", significant(time * 1e3, 4))
 }
 
 /// Whether a stage closes a loop through the velocity of the motor; another one does not change its stability.

@@ -1,10 +1,8 @@
 //! The pictures of the manual's examples (ISG FCT-D2, "Feedforward control", Fig. 3 to 5): position lag over a move. What is drawn,
 //! not how.
 
-mod chart;
-
 use crate::simulation::{Bench, KV, run};
-use chart::{Chart, Point};
+use golden::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Point};
 use machine::seven_phases::{Move, seconds};
 use machine::velocity_loop::Loop;
 
@@ -13,6 +11,9 @@ pub const COMMAND: &str = "cargo run --release -p axgen-tests --example feedforw
 
 /// 0.5 m/s (30 m/min), 2.5 m/s^2, 25 m/s^3.
 const MOVE: Move = Move { jerk: 25e6, change: 100_000, acceleration: 100_000, velocity: 400_000 };
+
+/// um/s in 1 m/min.
+const UM_S: f64 = 1e6 / 60.0;
 
 /// A quarter of a second after the move the lag has come to rest.
 const UNTIL_NS: u64 = 1_250_000_000;
@@ -48,14 +49,14 @@ fn picture(title: &str, feedforward: &str) -> String {
     let samples = run(&bench, &MOVE, UNTIL_NS + 1);
     let largest = samples.iter().fold(0.0, |largest, sample| f64::max(largest, sample.lag.abs()));
     let lag: Vec<Point> = samples.iter().step_by(2).map(|sample| (seconds(sample.ns), sample.lag)).collect();
-    let velocity = samples.iter().map(|sample| (seconds(sample.ns), sample.v / MOVE.largest_velocity()));
-    chart::svg(&Chart {
-        title,
-        setup: &format!("Simulated: Kv {KV}/s, {SETUP}"),
-        until: seconds(UNTIL_NS),
-        y: &format!("position lag [µm], largest {largest:.1}"),
-        curve: &lag,
-        profile: &velocity.step_by(5).collect::<Vec<_>>(),
-        profile_top: "30 m/min",
-    })
+    let velocity = samples.iter().step_by(5).map(|sample| (seconds(sample.ns), sample.v / UM_S)).collect();
+    let curve = |name: &str, points: Vec<Point>| Curve { name: name.to_owned(), pieces: vec![points] };
+    let panel = |name: String, curve| Panel::Curves(Curves { name, curves: vec![curve], ..Curves::default() });
+    let panels = vec![
+        panel(format!("position lag [µm], largest {largest:.1}"), curve("lag", lag)),
+        panel("velocity [m/min]".to_owned(), curve("command", velocity)),
+    ];
+    let over = Over { across: Across::Time { until: seconds(UNTIL_NS) }, events: Vec::new(), panels };
+    let setup = vec![format!("Simulated: Kv {KV}/s, {SETUP}")];
+    Picture { title: title.to_owned(), setup, parts: vec![Part::Over(over)] }.svg()
 }

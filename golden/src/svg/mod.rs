@@ -1,0 +1,173 @@
+//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Nothing of what they mean is here.
+//!
+//! ```text
+//! scale    where a value lies, linear or logarithmic, and the lines of a scale
+//! style    colours and dashes, lines, texts, curves as text
+//! curves   a panel with curves; rows: one with rows that are filled while something holds; plane: one with equal scales
+//! across   the axis below all panels, and the events through them
+//! ```
+//!
+//! No font is embedded, and no background: what is drawn reads on white and on dark. Each curve of a panel has its own dashes: a picture
+//! reads without colours. Coordinates have one decimal.
+
+mod across;
+mod curves;
+mod plane;
+mod rows;
+mod scale;
+mod style;
+
+pub use style::STYLES;
+
+use style::{INK, escaped, text};
+
+/// What lies on the axis below, and the value.
+pub type Point = (f64, f64);
+
+/// What is drawn.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// first line above
+    pub title: String,
+    /// further lines above
+    pub setup: Vec<String>,
+    /// from top to bottom
+    pub parts: Vec<Part>,
+}
+
+/// What has axes of its own.
+#[derive(Clone, Debug)]
+pub enum Part {
+    Over(Over),
+    Plane(Plane),
+}
+
+/// Panels over one axis.
+#[derive(Clone, Debug)]
+pub struct Over {
+    pub across: Across,
+    /// what begins when, or lies where: lines through these panels, with names above
+    pub events: Vec<(f64, String)>,
+    pub panels: Vec<Panel>,
+}
+
+/// The axis of panels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Across {
+    /// from 0 to that [s]
+    Time { until: f64 },
+    /// between two frequencies [Hz], logarithmic
+    Frequency { from: f64, to: f64 },
+}
+
+/// A panel over an axis.
+#[derive(Clone, Debug)]
+pub enum Panel {
+    Curves(Curves),
+    Rows(Rows),
+}
+
+/// Curves on one scale.
+#[derive(Clone, Debug, Default)]
+pub struct Curves {
+    /// what they are, with the unit
+    pub name: String,
+    /// lowest and highest value, and the step between lines; none: as the curves need it
+    pub scale: Option<[f64; 3]>,
+    /// values with a name, as lines across
+    pub marks: Vec<(f64, String)>,
+    pub curves: Vec<Curve>,
+}
+
+/// One curve.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    pub name: String,
+    /// pieces, between which the curve jumps
+    pub pieces: Vec<Vec<Point>>,
+}
+
+/// Rows, each with the times in which it is filled.
+#[derive(Clone, Debug)]
+pub struct Rows {
+    pub rows: Vec<(String, Vec<[f64; 2]>)>,
+}
+
+/// Curves in a plane whose two axes have one scale.
+#[derive(Clone, Debug)]
+pub struct Plane {
+    /// what it shows
+    pub name: String,
+    /// left and right end; the height follows, with 0 in the middle
+    pub across: [f64; 2],
+    /// centre, radius and name
+    pub circles: Vec<(Point, f64, String)>,
+    /// marked points with a name
+    pub marks: Vec<(Point, String)>,
+    pub curves: Vec<Curve>,
+}
+
+/// What every picture begins with.
+pub const HEAD: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 "#;
+
+const WIDTH: f64 = 760.0;
+const MARGIN: f64 = 16.0;
+const LEFT: f64 = 126.0;
+const RIGHT: f64 = 690.0;
+/// Place of the first line of the setup, and from one to the next.
+const SETUP: f64 = 48.0;
+const LINE: f64 = 18.0;
+/// Above the first panel of a part: names of events; height of the name above a panel, and between panels.
+const EVENTS: f64 = 20.0;
+const NAME: f64 = 24.0;
+const GAP: f64 = 16.0;
+/// Below the last panel of a part: the numbers and the name of its axis.
+const FOOT: f64 = 44.0;
+
+impl Picture {
+    /// The file.
+    #[must_use]
+    pub fn svg(&self) -> String {
+        let mut lines = Vec::new();
+        let setup = self.setup.iter().zip(0_u32..);
+        lines.extend(setup.map(|(line, n)| text([MARGIN, SETUP + LINE * f64::from(n)], "start", INK, line)));
+        let mut height = SETUP + LINE * (self.setup.len() as f64 - 1.0) + GAP;
+        for part in &self.parts {
+            height = GAP
+                + match part {
+                    Part::Over(over) => over.draw(height, &mut lines),
+                    Part::Plane(plane) => plane.draw(height, &mut lines),
+                };
+        }
+        let mut all = vec![
+            format!(
+                r#"{HEAD}{WIDTH} {height}" width="{WIDTH}" height="{height}" role="img" font-family="sans-serif" font-size="12">"#
+            ),
+            format!("<title>{}</title>", escaped(&self.title)),
+            format!(
+                r#"<text x="{MARGIN:.1}" y="26.0" font-size="15" font-weight="bold" fill="{INK}">{}</text>"#,
+                escaped(&self.title)
+            ),
+        ];
+        all.append(&mut lines);
+        all.push("</svg>".to_owned());
+        all.join("\n") + "\n"
+    }
+}
+
+impl Over {
+    /// Draws them below a place; gives the lower end of the axis.
+    fn draw(&self, top: f64, lines: &mut Vec<String>) -> f64 {
+        let top = if self.events.is_empty() { top } else { top + EVENTS };
+        let mut y = top;
+        for panel in &self.panels {
+            y = GAP
+                + match panel {
+                    Panel::Curves(panel) => panel.draw(self.across, y, lines),
+                    Panel::Rows(panel) => panel.draw(self.across, y, lines),
+                };
+        }
+        self.across.draw(&self.events, [top, y - GAP], lines);
+        y - GAP + FOOT
+    }
+}
