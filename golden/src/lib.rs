@@ -8,6 +8,7 @@
 //! compare    how many bits of two runs differ, and where first
 //! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
+//! drive      the drive of an axis as a machine, and whether its loop oscillates
 //! scenario   the inputs that an NC program makes, in a loop with a machine, and its picture
 //! analysis   the picture of an analysis; svg: how pictures are drawn
 //! simulate   improved position control in the loop of an axis, with and without it: figures, pictures, CSV
@@ -21,6 +22,7 @@ pub mod analysis;
 pub mod case;
 pub mod compare;
 pub mod csv;
+pub mod drive;
 pub mod engine;
 pub mod exercise;
 pub mod recording;

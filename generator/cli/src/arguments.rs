@@ -155,6 +155,8 @@ pub enum Command {
         /// The block [default: spindle, else axis, else the one that there is]
         #[arg(long, value_name = "B")]
         block: Option<String>,
+        #[command(flatten)]
+        drive: DriveArguments,
         /// CSV file for the inputs of the block
         #[arg(long, value_name = "FILE")]
         stimulus: Option<PathBuf>,

@@ -73,8 +73,8 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         }
         Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
-        Command::Scenario { set, program, axis, block, stimulus, picture, force } => {
-            let request = scenario::Request { axis, block, program, stimulus, picture, force };
+        Command::Scenario { set, program, axis, block, drive, stimulus, picture, force } => {
+            let request = scenario::Request { axis, block, drive, program, stimulus, picture, force };
             scenario::run(&set, format, &request)
         }
         Command::Diff { old, new, cycle_time, name } => {

@@ -1,6 +1,6 @@
 //! `axgen scenario`: an NC program on one axis, as a stimulus and as a picture; and the scenarios of `run` and `verify`.
 
-use crate::arguments::SetArguments;
+use crate::arguments::{DriveArguments, SetArguments};
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::messages::Format;
@@ -23,6 +23,8 @@ pub struct Request {
     pub axis: Option<String>,
     /// the block; none: the usual one of the axis
     pub block: Option<String>,
+    /// what stands for the drive of a path axis
+    pub drive: DriveArguments,
     /// the NC program
     pub program: PathBuf,
     /// where the inputs go
@@ -35,7 +37,7 @@ pub struct Request {
 
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
-    let (set, _) = input::read(arguments, format)?;
+    let (set, _) = input::read_to_look_at(arguments, request.drive.keys(), format)?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of_scenario(designed, request.block.as_deref())?;
     let outputs = [request.stimulus.as_deref(), request.picture.as_deref()];
@@ -55,7 +57,9 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let staged = [stimulus.transpose()?, picture.transpose()?];
     one_file::commit(staged.into_iter().flatten())?;
     output::print(table(&scenario, designed, &block))?;
-    Ok(Exit::Done)
+    let Some(verdict) = scenario.oscillation.verdict() else { return Ok(Exit::Done) };
+    output::print(format!("{verdict}\n"))?;
+    Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
 }
 
 /// When the blocks of the program acted.

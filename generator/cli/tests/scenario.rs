@@ -163,6 +163,56 @@ fn names_and_options_that_do_not_go_together() {
     }
 }
 
+/// The shipped example as axis X, with another damping of its INDIRECT stage; and a program with a move and a rest.
+fn with_damping(damping: &str) -> TempDir {
+    let text = fs::read_to_string(Path::new(ROOT).join("examples/rack-and-pinion.lis")).unwrap();
+    let line = |value: &str| format!("stage[1].filter.damping    {value}\n");
+    assert_eq!(text.matches(&line("0.8")).count(), 1);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("x.lis"), text.replace(&line("0.8"), &line(damping))).unwrap();
+    fs::write(folder.path().join("p.nc"), "N10 G01 X500 F20000\nN20 G04 X2\nM30\n").unwrap();
+    folder
+}
+
+/// `v_add` acts on the drive: what oscillates on the machine oscillates here. Which sets are unstable is what a program of its own found, with
+/// the eigenvalues of the closed loop, in `tests/stability`.
+#[test]
+fn an_unstable_stage_is_seen() {
+    let run = |damping: &str, options: &str| {
+        let folder = with_damping(damping);
+        axgen(folder.path(), &format!("scenario x.lis --cycle-time 1ms --name X p.nc --stimulus s.csv {options}"))
+    };
+    let (code, out, _) = run("0.8", "");
+    assert_eq!((code, out.contains("unstable")), (0, false), "{out}");
+    let (code, out, _) = run("0.2", "");
+    assert_eq!(code, 1, "{out}");
+    let time =
+        out.lines().find_map(|line| line.strip_prefix("v_add at its limit for ")).unwrap_or_else(|| panic!("{out}"));
+    let time: f64 = time.strip_suffix(" s: the loop is unstable").unwrap().parse().unwrap();
+    assert!((1.0..5.0).contains(&time), "{out}");
+    // The drive of the options is the one in the loop: three cycles more make the good set oscillate.
+    let (code, out, _) = run("0.8", "--delay 12 --time-constant 5ms");
+    assert_eq!((code, out.contains("the loop is unstable")), (1, true), "{out}");
+}
+
+/// What v_motor is at the end: at rest, or not.
+#[test]
+fn the_stimulus_shows_the_closed_loop() {
+    let peak = |damping: &str| {
+        let folder = with_damping(damping);
+        axgen(folder.path(), "scenario x.lis --cycle-time 1ms --name X p.nc --stimulus s.csv");
+        let text = fs::read_to_string(folder.path().join("s.csv")).unwrap();
+        let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+        let at = head.iter().position(|name| *name == "v_motor").unwrap();
+        let v = text.lines().skip(1).map(|row| row.split(',').nth(at).unwrap().parse::<f64>().unwrap().abs());
+        let v: Vec<f64> = v.collect();
+        v[v.len() - 500..].iter().fold(0.0, |peak: f64, v| peak.max(*v))
+    };
+    let [calm, unstable] = ["0.8", "0.2"].map(peak);
+    assert!(calm < 1000.0, "{calm} um/s in the last half second of a stable loop");
+    assert!(unstable > 100_000.0, "{unstable} um/s in the last half second of an unstable one");
+}
+
 #[test]
 fn the_pictures_are_what_the_command_draws() {
     let pictures = [
@@ -188,6 +238,18 @@ fn the_pictures_are_what_the_command_draws() {
         let [case, set] = [case, set].map(|folder| cases.join(folder).to_string_lossy().into_owned());
         let command = format!("scenario {set}/set.toml {case}/{name}.nc --block {block} --picture {name}.svg");
         assert_eq!(axgen(folder.path(), &command).0, 0, "{command}");
+        let file = format!("{name}.svg");
+        let drawn = fs::read(folder.path().join(&file)).unwrap();
+        let kept = fs::read(Path::new(ROOT).join("docs/pictures").join(&file)).unwrap();
+        assert!(drawn == kept, "{file}: `axgen {command}` draws another picture");
+        assert!(kept.len() < 100_000, "{file}");
+    }
+    let example = Path::new(ROOT).join("examples/rack-and-pinion.lis");
+    for (command, name) in [("simulate --plant demonstration", "rack-and-pinion"), ("analyze", "margins")] {
+        let (command, options) = command.split_once(' ').unwrap_or((command, ""));
+        let set = example.to_string_lossy();
+        let command = format!("{command} {set} --cycle-time 1ms {options} --picture {name}.svg");
+        assert_eq!(axgen(folder.path(), command.trim()).0, 0, "{command}");
         let file = format!("{name}.svg");
         let drawn = fs::read(folder.path().join(&file)).unwrap();
         let kept = fs::read(Path::new(ROOT).join("docs/pictures").join(&file)).unwrap();

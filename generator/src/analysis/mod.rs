@@ -58,7 +58,9 @@ pub fn analyze(designed: &Designed, model: &DriveModel) -> Analysis {
     if !drives.contains(&Known::IDEAL) {
         drives.push(Known::IDEAL);
     }
-    let Some(points) = closed_loop::points(designed, &drives) else { return Analysis { drives: Vec::new() } };
+    let Some(points) = closed_loop::points(designed, &drives, model.position_gain) else {
+        return Analysis { drives: Vec::new() };
+    };
     Analysis { drives: drives.into_iter().map(|drive| of_drive(designed, &points, drive)).collect() }
 }
 

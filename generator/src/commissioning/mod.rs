@@ -103,7 +103,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
     let is_tunable = axis.ipc.tuning().is_some();
     // The drive that the set states, else the ideal one.
     let drive = [Known::stated(&axis.drive).unwrap_or(Known::IDEAL)];
-    let points = closed_loop::points(designed, &drive);
+    let points = closed_loop::points(designed, &drive, designed.axis.drive.position_gain);
     let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
     let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, closed.as_ref())).collect();

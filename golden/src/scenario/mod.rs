@@ -16,11 +16,13 @@ pub mod picture;
 mod spindle;
 pub(crate) mod spindle_machine;
 
+use crate::drive::{AtLimit, Oscillation, margins};
 use crate::samples::Samples;
 use crate::subject::Subject;
+use generator::axis::{DriveModel, Enable};
 use generator::blocks::{Block, Designed};
 pub use nc::Mistake;
-use nc::Program;
+use nc::{Command, Program};
 
 /// A scenario that was run.
 #[derive(Clone, Debug)]
@@ -30,6 +32,8 @@ pub struct Scenario {
     pub outputs: Samples,
     /// the blocks of the program, in their order
     pub steps: Vec<Step>,
+    /// whether the loop with `v_add` oscillates
+    pub oscillation: Oscillation,
 }
 
 /// When a block of the program acted.
@@ -65,8 +69,21 @@ pub fn run(text: &str, designed: &Designed, block: &Block) -> Result<Scenario, V
     scenario.map_err(|mistake| vec![mistake])
 }
 
+/// Whether `v_add` acts in a loop that is stable with that drive: the block starts ON, and puts `v_add` out.
+fn is_stable(designed: &Designed, subject: &Subject, drive: &DriveModel) -> bool {
+    let acts = designed.axis.ipc.enable == Enable::On && subject.output("v_add").is_some();
+    !acts || margins::margins(designed, drive).stable
+}
+
+/// Whether `v_add` is at its limit in this cycle.
+fn is_limited(designed: &Designed, subject: &Subject) -> bool {
+    subject.get("v_add_calculated").abs() >= designed.axis.ipc.limit() * (1.0 - ROUNDING) && subject.get("v_add") != 0.0
+}
+
 /// Longer scenarios are a mistake of their program.
 const MOST: usize = 200_000;
+/// Within which a limit is one in single precision.
+const ROUNDING: f64 = 1e-6;
 
 /// One cycle of the block, in which it must not have an error.
 fn cycle(subject: &mut Subject, line: usize) -> Result<(), Mistake> {
@@ -88,14 +105,42 @@ fn refused(line: usize, found: impl Into<String>, allowed: impl Into<String>, in
     Mistake { line, column: 1, found: found.into(), allowed: allowed.into(), instead: instead.into() }
 }
 
-/// Runs the blocks of a program one after the other, and notes when.
-fn steps(
-    program: &Program,
-    mut perform: impl FnMut(&nc::Block) -> Result<(usize, usize), Mistake>,
-) -> Result<Vec<Step>, Mistake> {
-    let step = |block: &nc::Block| {
-        let (from, to) = perform(block)?;
-        Ok(Step { line: block.line, number: block.number, from, to })
-    };
-    program.blocks.iter().map(step).collect()
+/// The same in a loop that oscillates, which may be why.
+fn oscillates(mistake: Mistake) -> Mistake {
+    let instead = "weights with which the loop is stable: it is not, and `axgen analyze` prints the largest ones";
+    Mistake { instead: instead.to_owned(), ..mistake }
+}
+
+/// An axis in its loop.
+trait InLoop {
+    /// Does what a command asks for; is back when that is done.
+    fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake>;
+
+    /// Some cycles without a command.
+    fn rest(&mut self, line: usize) -> Result<(), Mistake>;
+
+    fn subject(&self) -> &Subject;
+
+    fn at_limit(&self) -> &AtLimit;
+}
+
+/// Runs the blocks of a program one after the other, between rests, in a loop that is stable or not.
+fn perform_all(closed: &mut impl InLoop, program: &Program, is_stable: bool) -> Result<Scenario, Mistake> {
+    let steps = steps(closed, program).map_err(|mistake| if is_stable { mistake } else { oscillates(mistake) })?;
+    let Subject { inputs, outputs, .. } = closed.subject();
+    let oscillation = Oscillation { is_stable, at_limit: closed.at_limit().time() };
+    Ok(Scenario { inputs: inputs.clone(), outputs: outputs.clone(), steps, oscillation })
+}
+
+fn steps(closed: &mut impl InLoop, program: &Program) -> Result<Vec<Step>, Mistake> {
+    let lines = |block: Option<&nc::Block>| block.map_or(1, |block| block.line);
+    closed.rest(lines(program.blocks.first()))?;
+    let mut steps = Vec::with_capacity(program.blocks.len());
+    for block in &program.blocks {
+        let from = closed.subject().inputs.len();
+        block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
+        steps.push(Step { line: block.line, number: block.number, from, to: closed.subject().inputs.len() });
+    }
+    closed.rest(lines(program.blocks.last()))?;
+    Ok(steps)
 }

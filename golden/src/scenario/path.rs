@@ -1,9 +1,10 @@
 //! Scenarios of path axes: moves, dwell, feedforward. The axis follows with the lag of its position controller. No spindle.
 
-use super::{Scenario, refused, steps};
+use super::{InLoop, Scenario, is_limited, is_stable, perform_all, refused};
+use crate::drive::{AtLimit, AxisDrive};
 use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
-use machine::drive::{Drive, Setup};
+use machine::drive::Setup;
 use machine::grid::{position, rate};
 use machine::profile::{self, Limits, Mover};
 use machine::{Machine, Measured};
@@ -32,19 +33,17 @@ pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Resu
         let found = format!("axis `{}`, which NC programs do not have", of.name);
         return Err(refused(line, found, "an axis named X, Y or Z", "another name for the axis in its set"));
     };
-    let mut closed = Closed::start(designed, axis, Subject::start(designed, block));
-    closed.rest(line)?;
-    let steps = steps(program, |block| {
-        let from = closed.subject.inputs.len();
-        block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.subject.inputs.len()))
-    })?;
-    closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
+    let kv = of.control.position_control.as_ref().map_or(KV, |control| f64::from(control.kv) / 100.0);
+    let drive = AxisDrive::of(designed, Setup { delay: 1.0, ..Setup::DELAY_AND_LAG }, kv);
+    let subject = Subject::start(designed, block);
+    let is_stable = is_stable(designed, &subject, &drive.model);
+    let mut closed = Closed::start(designed, axis, subject, &drive);
+    perform_all(&mut closed, program, is_stable)
 }
 
 /// The loop: program, interpolator, block, drive.
-struct Closed {
+struct Closed<'d> {
+    designed: &'d Designed,
     axis: Axis,
     limits: Limits,
     cycle: f64,
@@ -52,29 +51,32 @@ struct Closed {
     subject: Subject,
     /// end of the last move, of X, Y and Z [um]
     place: [f64; 3],
-    drive: Drive,
+    machine: Box<dyn Machine>,
     actual: Measured,
+    at_limit: AtLimit,
 }
 
-impl Closed {
-    fn start(designed: &Designed, axis: Axis, subject: Subject) -> Self {
+impl<'d> Closed<'d> {
+    fn start(designed: &'d Designed, axis: Axis, subject: Subject, drive: &AxisDrive) -> Self {
         let of = &designed.axis;
         let (cycle, velocity) = (of.cycle_time(), of.ipc.v_max);
         let acceleration = velocity / RISE_TIME;
-        let control = of.control.position_control.as_ref();
         Self {
+            designed,
             axis,
             limits: Limits { velocity, acceleration, jerk: acceleration / JERK_TIME },
             cycle,
-            kv: control.map_or(KV, |control| f64::from(control.kv) / 100.0),
+            kv: drive.model.position_gain.unwrap_or(KV),
             subject,
             place: [0.0; 3],
-            drive: Drive::new(Setup { cycle, delay: 1.0, ..Setup::DELAY_AND_LAG }),
+            machine: drive.machine(),
             actual: Measured::default(),
+            at_limit: AtLimit::new(cycle),
         }
     }
+}
 
-    /// Does what a command asks for; is back when that is done.
+impl InLoop for Closed<'_> {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match command {
             Command::Feedforward { target: Target::Axes, on } => {
@@ -108,6 +110,21 @@ impl Closed {
         }
     }
 
+    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
+        let at = profile::Sample { x: self.own(), ..Default::default() };
+        (0..REST).try_for_each(|_| self.cycle(at, line))
+    }
+
+    fn subject(&self) -> &Subject {
+        &self.subject
+    }
+
+    fn at_limit(&self) -> &AtLimit {
+        &self.at_limit
+    }
+}
+
+impl Closed<'_> {
     /// A straight line, on which the axis has its part.
     fn travel(&mut self, axes: &[(Axis, f64)], feed: f64, line: usize) -> Result<(), Mistake> {
         let mut end = self.place;
@@ -148,18 +165,14 @@ impl Closed {
         self.place[self.axis as usize]
     }
 
-    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
-        let at = profile::Sample { x: self.own(), ..Default::default() };
-        (0..REST).try_for_each(|_| self.cycle(at, line))
-    }
-
     /// One cycle with a command: block, then the axis.
     fn cycle(&mut self, command: profile::Sample, line: usize) -> Result<(), Mistake> {
         let x_command = position(command.x);
+        let error = x_command - self.actual.x;
         let inputs = [
             ("x_command", x_command),
             ("v_interpolator", rate(command.v)),
-            ("v_command", rate(command.v)),
+            ("v_command", rate(self.kv * error)),
             ("a_interpolator", rate(command.a)),
             ("j_interpolator", rate(command.j)),
             ("x_actual", position(self.actual.x)),
@@ -171,8 +184,9 @@ impl Closed {
             self.subject.set(name, value);
         }
         super::cycle(&mut self.subject, line)?;
-        let v = self.kv * (x_command - self.actual.x) + self.subject.get("v_feedforward");
-        self.actual = self.drive.step(v);
+        self.at_limit.count(command.a != 0.0, is_limited(self.designed, &self.subject));
+        let v = self.kv * error + self.subject.get("v_feedforward") + self.subject.get("v_add");
+        self.actual = self.machine.step(v);
         Ok(())
     }
 }

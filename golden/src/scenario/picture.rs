@@ -84,34 +84,34 @@ fn spindle(run: &Run<'_>, designed: &Designed) -> Vec<Panel> {
 }
 
 fn path(run: &Run<'_>) -> Vec<Panel> {
-    let [command, actual] = ["v_interpolator", "v_feedforward"].map(|name| run.values(name));
-    let active = run.values("feedforward_active");
+    let panel = |name: &str, scale, signals: &[(&str, &str)], unit| {
+        let curves = signals.iter().map(|(name, signal)| run.curve(name, &run.values(signal), unit, None));
+        let curves: Vec<Curve> = curves.filter(|curve| !curve.pieces.is_empty()).collect();
+        let is_there = !curves.is_empty();
+        is_there.then(|| Panel::Curves(Curves { name: name.to_owned(), scale, curves, ..Curves::default() }))
+    };
+    let velocities = [("command", "v_interpolator"), ("feedforward", "v_feedforward"), ("motor", "v_motor")];
     let mut panels = vec![
-        Panel::Curves(Curves {
-            name: "velocity [mm/min]".to_owned(),
-            scale: None,
-            marks: Vec::new(),
-            curves: vec![run.curve("command", &command, MM_MIN, None), run.curve("feedforward", &actual, MM_MIN, None)],
-        }),
-        Panel::Curves(Curves {
-            name: "feedforward [%]".to_owned(),
-            scale: Some([0.0, 100.0, 50.0]),
-            marks: Vec::new(),
-            curves: vec![run.curve("G136", &run.values("feedforward_percentage"), 1.0, None)],
-        }),
-        Panel::Rows(Rows { rows: vec![("G135".to_owned(), run.when(&active, 1.0))] }),
+        panel("velocity [mm/min]", None, &velocities, MM_MIN),
+        panel("position [mm]", None, &[("command", "x_command"), ("actual", "x_actual")], MM),
     ];
     let [command, actual] = ["x_command", "x_actual"].map(|name| run.values(name));
-    if !command.is_empty() && !actual.is_empty() {
+    if !actual.is_empty() {
         let lag: Vec<f64> = command.iter().zip(&actual).map(|(command, actual)| command - actual).collect();
-        let curves = |name: &str, curves| {
-            Panel::Curves(Curves { name: name.to_owned(), scale: None, marks: Vec::new(), curves })
-        };
-        let both = vec![run.curve("command", &command, MM, None), run.curve("actual", &actual, MM, None)];
-        panels.insert(1, curves("position [mm]", both));
-        panels.insert(2, curves("position lag [mm]", vec![run.curve("lag", &lag, MM, None)]));
+        let curves = vec![run.curve("lag", &lag, MM, None)];
+        let name = "position lag [mm]".to_owned();
+        panels.push(Some(Panel::Curves(Curves { name, curves, ..Curves::default() })));
     }
-    panels
+    if run.values("v_add").iter().any(|v_add| *v_add != 0.0) {
+        panels.push(panel("v_add [mm/s]", None, &[("v_add", "v_add")], MM));
+    }
+    let percentage = [("G136", "feedforward_percentage")];
+    panels.push(panel("feedforward [%]", Some([0.0, 100.0, 50.0]), &percentage, 1.0));
+    let active = run.values("feedforward_active");
+    if !active.is_empty() {
+        panels.push(Some(Panel::Rows(Rows { rows: vec![("G135".to_owned(), run.when(&active, 1.0))] })));
+    }
+    panels.into_iter().flatten().collect()
 }
 
 /// A scenario over time.

@@ -1,7 +1,8 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
 use super::spindle_machine::{self, Machine};
-use super::{Scenario, refused, steps};
+use super::{InLoop, Scenario, is_limited, is_stable, perform_all, refused};
+use crate::drive::AtLimit;
 use crate::subject::Subject;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
@@ -31,16 +32,10 @@ pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Resu
         let found = format!("axis `{}` does not change over", axis.name);
         return Err(refused(line, found, "an axis with the block `spindle`", "another axis"));
     };
-    let mut closed =
-        Closed::start(axis, spindle, Subject::start(designed, block)).map_err(|error| no_motion(line, &error))?;
-    closed.rest(line)?;
-    let steps = steps(program, |block| {
-        let from = closed.subject.inputs.len();
-        block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.subject.inputs.len()))
-    })?;
-    closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
+    let subject = Subject::start(designed, block);
+    let is_stable = is_stable(designed, &subject, &Machine::model(axis, spindle));
+    let mut closed = Closed::start(designed, spindle, subject).map_err(|error| no_motion(line, &error))?;
+    perform_all(&mut closed, program, is_stable)
 }
 
 fn no_motion(line: usize, error: &profile::Error) -> Mistake {
@@ -49,6 +44,7 @@ fn no_motion(line: usize, error: &profile::Error) -> Mistake {
 
 /// The loop: program, interpolator, block, drive.
 struct Closed<'a> {
+    designed: &'a Designed,
     axis: &'a Axis,
     spindle: &'a Spindle,
     subject: Subject,
@@ -56,22 +52,30 @@ struct Closed<'a> {
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
     is_done: bool,
+    /// velocity of the cycle before
+    v_before: f64,
+    at_limit: AtLimit,
 }
 
 impl<'a> Closed<'a> {
-    fn start(axis: &'a Axis, spindle: &'a Spindle, mut subject: Subject) -> Result<Self, profile::Error> {
+    fn start(designed: &'a Designed, spindle: &'a Spindle, mut subject: Subject) -> Result<Self, profile::Error> {
         subject.set("drive_on", 1.0);
+        let axis = &designed.axis;
         Ok(Self {
+            designed,
             machine: Machine::start(axis, spindle, START)?,
             axis,
             spindle,
             subject,
             feedforward: [0.0, 100.0],
             is_done: false,
+            v_before: 0.0,
+            at_limit: AtLimit::new(axis.cycle_time()),
         })
     }
+}
 
-    /// Does what a command asks for; is back when that is done.
+impl InLoop for Closed<'_> {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match *command {
             Command::Feedforward { target: Target::Spindle(1), on } => self.feedforward[0] = f64::from(u8::from(on)),
@@ -119,6 +123,20 @@ impl<'a> Closed<'a> {
         Ok(())
     }
 
+    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
+        (0..REST).try_for_each(|_| self.cycle(line))
+    }
+
+    fn subject(&self) -> &Subject {
+        &self.subject
+    }
+
+    fn at_limit(&self) -> &AtLimit {
+        &self.at_limit
+    }
+}
+
+impl Closed<'_> {
     /// M19: without a direction the present one, at rest the shorter way; without a speed that of position control.
     fn position(
         &mut self,
@@ -198,10 +216,6 @@ impl<'a> Closed<'a> {
         is_there && (self.machine.actual.v - v).abs() <= window && (self.subject.get("v_spindle") - v).abs() < 1.0
     }
 
-    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
-        (0..REST).try_for_each(|_| self.cycle(line))
-    }
-
     /// One cycle: actual values, interpolator, block, drive.
     fn cycle(&mut self, line: usize) -> Result<(), Mistake> {
         let commanded = self.machine.next(&self.seen()).map_err(|error| no_motion(line, &error))?;
@@ -223,6 +237,8 @@ impl<'a> Closed<'a> {
             self.subject.set(name, value);
         }
         super::cycle(&mut self.subject, line)?;
+        self.at_limit.count(commanded.v.to_bits() != self.v_before.to_bits(), is_limited(self.designed, &self.subject));
+        self.v_before = commanded.v;
         self.machine.obey(&|name| self.subject.output(name), self.feedforward);
         Ok(())
     }

@@ -1,6 +1,7 @@
 //! The machine around a spindle's block: the interpolator, and the drive with what it gets. No program, no operator.
 
-use generator::axis::{Axis, Changeover, Ratio, Spindle};
+use generator::axis::{Axis, Changeover, DriveModel, Ratio, Spindle};
+use machine::drive::TIME_CONSTANT;
 use machine::grid::shortest;
 use machine::profile::{Error, Limits};
 use machine::spindle::drive::{Actual, Command, Drive, Setup};
@@ -40,6 +41,16 @@ impl<'a> Machine<'a> {
         let (drive, actual) = Drive::at(setup, x);
         let interpolator = Interpolator::at(limits, cycle, x)?;
         Ok(Self { spindle, limits, cycle, interpolator, drive, actual, arriving: actual })
+    }
+
+    /// Its drive, as it is in the loop of improved position control: actual values arrive cycles late, after the velocity loop.
+    pub(crate) fn model(axis: &Axis, spindle: &Spindle) -> DriveModel {
+        DriveModel {
+            delay_cycles: Some(1.0 + f64::from(spindle.delay_cycles)),
+            time_constant: Some(TIME_CONSTANT),
+            response: None,
+            position_gain: Some(axis.drive.position_gain.unwrap_or(f64::from(spindle.kv) / 100.0)),
+        }
     }
 
     /// One cycle: actual values, then the interpolator.

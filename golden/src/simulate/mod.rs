@@ -2,17 +2,15 @@
 //! each stage alone, and all. No file.
 //!
 //! ```text
-//! row              what comes out of a run
-//! setting          the loop of a run
-//! response_filter  a measured response as a machine
-//! ripple           a vibration on a machine that has none
-//! loop_margins     Ms of the same loop
-//! text             the table, and CSV; picture: off against on
+//! row       what comes out of a run
+//! setting   the loop of a run
+//! ripple    a vibration on a machine that has none
+//! of_plant  the loop of the demonstration plant
+//! text      the table, and CSV; picture: off against on
 //! ```
 
-mod loop_margins;
+mod of_plant;
 pub mod picture;
-mod response_filter;
 mod ripple;
 mod row;
 mod setting;
@@ -36,7 +34,6 @@ pub fn run(designed: &Designed, moved: Moved, dwell: Option<f64>) -> Result<Simu
         }
     }
     rows.push(set.row("all", designed, ON)?);
-    let deviation = set.filter.as_ref().zip(set.model.response.as_ref());
-    let deviation = deviation.map(|(filter, measured)| filter.deviation(&measured.response));
+    let deviation = set.drive.deviation();
     Ok(Simulation { moved, kv: set.position.kv, rows, deviation, stages })
 }

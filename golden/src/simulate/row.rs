@@ -1,9 +1,7 @@
 //! What comes out of a simulation. Nothing is computed here.
 
+use crate::drive::Oscillation;
 use machine::closed_loop::Record;
-
-/// How long `v_add` may be at its limit without a ramp [s].
-const AT_LIMIT: f64 = 0.2;
 
 /// What moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,17 +36,9 @@ pub struct Row {
     pub peak_v_add: f64,
     /// none: unstable, or perhaps so
     pub ms: Option<f64>,
-    /// how long v_add was at its limit where no ramp is [s]
-    pub at_limit: f64,
+    /// whether the loop oscillates
+    pub oscillation: Oscillation,
     /// what the block said of itself: its first error id
     pub error_id: Option<f64>,
     pub record: Record,
-}
-
-impl Row {
-    /// v_add at its limit for longer than any vibration needs.
-    #[must_use]
-    pub fn is_at_limit(&self) -> bool {
-        self.at_limit > AT_LIMIT
-    }
 }

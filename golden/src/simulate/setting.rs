@@ -1,16 +1,15 @@
 //! The loop of a run: machine, position controller, moves, and the block in it; what is measured.
 
-use super::loop_margins::{self, OfPlant};
-use super::response_filter::ResponseFilter;
+use super::of_plant::OfPlant;
 use super::ripple::Ripple;
 use super::row::{Moved, Row};
 use crate::case::named_block;
+use crate::drive::{AtLimit, AxisDrive, Oscillation, margins};
 use crate::subject::Subject;
-use generator::axis::DriveModel;
 use generator::blocks::Designed;
 use machine::Machine;
 use machine::closed_loop::{self, Position, Record, Signals, UM};
-use machine::drive::{Drive, Setup};
+use machine::drive::Setup;
 use machine::measure::{self, figures, peak};
 use machine::plant::{DEMONSTRATION, Plant};
 use machine::sequence::Sequence;
@@ -18,8 +17,6 @@ use machine::sequence::Sequence;
 /// Mode of the block (P-AXIS-00758).
 pub(super) const OFF: f64 = 0.0;
 pub(super) const ON: f64 = 1.0;
-/// How long behind a ramp the limit may still act because of it [s].
-const SETTLED: f64 = 0.3;
 /// Periods of a ripple at constant speed, at least, and the time before they count [s].
 const PERIODS: f64 = 20.0;
 const BEFORE: f64 = 0.4;
@@ -44,9 +41,8 @@ pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
 /// What all runs share.
 pub(super) struct Setting {
     moved: Moved,
-    pub(super) model: DriveModel,
+    pub(super) drive: AxisDrive,
     of_plant: Option<OfPlant>,
-    pub(super) filter: Option<ResponseFilter>,
     pub(super) position: Position,
     sequence: Sequence,
     cycle: f64,
@@ -60,19 +56,12 @@ impl Setting {
     pub(super) fn new(designed: &Designed, moved: Moved, dwell: Option<f64>, stages: &[(usize, f64)]) -> Self {
         let axis = &designed.axis;
         let cycle = axis.cycle_time();
+        let drive = AxisDrive::of(designed, Setup::DELAY, Position::DEMONSTRATION.kv);
         let kv = match moved {
             Moved::Demonstration => Position::DEMONSTRATION.kv,
-            Moved::Drive => axis.drive.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
-        };
-        let model = match moved {
-            Moved::Demonstration => DriveModel::default(),
-            Moved::Drive => {
-                let delay = axis.drive.delay_cycles.unwrap_or(Setup::DELAY.delay);
-                DriveModel { delay_cycles: Some(delay), position_gain: Some(kv), ..axis.drive.clone() }
-            }
+            Moved::Drive => drive.model.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
         };
         let of_plant = (moved == Moved::Demonstration).then(|| OfPlant::new(&plant(cycle), kv));
-        let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle));
         let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::min);
         let usual = match moved {
             Moved::Demonstration => Sequence::DEMONSTRATION.dwell,
@@ -84,23 +73,17 @@ impl Setting {
         let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;
         let frequencies = stages.iter().map(|(_, f0)| *f0).collect();
         let position = Position { kv, ..Position::DEMONSTRATION };
-        Self { moved, model, of_plant, filter, position, sequence, cycle, frequencies, fade }
+        Self { moved, drive, of_plant, position, sequence, cycle, frequencies, fade }
     }
 
     fn machine(&self) -> Box<dyn Machine> {
-        match (self.moved, &self.filter) {
-            (Moved::Demonstration, _) => Box::new(plant(self.cycle).at_rest()),
-            (Moved::Drive, Some(filter)) => Box::new(Ripple::new(filter.clone(), self.frequencies.clone())),
-            (Moved::Drive, None) => {
-                let (delay, time_constant) = (self.model.delay_cycles, self.model.time_constant);
-                let delay = delay.unwrap_or(Setup::DELAY.delay);
-                let setup = Setup { cycle: self.cycle, delay, time_constant: time_constant.unwrap_or(0.0) };
-                Box::new(Ripple::new(Drive::new(setup), self.frequencies.clone()))
-            }
+        match self.moved {
+            Moved::Demonstration => Box::new(plant(self.cycle).at_rest()),
+            Moved::Drive => Box::new(Ripple::new(self.drive.machine(), self.frequencies.clone())),
         }
     }
 
-    /// One run from rest, with the block's fade behind it.
+    /// One run from rest, after the block's fade.
     pub(super) fn row(&self, name: &str, designed: &Designed, mode: f64) -> Result<Row, String> {
         let mut subject = Subject::start(designed, &named_block(designed, "ipc")?);
         let signals = subject.inputs.shape.signals.iter().map(|signal| signal.name.clone());
@@ -123,7 +106,7 @@ impl Setting {
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
         let ms = match &self.of_plant {
             Some(of_plant) => of_plant.ms(&loop_of),
-            None => loop_margins::ms(&loop_of, &self.model),
+            None => margins::ms(&loop_of, &self.drive.model),
         };
         Ok(Row {
             name: name.to_owned(),
@@ -131,7 +114,7 @@ impl Setting {
             following_error: measure::following_error(&record) * 1e3,
             peak_v_add: peak(&record.v_add),
             ms,
-            at_limit: at_limit(&record, &limited[self.fade..]),
+            oscillation: Oscillation { is_stable: ms.is_some(), at_limit: at_limit(&record, &limited[self.fade..]) },
             error_id,
             record,
         })
@@ -169,8 +152,9 @@ fn of_ripple(record: &Record, f0: f64) -> f64 {
 
 /// How long v_add is at its limit where no ramp is the reason [s].
 fn at_limit(record: &Record, limited: &[bool]) -> f64 {
-    let is_ramp =
-        |n: f64| record.ramps.iter().any(|[from, to]| n >= *from as f64 && n < *to as f64 + SETTLED / record.cycle);
-    let cycles = limited.iter().enumerate().filter(|(n, limited)| **limited && !is_ramp(*n as f64)).count();
-    cycles as f64 * record.cycle
+    let mut at_limit = AtLimit::new(record.cycle);
+    for (n, is_limited) in limited.iter().enumerate() {
+        at_limit.count(record.ramps.iter().any(|[from, to]| (*from..*to).contains(&n)), *is_limited);
+    }
+    at_limit.time()
 }

@@ -59,20 +59,9 @@ fn verdicts(simulation: &Simulation) -> String {
 }
 
 fn verdict(row: &Row) -> Option<String> {
-    let name = &row.name;
-    let said = match (row.is_at_limit(), row.ms, row.error_id) {
-        (true, None, _) => format!("v_add at its limit for {:.1} s: the loop is unstable", row.at_limit),
-        (false, None, _) => "v_add has not reached its limit yet, but the loop is unstable".to_owned(),
-        (true, Some(_), _) => {
-            format!(
-                "v_add at its limit for {:.1} s: the loop is stable, the limit too small for this vibration",
-                row.at_limit
-            )
-        }
-        (false, Some(_), Some(id)) => format!("error {id} of the block; `axgen explain {id}` says what it means"),
-        (false, Some(_), None) => return None,
-    };
-    Some(format!("{name}: {said}\n"))
+    let of_block = |id| format!("error {id} of the block; `axgen explain {id}` says what it means");
+    let said = row.oscillation.verdict().or_else(|| row.error_id.map(of_block))?;
+    Some(format!("{}: {said}\n", row.name))
 }
 
 /// Off against on, a line each cycle.

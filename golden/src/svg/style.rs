@@ -18,14 +18,14 @@ pub const STYLES: [(&str, &str); 4] = [
 /// Points on a line of the file.
 const POINTS: usize = 8;
 /// Width of a letter, about.
-pub(super) const LETTER: f64 = 6.8;
+pub(super) const LETTER: f64 = 7.2;
 /// Height of a line of text.
 pub(super) const LETTERS: f64 = 12.0;
 /// The piece of a line before its name.
 const PIECE: f64 = 26.0;
 const BETWEEN: f64 = 18.0;
 /// Points that are nearer to each other than this are one.
-const NEAR: f64 = 0.5;
+const NEAR: f64 = 0.8;
 
 /// Lines across and along: how visible, and further attributes.
 pub(super) fn line(ends: [f64; 4], opacity: &str, dashes: &str) -> String {

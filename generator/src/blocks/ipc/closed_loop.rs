@@ -100,8 +100,9 @@ pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> 
     designed.stage.iter().flatten().filter(|design| looks_at_motor(design.stage.mode))
 }
 
-/// The controller of an axis at the points of the frequency axis that these drives need; none: no stage closes a loop.
-pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known]) -> Option<Points<'d>> {
+/// The controller of an axis, in a position loop of that gain [1/s], at the points of the frequency axis that these drives need; none: no
+/// stage closes a loop.
+pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain: Option<f64>) -> Option<Points<'d>> {
     let mut coeffs: [Option<Coeffs<f64>>; STAGES] = [None; STAGES];
     let mut weight = [0.0; STAGES];
     let mut bands = Vec::new();
@@ -119,7 +120,7 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known]) -> Option<Poi
         weight,
         stage: Box::new(move |t| coeffs.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| response::of_stage(of, t)))),
         bands,
-        position_gain: designed.axis.drive.position_gain,
+        position_gain,
     };
     Some(Points::new(controller, &drives.iter().map(Known::drive).collect::<Vec<_>>()))
 }

@@ -24,7 +24,7 @@ pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     }
     let stated = Known::stated(&axis.drive);
     let drives: Vec<Known> = stated.into_iter().chain([Known::IDEAL]).collect();
-    let Some(points) = points(designed, &drives) else { return };
+    let Some(points) = points(designed, &drives, designed.axis.drive.position_gain) else { return };
     let is_error = axis.ipc.enable == Enable::On && axis.ipc.limit() > 0.0 && !is_accepted(e);
     // The stated one first; the ideal one is the last.
     let judged = drives.iter().map(|drive| Loop::new(&points, drive.drive()));

@@ -134,7 +134,7 @@ fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String
 /// The verdicts on the stages, and what is not in them.
 fn stages(designed: &Designed) -> Vec<String> {
     let drives = Known::of(&designed.axis.drive);
-    let points = closed_loop::points(designed, &drives);
+    let points = closed_loop::points(designed, &drives, designed.axis.drive.position_gain);
     let closed = |points| drives.iter().map(move |known| (known.words(), Loop::new(points, known.drive())));
     let loops: Vec<(String, Loop<'_>)> = points.iter().flat_map(closed).collect();
     let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| stage_verdict(design, &loops)).collect();

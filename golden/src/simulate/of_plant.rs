@@ -1,12 +1,13 @@
-//! Ms of the loop that is simulated: of the axis by its analysis, of the position loop alone, and the response of the demonstration plant.
+//! The loop of the demonstration plant: its response, and Ms.
 
+use crate::drive::margins::{is_on, margins};
 use generator::analysis;
 use generator::axis::{DriveModel, MeasuredDrive};
 use generator::blocks::Designed;
 use machine::Machine;
 use machine::measure::fourier;
 use machine::plant::Plant;
-use stability::{Band, Complex64, Controller, Drive, Loop, Margins, Points, Response, STAGES};
+use stability::{Complex64, Response};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -17,43 +18,6 @@ const LINES: u32 = 2_000;
 const LOWEST: f64 = 0.5;
 /// The plant is linear without its mesh: any impulse does [m/s].
 const IMPULSE: f64 = 1.0;
-
-/// Ms of the loop with the stages of an axis; none: unstable, or perhaps so.
-pub(super) fn ms(designed: &Designed, model: &DriveModel) -> Option<f64> {
-    margins(designed, model).ms.map(|[ms, _]| ms)
-}
-
-/// The loop with the stages of an axis; without stages the position loop alone.
-fn margins(designed: &Designed, model: &DriveModel) -> Margins {
-    match analysis::analyze(designed, model).drives.into_iter().next() {
-        Some(of) if is_on(designed) => of.margins,
-        _ => of_position(designed.axis.cycle_time(), model),
-    }
-}
-
-/// Whether a stage acts.
-fn is_on(designed: &Designed) -> bool {
-    designed.axis.ipc.stage.iter().any(Option::is_some)
-}
-
-/// The position loop alone.
-fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
-    let drive = match &model.response {
-        Some(measured) => Drive::Measured(&measured.response),
-        None => Drive::Delay { cycles: model.delay_cycles.unwrap_or(1.0), time_constant: model.time_constant },
-    };
-    let nyquist = 0.5 / cycle_time;
-    let controller = Controller {
-        cycle_time,
-        weight: [0.0; STAGES],
-        stage: Box::new(|_| [Complex64::new(0.0, 0.0); STAGES]),
-        // Where a position loop has its corner, about.
-        bands: vec![Band { centre: nyquist / 50.0, width: nyquist / 50.0 }],
-        position_gain: model.position_gain,
-    };
-    let points = Points::new(controller, &[drive]);
-    Loop::new(&points, drive).margins()
-}
 
 /// A loop whose drive is a plant: its position is measured, not the sum of its measured velocities.
 pub(super) struct OfPlant {

@@ -1,0 +1,43 @@
+//! The loop that an axis closes with its drive: of the stages by its analysis, without stages the position loop alone.
+
+use generator::analysis;
+use generator::axis::DriveModel;
+use generator::blocks::Designed;
+use stability::{Band, Complex64, Controller, Drive, Loop, Margins, Points, STAGES};
+
+/// Ms of the loop with the stages of an axis; none: unstable, or perhaps so.
+pub(crate) fn ms(designed: &Designed, model: &DriveModel) -> Option<f64> {
+    margins(designed, model).ms.map(|[ms, _]| ms)
+}
+
+/// The loop with the stages of an axis; without stages the position loop alone.
+pub(crate) fn margins(designed: &Designed, model: &DriveModel) -> Margins {
+    match analysis::analyze(designed, model).drives.into_iter().next() {
+        Some(of) if is_on(designed) => of.margins,
+        _ => of_position(designed.axis.cycle_time(), model),
+    }
+}
+
+/// Whether a stage acts.
+pub(crate) fn is_on(designed: &Designed) -> bool {
+    designed.axis.ipc.stage.iter().any(Option::is_some)
+}
+
+/// The position loop alone.
+fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
+    let drive = match &model.response {
+        Some(measured) => Drive::Measured(&measured.response),
+        None => Drive::Delay { cycles: model.delay_cycles.unwrap_or(1.0), time_constant: model.time_constant },
+    };
+    let nyquist = 0.5 / cycle_time;
+    let controller = Controller {
+        cycle_time,
+        weight: [0.0; STAGES],
+        stage: Box::new(|_| [Complex64::new(0.0, 0.0); STAGES]),
+        // Where a position loop has its corner, about.
+        bands: vec![Band { centre: nyquist / 50.0, width: nyquist / 50.0 }],
+        position_gain: model.position_gain,
+    };
+    let points = Points::new(controller, &[drive]);
+    Loop::new(&points, drive).margins()
+}
