@@ -1,6 +1,7 @@
 //! The responses that the tests write down: a velocity loop behind a delay, and an open speed plant. Simple formulas, nothing of the generator.
 
 use super::CYCLE_TIME;
+use machine::Machine;
 use stability::Complex64;
 use std::f64::consts::TAU;
 
@@ -22,6 +23,16 @@ fn mechanics(hz: f64, antiresonance: f64, resonance: f64) -> Complex64 {
 /// From the commanded velocity to the motor's: 1.5 cycles, a time constant of 3 ms, a vibration.
 pub(super) fn velocity_loop(hz: f64) -> Complex64 {
     delay(hz, 1.5 * CYCLE_TIME) / complex(1.0, TAU * hz * 3e-3) * mechanics(hz, 47.0, 51.0)
+}
+
+/// The demonstration plant at the lines, from its answer to an impulse of 16 s.
+pub(super) fn demonstration() -> Vec<Complex64> {
+    let mut plant = machine::plant::DEMONSTRATION.without_mesh().at_rest();
+    // What is measured in a cycle is the answer to the commands before.
+    let mut v = vec![0.0];
+    v.extend((0..16_000).map(|n| plant.step(if n == 0 { 1.0 } else { 0.0 }).v_motor));
+    let line = |hz: f64| machine::measure::fourier(&v, TAU * hz * plant.cycle());
+    lines().into_iter().map(line).map(|[re, im]| complex(re, im)).collect()
 }
 
 /// From current [A] to velocity [rad/s]: an inertia, a vibration, a current loop of 0.3 ms.

@@ -1,15 +1,14 @@
 //! One response in the spellings of measuring programs and spreadsheets: the same lines and the same margins.
 
-use super::plant::{complex, decibels, degrees, lines, unwrapped, velocity_loop};
+use super::plant::{complex, decibels, degrees, demonstration, lines, unwrapped, velocity_loop};
 use super::{BANDS, COMMAND, CYCLE_TIME};
 use generator::response_file::{Measured, read};
 use stability::{Complex64, Controller, Drive, Loop, Points};
 use std::f64::consts::{PI, TAU};
 
 /// A file of lines that are written one by one.
-fn file(head: &str, end: &str, line: impl Fn(usize, f64, Complex64) -> String) -> Vec<u8> {
-    let lines = lines();
-    let written = lines.iter().enumerate().map(|(index, hz)| line(index, *hz, velocity_loop(*hz)) + end);
+fn written(p: &[Complex64], head: &str, end: &str, line: impl Fn(usize, f64, Complex64) -> String) -> Vec<u8> {
+    let written = lines().into_iter().zip(p).enumerate().map(|(index, (hz, p))| line(index, hz, *p) + end);
     (head.to_owned() + end + &written.collect::<String>()).into_bytes()
 }
 
@@ -27,62 +26,66 @@ fn narrow(bytes: &[u8]) -> Vec<u8> {
     String::from_utf8(bytes.to_vec()).unwrap().chars().map(|letter| u8::try_from(u32::from(letter)).unwrap()).collect()
 }
 
-fn spellings() -> Vec<(&'static str, Vec<u8>)> {
-    let turns = unwrapped(&lines().into_iter().map(velocity_loop).collect::<Vec<_>>());
+/// The response at the lines, in each spelling.
+fn spellings(p: &[Complex64]) -> Vec<(&'static str, Vec<u8>)> {
+    let turns = unwrapped(p);
     let turn = |index: usize| turns[index];
-    let german = file("Frequenz [Hz];Betrag [dB];Phase [°]", "\r\n", |_, hz, p| {
+    macro_rules! file {
+        ($($argument:expr),*) => { written(p, $($argument),*) };
+    }
+    let german = file!("Frequenz [Hz];Betrag [dB];Phase [°]", "\r\n", |_, hz, p| {
         comma(format!("{hz};{:.9};{:.9}", decibels(p), degrees(p)))
     });
     vec![
-        ("plain", file("f [Hz],re,im", "\n", |_, hz, p| format!("{hz},{:.12},{:.12}", p.re, p.im))),
-        ("BOM, CRLF", file("\u{feff}frequency,real,imag", "\r\n", |_, hz, p| format!("{hz:e},{:e},{:e}", p.re, p.im))),
+        ("plain", file!("f [Hz],re,im", "\n", |_, hz, p| format!("{hz},{:.12},{:.12}", p.re, p.im))),
+        ("BOM, CRLF", file!("\u{feff}frequency,real,imag", "\r\n", |_, hz, p| format!("{hz:e},{:e},{:e}", p.re, p.im))),
         ("German, ISO 8859-1", narrow(&german)),
         ("German, UTF-16", wide(&german)),
         (
             "dB and degrees, wrapped",
-            file("Freq\tMag (dB)\tPhase (deg)", "\n", |_, hz, p| {
+            file!("Freq\tMag (dB)\tPhase (deg)", "\n", |_, hz, p| {
                 format!("{hz}\t{:.9}\t{:.9}", decibels(p), degrees(p))
             }),
         ),
         (
             "degrees, unwrapped",
-            file("f [Hz];gain [dB];phase [deg]", "\n", |index, hz, p| {
+            file!("f [Hz];gain [dB];phase [deg]", "\n", |index, hz, p| {
                 format!("{hz};{:.9};{:.9}", decibels(p), turn(index).to_degrees())
             }),
         ),
         (
             "radians, unwrapped, factor",
-            file("\"f / Hz\", \"|P|\", \"phase / rad\"", "\n", |index, hz, p| {
+            file!("\"f / Hz\", \"|P|\", \"phase / rad\"", "\n", |index, hz, p| {
                 format!("{hz}, {:.12}, {:.12}", p.norm(), turn(index))
             }),
         ),
         (
             "rad/s, blanks",
-            file("omega [rad/s]  magnitude  phase [rad]", "\n", |_, hz, p| {
+            file!("omega [rad/s]  magnitude  phase [rad]", "\n", |_, hz, p| {
                 format!("  {:.12}   {:.12}  {:.12}", TAU * hz, p.norm(), p.arg())
             }),
         ),
         (
             "kHz, other order, other columns",
-            file("Time;Realteil;Imaginärteil;Frequenz in kHz;note", "\n", |_, hz, p| {
+            file!("Time;Realteil;Imaginärteil;Frequenz in kHz;note", "\n", |_, hz, p| {
                 format!("0;{:.12};{:.12};{:.6};x", p.re, p.im, hz / 1000.0)
             }),
         ),
         (
             "a line of units, a preamble, a decimal comma",
-            file("Axis X, 2026-11-24\nAverages 20\n\nf\tAmplitude\tPhase\n[Hz]\t[dB]\t[rad]", "\n", |_, hz, p| {
+            file!("Axis X, 2026-11-24\nAverages 20\n\nf\tAmplitude\tPhase\n[Hz]\t[dB]\t[rad]", "\n", |_, hz, p| {
                 comma(format!("{hz}\t{:.9}\t{:.9}\t", decibels(p), p.arg()))
             }),
         ),
         (
             "names in a comment",
-            file("% exported by a script\n# freq_hz, mag_db, phase_deg", "\n", |_, hz, p| {
+            file!("% exported by a script\n# freq_hz, mag_db, phase_deg", "\n", |_, hz, p| {
                 format!("{hz} {:.9} {:.9}", decibels(p), degrees(p))
             }),
         ),
         (
             "quoted decimal commas, comments between",
-            file("// f, re, im\nf,re,im\n; lines", "\n", |index, hz, p| {
+            file!("// f, re, im\nf,re,im\n; lines", "\n", |index, hz, p| {
                 let comment = if index == 5 { "# weak\n\n" } else { "" };
                 comment.to_owned()
                     + &comma(format!("{hz}#{:.12}#{:.12}", p.re, p.im))
@@ -94,7 +97,7 @@ fn spellings() -> Vec<(&'static str, Vec<u8>)> {
         ),
         (
             "units without brackets, units not stated",
-            file("w_rad_s;gain;phase", "\n", |_, hz, p| {
+            file!("w_rad_s;gain;phase", "\n", |_, hz, p| {
                 format!("{:.12};{:.9};{:.9}", TAU * hz, decibels(p), degrees(p))
             }),
         ),
@@ -126,7 +129,9 @@ fn margins(measured: &Measured) -> Vec<f64> {
     let closed = Loop::new(&points, Drive::Measured(&measured.response));
     assert!(closed.is_stable());
     let margins = closed.margins();
-    let (ms, gain, phase) = (margins.ms.unwrap()[0], margins.gain_db.unwrap(), margins.phase_deg.unwrap());
+    // An unlimited margin must be unlimited in every spelling.
+    let [gain, phase] = [margins.gain_db, margins.phase_deg].map(|margin| margin.unwrap_or(f64::MAX));
+    let ms = margins.ms.unwrap()[0];
     vec![
         ms,
         gain,
@@ -138,16 +143,14 @@ fn margins(measured: &Measured) -> Vec<f64> {
     ]
 }
 
-#[test]
-fn every_spelling_is_the_same_response() {
-    let expected: Vec<Complex64> = lines().into_iter().map(velocity_loop).collect();
+fn is_the_same_in_every_spelling(expected: &[Complex64]) {
     let mut first: Option<Vec<f64>> = None;
-    for (name, bytes) in spellings() {
+    for (name, bytes) in spellings(expected) {
         let measured =
             read("p.csv", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap_or_else(|report| panic!("{name}: {report}"));
         assert_eq!(measured.lines, expected.len(), "{name}");
         assert!(!measured.has_errors, "{name}");
-        for (hz, expected) in lines().into_iter().zip(&expected) {
+        for (hz, expected) in lines().into_iter().zip(expected) {
             let error = (measured.response.value(hz) - expected).norm();
             assert!(error < 1e-6, "{name}: {error:e} at {hz} Hz");
         }
@@ -159,10 +162,36 @@ fn every_spelling_is_the_same_response() {
     }
 }
 
+#[test]
+fn every_spelling_is_the_same_response() {
+    is_the_same_in_every_spelling(&lines().into_iter().map(velocity_loop).collect::<Vec<_>>());
+}
+
+/// Magnitude and phase [degrees] of the demonstration plant, by an independent simulation of it.
+const DEMONSTRATION: [(f64, f64, f64); 6] = [
+    (5.0, 1.0335, -5.58),
+    (11.0, 0.8567, -26.54),
+    (20.0, 1.0691, -29.74),
+    (47.0, 0.3279, -83.21),
+    (53.0, 0.4349, -33.46),
+    (100.0, 0.9890, -105.07),
+];
+
+#[test]
+fn every_spelling_is_the_demonstration_plant() {
+    let p = demonstration();
+    for (hz, magnitude, phase) in DEMONSTRATION {
+        let at = lines().iter().position(|line| *line == hz).unwrap();
+        let error = (p[at] / Complex64::from_polar(magnitude, phase.to_radians()) - 1.0).norm();
+        assert!(error < 2e-3, "{hz} Hz: {} for {magnitude}, {} deg for {phase}", p[at].norm(), degrees(p[at]));
+    }
+    is_the_same_in_every_spelling(&p);
+}
+
 /// 1.5 cycles were put in. A time constant that is not sampled counts for a part of a cycle more.
 #[test]
 fn the_dead_time_is_found() {
-    let (_, bytes) = spellings().swap_remove(0);
+    let (_, bytes) = spellings(&lines().into_iter().map(velocity_loop).collect::<Vec<_>>()).swap_remove(0);
     let measured = read("p.csv", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap();
     let cycles = measured.dead_time.unwrap() / CYCLE_TIME;
     assert!((1.45..2.1).contains(&cycles), "{cycles}");
