@@ -3,6 +3,7 @@
 #![expect(clippy::print_stdout, reason = "the figures of a report")]
 
 mod eigenvalues;
+mod emitted;
 mod examples;
 mod ideal_drive;
 mod random;
