@@ -93,9 +93,9 @@ fn the_table_of_the_definition() {
 #[test]
 fn indirect_costs_following_error() {
     let error = |changes| run(&DEMONSTRATION, changes).0.following_error * 1000.0;
-    // The definition does not say with which cycle's command the position is compared: one cycle is 0.53 mm at full speed.
-    assert_near("off [mm]", error(&[NO_DIRECT, NO_INDIRECT]), 0.70, 0.12);
-    assert_near("INDIRECT [mm]", error(&[NO_DIRECT]), 2.31, 0.12);
+    // The definition does not say how the position of a command follows from its velocity: one cycle is 0.53 mm at full speed.
+    assert_near("off [mm]", error(&[NO_DIRECT, NO_INDIRECT]), 0.70, 0.06);
+    assert_near("INDIRECT [mm]", error(&[NO_DIRECT]), 2.31, 0.03);
 }
 
 #[test]

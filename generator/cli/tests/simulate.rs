@@ -57,9 +57,9 @@ fn the_demonstration_plant_gives_its_table() {
             assert_near(&format!("{name}, column {column}"), found[column], expected, 0.02);
         }
     }
-    // The definition does not say with which cycle's command the position is compared: one cycle is 0.53 mm at full speed.
-    assert_near("following error off", row(&text, "off")[3], 0.70, 0.12);
-    assert_near("following error", row(&text, "all")[3], 2.31, 0.12);
+    // The definition does not say how the position of a command follows from its velocity: one cycle is 0.53 mm at full speed.
+    assert_near("following error off", row(&text, "off")[3], 0.70, 0.06);
+    assert_near("following error", row(&text, "stage 1 alone")[3], 2.31, 0.03);
 }
 
 #[test]

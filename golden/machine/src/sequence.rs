@@ -32,7 +32,8 @@ impl Sequence {
     };
 }
 
-/// A sequence, cycle by cycle. The position is where the axis shall be a cycle later: `x[n] = x[n-1] + Ts v[n+1]`.
+/// A sequence, cycle by cycle. The position is where the axis shall be a cycle later, by the rule of the trapezoid:
+/// `x[n] = x[n-1] + Ts (v[n] + v[n+1]) / 2`.
 #[derive(Clone, Debug, Default)]
 pub struct Planned {
     /// each ramp: its first cycle, and the one behind its last
@@ -79,11 +80,11 @@ impl Planned {
     /// The positions of the velocities.
     fn integrate(&mut self, cycle: f64) {
         let next = self.v.iter().skip(1).chain(self.v.last());
-        let sum = |x: &mut f64, v: &f64| {
-            *x += cycle * v;
+        let sum = |x: &mut f64, (v, next): (&f64, &f64)| {
+            *x += cycle * (v + next) / 2.0;
             Some(*x)
         };
-        self.x = next.scan(0.0, sum).collect();
+        self.x = self.v.iter().zip(next).scan(0.0, sum).collect();
     }
 
     /// A constant velocity [m/s] for a time [s], in whole cycles.

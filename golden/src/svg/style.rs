@@ -1,6 +1,5 @@
 //! What is drawn with: colours and dashes, lines, texts, curves.
 
-use super::Point;
 use std::fmt::Write;
 
 /// Of texts and scales.
@@ -14,6 +13,9 @@ pub const STYLES: [(&str, &str); 4] = [
     ("#0c8563", r#" stroke-dasharray="2 2""#),
     ("#a8458f", r#" stroke-dasharray="9 3 2 3""#),
 ];
+
+/// A place in the picture.
+type Place = (f64, f64);
 
 /// Points on a line of the file.
 const POINTS: usize = 8;
@@ -62,7 +64,7 @@ pub(super) fn legend<'n>(
 }
 
 /// A piece of a curve, of places.
-pub(super) fn polyline(places: impl Iterator<Item = Point>, style: usize, lines: &mut Vec<String>) {
+pub(super) fn polyline(places: impl Iterator<Item = Place>, style: usize, lines: &mut Vec<String>) {
     let (colour, dashes) = STYLES[style % STYLES.len()];
     lines.push(format!(
         r#"<polyline fill="none" stroke="{colour}" stroke-width="1.6" stroke-linejoin="round"{dashes} points=""#
@@ -86,11 +88,11 @@ pub(super) fn framed(
 }
 
 /// Coordinates of points, some on each line of the file. Of several that nobody can distinguish the first one is drawn.
-fn points(points: impl Iterator<Item = Point>) -> String {
-    let mut kept: Vec<Point> = Vec::new();
+fn points(points: impl Iterator<Item = Place>) -> String {
+    let mut kept: Vec<Place> = Vec::new();
     let mut points = points.peekable();
     while let Some((x, y)) = points.next() {
-        let is_near = |(other_x, other_y): &Point| (other_x - x).abs() < NEAR && (other_y - y).abs() < NEAR;
+        let is_near = |(other_x, other_y): &Place| (other_x - x).abs() < NEAR && (other_y - y).abs() < NEAR;
         if points.peek().is_none() || !kept.last().is_some_and(is_near) {
             kept.push((x, y));
         }
