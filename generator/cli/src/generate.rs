@@ -15,7 +15,7 @@ use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::generate::PAGE;
 use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
-use generator::write::{self, Folder, Refusal};
+use generator::write::{Folder, Refusal};
 use generator::{codes, summary};
 use std::path::{Path, PathBuf};
 
@@ -56,12 +56,13 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     if let Some(stage) = &request.emit {
         return emit::run(set.axes.iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name)), stage);
     }
-    let purpose = match request.compare {
-        Some(show) => Purpose::Compare(show),
-        // Held before anything of it is read: another run may be about to change it.
-        None => Purpose::Write(write::open(out).map_err(refused)?),
+    let (purpose, recorded) = match request.compare {
+        Some(show) => (Purpose::Compare(show), Recorded::read(out, &arguments.set)?),
+        None => {
+            let (folder, recorded) = into_folder::open(out, &arguments.set)?;
+            (Purpose::Write(folder), recorded)
+        }
     };
-    let recorded = Recorded::read(out, &arguments.set)?;
     let mut targets = chosen(&request.targets, &set, &recorded)?;
     if let Some(samples) = request.runner {
         targets = with_runners(targets, samples)?;

@@ -7,6 +7,7 @@ use generator::generate::{self, Made};
 use generator::manifest::Entry;
 use generator::pipeline::Set;
 use generator::target::{File, TARGETS, Target, Unit};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 /// What is made, and for which axes.
@@ -15,8 +16,30 @@ pub struct Plan<'p> {
     /// empty: all
     axes: &'p [String],
     targets: &'p [Target],
-    /// the targets whose shared files are made, each with the axes that these name, and whether the set has files of that target
-    shared: Vec<(Target, Vec<Unit<'p>>, bool)>,
+    /// the targets whose shared files are made
+    shared: Vec<Shared<'p>>,
+}
+
+/// What the shared files of a target name.
+struct Shared<'p> {
+    target: Target,
+    /// the axes of the set; none: the set has no files of the target any more
+    own: Vec<Unit<'p>>,
+    /// those of other sets
+    others: Vec<Unit<'p>>,
+}
+
+impl Shared<'_> {
+    /// All of both.
+    fn units(&self) -> Vec<Unit<'_>> {
+        self.own.iter().chain(&self.others).cloned().collect()
+    }
+
+    /// The names of the files that the set itself needs.
+    fn own_names(&self) -> BTreeSet<String> {
+        let files = if self.own.is_empty() { Vec::new() } else { (self.target.shared)(&self.own) };
+        files.into_iter().map(|file| file.name).collect()
+    }
 }
 
 impl<'p> Plan<'p> {
@@ -27,21 +50,18 @@ impl<'p> Plan<'p> {
         dropped: &[&str],
         out: &Path,
     ) -> Self {
+        let others = |target: &Target| recorded.units_of_others(set, target);
         let own = targets.iter().copied().zip(shared::own(set, axes, targets, out));
-        let shared = own.map(|(target, mut units)| {
-            units.extend(recorded.units_of_others(set, &target));
-            (target, units, true)
-        });
+        let own = own.map(|(target, own)| Shared { target, own, others: others(&target) });
         // Other sets' axes stay in the project when those of this set go.
-        let of_others = TARGETS.into_iter().filter(|target| dropped.contains(&target.name)).map(|target| {
-            let units = recorded.units_of_others(set, &target);
-            (target, units, false)
-        });
-        let of_others: Vec<_> = of_others.filter(|(_, units, _)| !units.is_empty()).collect();
-        Self { set, axes, targets, shared: shared.chain(of_others).collect() }
+        let dropped = TARGETS.into_iter().filter(|target| dropped.contains(&target.name));
+        let dropped = dropped.map(|target| Shared { target, own: Vec::new(), others: others(&target) });
+        let dropped = dropped.filter(|shared| !shared.others.is_empty());
+        let shared = own.chain(dropped).collect();
+        Self { set, axes, targets, shared }
     }
 
-    /// Makes all files. Hands each to `take`, with its line for the manifest, which names `set`; a file without a line is of other sets.
+    /// Makes all files. Hands each to `take`, with its line for the manifest, which names `set`; a file without a line only other sets need.
     pub fn files<T: Send>(&self, set: &str, take: impl Fn(&File) -> T + Sync) -> Vec<(String, Option<Entry>, T)> {
         let entry = |file: &File, target: &str, axis: Option<&str>| Entry {
             file: file.name.clone(),
@@ -54,10 +74,12 @@ impl<'p> Plan<'p> {
             (file.name.clone(), Some(entry), take(&file))
         };
         let mut files = made(generate::files(self.set, self.axes, self.targets, of_axis));
-        for (target, units, is_own) in &self.shared {
-            let of_all = (target.shared)(units);
-            let shared = |file: &File| (file.name.clone(), is_own.then(|| entry(file, target.name, None)), take(file));
-            files.extend(of_all.iter().map(shared));
+        for shared in &self.shared {
+            let own = shared.own_names();
+            files.extend((shared.target.shared)(&shared.units()).iter().map(|file| {
+                let entry = own.contains(&file.name).then(|| entry(file, shared.target.name, None));
+                (file.name.clone(), entry, take(file))
+            }));
         }
         files.extend(generate::pages(self.set, self.axes, of_axis));
         files
@@ -65,8 +87,8 @@ impl<'p> Plan<'p> {
 
     /// What is to be said of axes that shared files do not name.
     pub fn left_out(&self, out: &Path) -> String {
-        let own = self.shared.iter().filter(|(.., is_own)| *is_own);
-        own.filter_map(|(target, units, _)| shared::left_out(self.set, units, target, out)).collect()
+        let own = self.shared.iter().filter(|shared| !shared.own.is_empty());
+        own.filter_map(|shared| shared::left_out(self.set, &shared.units(), &shared.target, out)).collect()
     }
 }
 
