@@ -22,7 +22,7 @@ pub enum Step {
     Set(&'static str, &'static str, &'static [&'static str]),
     /// `axgen generate` with these arguments, which succeeds
     Run(&'static str),
-    /// the same, killed after some time [us]
+    /// the same, killed some time [us] after it has replaced the manifest, which comes first
     Kill(&'static str, u64),
     /// somebody adds a line to a file
     Edit(&'static str),
@@ -82,8 +82,11 @@ impl Folder {
                 assert_eq!(said.code, 0, "{arguments}: {}", said.err);
             }
             Step::Kill(arguments, after) => {
+                let manifest = || fs::metadata(path("axgen.manifest")).unwrap().modified().unwrap();
+                let before = manifest();
                 let mut command = self.command(arguments, OUT);
                 let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+                while manifest() == before && child.try_wait().unwrap().is_none() {}
                 sleep(Duration::from_micros(after));
                 let _ = child.kill(); // it may have ended
                 child.wait().unwrap();

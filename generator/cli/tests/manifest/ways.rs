@@ -348,7 +348,7 @@ pub const WAYS: &[Way] = &[
             Set(A, "c twincat", &["X kv stage"]),
             Run(A),
             Set(A, "c", &["X1"]),
-            Kill(A, 15_000),
+            Kill(A, 0),
             Set(A, "c twincat", &["X f32"]),
             Run(A),
             Set(A, "c twincat", &["X"]),
