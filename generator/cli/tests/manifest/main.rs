@@ -125,3 +125,20 @@ fn a_killed_run_leaves_a_manifest_that_names_every_file() {
         assert!(folder.content(OUT) == fresh[to], "{number}: all of the next run, and nothing else");
     }
 }
+
+/// Files of other sets are said, and so is whose files a run takes over.
+#[test]
+fn other_sets_are_named() {
+    let folder = Folder::new();
+    let set = |file, axes| folder.happens(&Step::Set(file, "rust scl", axes));
+    set("axes.toml", &["X stage"]);
+    set("b.toml", &["Y", "Z"]);
+    let said = |set: &str| folder.generate(set, OUT).out;
+    let ends = |out: &str, end: &str| assert!(out.ends_with(end), "{out}");
+    ends(&said("axes.toml"), "1 axis: 6 files written, 0 unchanged, 0 warnings\n");
+    ends(&said("b.toml"), "2 warnings\ngenerated: 4 more files are those of axes.toml\n");
+    set("axes.toml", &["X stage", "Y"]);
+    let taken = "generated: 3 of these files were those of b.toml\ngenerated: 3 more files are those of b.toml\n";
+    ends(&said("axes.toml"), taken);
+    ends(&said("axes.toml"), "1 warning\ngenerated: 3 more files are those of b.toml\n");
+}
