@@ -3,7 +3,7 @@
 use generator::config::ListOptions;
 use generator::error_ids::{all, page};
 use generator::pipeline::read_with;
-use generator::target::TARGETS;
+use generator::target::{File, TARGETS};
 use std::collections::BTreeSet;
 use std::path::Path;
 

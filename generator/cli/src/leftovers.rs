@@ -1,5 +1,6 @@
 //! Which files of a folder a run leaves over: those that its set has generated earlier and generates no more; and the manifest after it.
 
+use crate::input::counted;
 use crate::recorded::Recorded;
 use generator::codes;
 use generator::config;
@@ -74,23 +75,26 @@ impl Leftovers {
     pub fn new(recorded: &Recorded, scope: &Scope<'_>, made: &BTreeMap<&str, Option<&Entry>>) -> Self {
         let mut left = Self { after: made.values().filter_map(|entry| entry.cloned()).collect(), ..Self::default() };
         let gone = sets_without_axes(recorded, made);
-        let is_own = |entry: &Entry| entry.set == recorded.set || gone.contains(entry.set.as_str());
         let mut of_others = BTreeSet::new();
         let mut no_more: BTreeMap<&str, &Entry> = BTreeMap::new();
         for entry in &recorded.manifest {
-            let is_made = made.contains_key(entry.file.as_str());
-            match () {
-                () if is_made && !is_own(entry) && entry.axis.is_none() => drop(left.after.insert(entry.clone())),
-                () if is_made && entry.set != recorded.set => *left.taken.entry(entry.set.clone()).or_default() += 1,
-                () if is_made || !is_there(&recorded.out.join(&entry.file)) => {}
-                () if is_own(entry) && scope.covers(entry) => drop(no_more.insert(&entry.file, entry)),
-                () => {
-                    if !is_own(entry) {
-                        of_others.insert(entry.file.as_str());
-                        *left.others.entry(entry.set.clone()).or_default() += 1;
-                    }
+            let is_own = entry.set == recorded.set || gone.contains(entry.set.as_str());
+            if made.contains_key(entry.file.as_str()) {
+                if !is_own && entry.axis.is_none() {
                     left.after.insert(entry.clone());
+                } else if entry.set != recorded.set {
+                    *left.taken.entry(entry.set.clone()).or_default() += 1;
                 }
+            } else if !is_there(&recorded.out.join(&entry.file)) {
+                // What is gone is named no longer.
+            } else if is_own && scope.covers(entry) {
+                no_more.insert(&entry.file, entry);
+            } else {
+                if !is_own {
+                    of_others.insert(entry.file.as_str());
+                    *left.others.entry(entry.set.clone()).or_default() += 1;
+                }
+                left.after.insert(entry.clone());
             }
         }
         left.meanwhile = left.after.clone();
@@ -156,8 +160,9 @@ impl Leftovers {
     pub fn of_other_sets(&self, out: &Path) -> String {
         let out = out.slashes();
         let taken =
-            self.taken.iter().map(|(set, files)| format!("{out}: {files} of these files were those of {set}\n"));
-        let others = self.others.iter().map(|(set, files)| format!("{out}: {files} more files are those of {set}\n"));
+            self.taken.iter().map(|(set, files)| format!("{out}: took over {} from {set}\n", counted(files, "file")));
+        let others =
+            self.others.iter().map(|(set, files)| format!("{out}: also has {} of {set}\n", counted(files, "file")));
         taken.chain(others).collect()
     }
 }

@@ -136,9 +136,9 @@ fn other_sets_are_named() {
     let said = |set: &str| folder.generate(set, OUT).out;
     let ends = |out: &str, end: &str| assert!(out.ends_with(end), "{out}");
     ends(&said("axes.toml"), "1 axis: 6 files written, 0 unchanged, 0 warnings\n");
-    ends(&said("b.toml"), "2 warnings\ngenerated: 4 more files are those of axes.toml\n");
+    ends(&said("b.toml"), "2 warnings\ngenerated: also has 4 files of axes.toml\n");
     set("axes.toml", &["X stage", "Y"]);
-    let taken = "generated: 3 of these files were those of b.toml\ngenerated: 3 more files are those of b.toml\n";
+    let taken = "generated: took over 3 files from b.toml\ngenerated: also has 3 files of b.toml\n";
     ends(&said("axes.toml"), taken);
-    ends(&said("axes.toml"), "1 warning\ngenerated: 3 more files are those of b.toml\n");
+    ends(&said("axes.toml"), "1 warning\ngenerated: also has 3 files of b.toml\n");
 }
