@@ -494,4 +494,18 @@ codes! {
          the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
          or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
          (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
+
+    LEFT_OVER = "AX490", "a file that is no longer generated, and not as it was generated",
+        "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have removed it; but \
+         somebody has changed it, or put another file in its place. It stays, and in a project it goes on being compiled: a function block \
+         with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of axgen.manifest and the line `checksum` out of \
+         the file.";
+    UNLISTED = "AX491", "a generated file that no set is known to generate",
+        "axgen generated the file, but this set does not generate it, and axgen.manifest does not list it. An axgen without a manifest made it, \
+         it was copied here, or its line is lost. It stays: whether another set still needs it is not known. If one does, generate that set into \
+         this folder once, which lists it; else delete it.";
+    MANIFEST = "AX492", "a manifest that cannot be read",
+        "The file axgen.manifest says which set generated which files of the folder. A line of it is not an entry: mostly a merge has left its \
+         marks. Keep the entries of both versions, in any order. Without the file the next run lists its own files again, but removes nothing \
+         that was generated before.";
 }

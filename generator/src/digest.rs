@@ -1,5 +1,7 @@
 //! Digests that tell whether a text is still the same. They are no protection against anybody who means harm.
 
+use crate::saved::taken_back;
+
 /// What stands in a file's line `checksum` while the checksum of the file is made.
 pub const NO_CHECKSUM: &str = "00000000000000000000000000000000";
 
@@ -19,13 +21,18 @@ pub fn with_checksum(mut text: String) -> String {
     text
 }
 
-/// Whether the checksum of a file is that of its content, whatever its line ends are; `None`: it bears none.
+/// Whether the checksum of a file is that of its content, whatever program has saved it; `None`: it bears none.
 pub fn has_right_checksum(text: &str) -> Option<bool> {
-    let mut text = text.replace("\r\n", "\n");
+    let mut text = taken_back(text).into_owned();
     let place = place(&text)?;
     let stated = text[place..place + NO_CHECKSUM.len()].to_owned();
     text.replace_range(place..place + NO_CHECKSUM.len(), NO_CHECKSUM);
     Some(stated == digest(text.as_bytes()))
+}
+
+/// Whether a file is the text, whatever program has saved it.
+pub fn is_text(file: &[u8], text: &str) -> bool {
+    file == text.as_bytes() || std::str::from_utf8(file).is_ok_and(|file| taken_back(file) == text)
 }
 
 /// Where the digits of the first line stand that reads `checksum` and a digest, whatever marks a comment has.

@@ -7,8 +7,20 @@ use compiler::pass::Defect;
 use rayon::prelude::*;
 use std::collections::btree_map::{BTreeMap, Entry};
 
-/// Makes the files of some axes (all, if none is named) for some targets, and what all axes of the set share there. Hands
-/// each file to `take`; gives its answers, in the order of the axes, the shared files last.
+/// What the manifest of a folder names as the target of a file that no target prints.
+pub const PAGE: &str = "page";
+
+/// A file that was made, and for what.
+#[derive(Clone, Debug)]
+pub struct Made<'s> {
+    /// the name of its target, or [`PAGE`]
+    pub target: &'static str,
+    /// the axis whose file it is
+    pub axis: &'s str,
+    pub file: File,
+}
+
+/// Makes the files of some axes (all, if none is named) for some targets. Hands each to `take`; gives its answers, in the order of the axes.
 ///
 /// Axes do not know each other: they are made side by side, and no file is kept longer than `take` needs it.
 ///
@@ -18,20 +30,24 @@ pub fn files<T: Send>(
     set: &Set,
     axes: &[String],
     targets: &[Target],
-    take: impl Fn(File) -> T + Sync,
+    take: impl Fn(Made<'_>) -> T + Sync,
 ) -> Result<Vec<T>, Defect> {
-    let taken = chosen(set, axes).map(|designed| Ok(axis_files(designed, targets)?.into_iter().map(&take).collect()));
+    let taken = chosen(set, axes).map(|designed| {
+        let made = |(target, file)| take(Made { target, axis: &designed.axis.name, file });
+        Ok(files_by_target(designed, targets)?.into_iter().map(made).collect())
+    });
     let taken: Vec<Vec<T>> = taken.collect::<Result<_, Defect>>()?;
-    let units = units(set);
-    let shared = targets.iter().flat_map(|target| (target.shared)(&units)).map(&take);
-    Ok(taken.into_iter().flatten().chain(shared).collect())
+    Ok(taken.into_iter().flatten().collect())
 }
 
 /// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks and not to a
 /// target. Hands each to `take`; gives its answers, in the order of the axes.
-pub fn pages<T: Send>(set: &Set, axes: &[String], take: impl Fn(File) -> T + Sync) -> Vec<T> {
-    let page = |designed: &Designed| commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC));
-    chosen(set, axes).filter_map(page).map(&take).collect()
+pub fn pages<T: Send>(set: &Set, axes: &[String], take: impl Fn(Made<'_>) -> T + Sync) -> Vec<T> {
+    let page = |designed: &'_ Designed| {
+        let file = commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC))?;
+        Some(take(Made { target: PAGE, axis: &designed.axis.name, file }))
+    };
+    chosen(set, axes).filter_map(page).collect()
 }
 
 /// The axes of these names, or all, if none is named.
@@ -71,12 +87,17 @@ pub fn header(axis: &Axis, block: &Block) -> Header {
     }
 }
 
-/// The files of an axis: design, specialise and the passes once for each block, and legalise once for the targets that need the same; then
-/// each target prints, and the runners that are asked for are recorded.
+/// The files of an axis.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
 pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, Defect> {
+    Ok(files_by_target(designed, targets)?.into_iter().map(|(_, file)| file).collect())
+}
+
+/// The files of an axis with the names of their targets: design, specialise and the passes once for each block, and legalise once for the targets that need the same; then
+/// each target prints, and the runners that are asked for are recorded.
+fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'static str, File)>, Defect> {
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
     let headers: Vec<Header> = blocks.iter().map(|(_, block)| header(&designed.axis, block)).collect();
@@ -87,8 +108,8 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(unknown) => unknown.insert(target.legal(block)?),
             };
-            files.extend((target.files)(header, legal));
-            files.extend(target.runner(header, legal, |samples| kind.runner(designed, block, samples)));
+            let runner = target.runner(header, legal, |samples| kind.runner(designed, block, samples));
+            files.extend((target.files)(header, legal).into_iter().chain(runner).map(|file| (target.name, file)));
         }
     }
     Ok(files)

@@ -28,6 +28,7 @@ pub mod exercise;
 mod feasibility;
 pub mod generate;
 pub mod import_export;
+pub mod manifest;
 mod number;
 pub mod parameters;
 pub mod params_of;
@@ -36,6 +37,7 @@ pub mod reference_page;
 pub mod response_file;
 #[deny(clippy::wildcard_enum_match_arm)]
 mod rules;
+mod saved;
 pub mod schema;
 pub mod set_change;
 pub mod summary;

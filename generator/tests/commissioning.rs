@@ -13,7 +13,7 @@ fn of_set(set: &str) -> Vec<(String, String)> {
     let load = |_: &Path| Ok(set.as_bytes().to_vec());
     let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
     let read = read.unwrap_or_else(|| panic!("{report}"));
-    let pages = pages(&read, &[], |file| (file.name, file.text));
+    let pages = pages(&read, &[], |made| (made.file.name, made.file.text));
     for (name, page) in &pages {
         assert_eq!(has_right_checksum(page), Some(true), "{name}");
         assert!(page.is_ascii() && page.ends_with('\n') && !page.contains("\n\n\n"), "{name}: {page}");

@@ -5,6 +5,7 @@
 
 use generator::config::ListOptions;
 use generator::generate::axis_files;
+use generator::parameters::{Name, Scope};
 use generator::pipeline::read_with;
 use generator::target::{File, TARGETS};
 use std::collections::{BTreeMap, BTreeSet};
@@ -136,4 +137,38 @@ fn another_delay_leaves_ipc_as_it_is() {
     let changed: BTreeSet<&str> =
         before.iter().filter(|(name, text)| after[*name] != **text).map(|(_, text)| block(text)).collect();
     assert_eq!(changed, BTreeSet::from(["axis", "feedforward"]));
+}
+
+/// Each parameter of the table that an axis does not have, written with its default: so a key that is new in this program leaves the files
+/// of a set without it as they were.
+#[test]
+fn a_default_that_is_written_changes_no_file() {
+    let mut written: BTreeSet<String> = BTreeSet::new();
+    for list in LISTS.map(|list| list.to_owned() + IPC) {
+        let before = files(SET, &list).unwrap();
+        for parameter in Name::ALL.iter().map(|name| name.parameter()).filter(|parameter| !parameter.default.is_empty())
+        {
+            let (path, default) = (at_zero(parameter.path), parameter.default[0]);
+            let of_path = |line: &str| line.split([' ', '=']).next() == Some(&path);
+            if list.lines().chain(SET.lines()).any(of_path) {
+                continue;
+            }
+            let after = match parameter.scope {
+                Scope::List => files(SET, &format!("{list}{path} {default}\n")),
+                Scope::Axis if default.parse::<f64>().is_ok() => files(&format!("{SET}{path} = {default}\n"), &list),
+                Scope::Axis => files(&format!("{SET}{path} = \"{default}\"\n"), &list),
+                Scope::Set => continue,
+            };
+            // Some ask for a block where they stand at all.
+            let Some(after) = after.filter(|after| after.keys().eq(before.keys())) else { continue };
+            assert!(after == before, "{path} {default}");
+            written.insert(path);
+        }
+    }
+    assert!(written.len() > 60, "{}: {written:?}", written.len());
+}
+
+/// A path of the table with the first of each index.
+fn at_zero(path: &str) -> String {
+    path.replace("[i]", "[0]").replace("[k]", "[0]")
 }

@@ -39,7 +39,10 @@ fn set(text: &str) -> Set {
 
 /// The files of a set in all targets, by name.
 fn files(set: &Set) -> BTreeMap<String, String> {
-    let files = generator::generate::files(set, &[], &TARGETS, |file: File| (file.name, file.text)).unwrap();
+    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
+    let units = generator::generate::units(set);
+    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
+    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
     files.into_iter().collect()
 }
 

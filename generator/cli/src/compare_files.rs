@@ -1,9 +1,14 @@
 //! `axgen generate --check` and `--diff`: what on disk differs from what would be written. Nothing is written.
 
 use crate::exit::Exit;
+use crate::leftovers::{Leftovers, Scope};
 use crate::output;
+use crate::plan::Plan;
+use crate::recorded::Recorded;
 use generator::config;
 use generator::diagnostics::Slashes;
+use generator::digest::is_text;
+use generator::manifest;
 use generator::target::File;
 use similar::TextDiff;
 use std::fs;
@@ -19,8 +24,19 @@ pub enum Show {
     Lines,
 }
 
+/// Compares a folder with what would be made there, and says every difference. Silent where there is none.
+pub fn run(plan: &Plan<'_>, recorded: &Recorded, scope: &Scope<'_>, show: Show) -> Result<Exit, Exit> {
+    let files = plan.files(&recorded.set, |file| difference(file, &recorded.out, show));
+    let made = files.iter().map(|(name, entry, _)| (name.as_str(), entry.as_ref())).collect();
+    let leftovers = Leftovers::new(recorded, scope, &made);
+    let manifest = File { name: manifest::NAME.to_owned(), text: manifest::text(&leftovers.after) };
+    let manifest = difference(&manifest, &recorded.out, show);
+    let left_over = leftovers.differences(&recorded.out).into_iter().map(|line| Ok(Some(line)));
+    say(files.into_iter().map(|(.., difference)| difference).chain([manifest]).chain(left_over))
+}
+
 /// What is said of a file that differs from the one in a folder; none: it does not.
-pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, Exit> {
+fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, Exit> {
     let path = folder.join(&file.name);
     let is_missing = |error: io::Error| matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory);
     let found = match config::load(&path) {
@@ -31,7 +47,7 @@ pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<Strin
             return Err(Exit::environment(code, path.slashes(), found));
         }
     };
-    if found.as_deref() == Some(file.text.as_bytes()) {
+    if found.as_deref().is_some_and(|found| is_text(found, &file.text)) {
         return Ok(None);
     }
     Ok(Some(match show {
@@ -41,8 +57,7 @@ pub fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<Strin
     }))
 }
 
-/// Says every difference. Silent where there is none.
-pub fn say(differences: Vec<Result<Option<String>, Exit>>) -> Result<Exit, Exit> {
+fn say(differences: impl Iterator<Item = Result<Option<String>, Exit>>) -> Result<Exit, Exit> {
     let mut exit = Exit::Done;
     for difference in differences {
         if let Some(text) = difference? {

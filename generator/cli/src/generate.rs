@@ -5,18 +5,19 @@ use crate::compare_files::{self, Show};
 use crate::emit;
 use crate::exit::Exit;
 use crate::input::{self, counted};
-use crate::messages::Format;
+use crate::into_folder::{self, Done};
+use crate::leftovers::Scope;
+use crate::messages::{self, Format};
 use crate::output;
-use crate::shared;
-use compiler::pass::Defect;
+use crate::plan::Plan;
+use crate::recorded::Recorded;
 use generator::diagnostics::{Diagnostic, Place, Slashes};
+use generator::generate::PAGE;
 use generator::pipeline::Set;
-use generator::target::{self, DEFAULT_TARGETS, File, TARGETS, Target};
-use generator::write::{self, Refusal, Written};
-use generator::{codes, generate, summary};
-use std::borrow::Cow;
-use std::path::PathBuf;
-use std::slice;
+use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
+use generator::write::{Folder, Refusal};
+use generator::{codes, summary};
+use std::path::{Path, PathBuf};
 
 /// Axes that are described one by one; of more, only their number is said.
 const DESCRIBED_AXES: usize = 10;
@@ -39,6 +40,12 @@ pub struct Request {
     pub emit: Option<String>,
 }
 
+/// What the files are made for.
+enum Purpose {
+    Compare(Show),
+    Write(Folder),
+}
+
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
     let Request { axes, out, .. } = request;
@@ -46,31 +53,34 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     for name in axes {
         input::axis(&set, Some(name))?;
     }
-    let mut targets = chosen(&request.targets, &set)?;
-    if let Some(samples) = request.runner {
-        targets = with_runners(targets, samples)?;
-    }
     if let Some(stage) = &request.emit {
         return emit::run(set.axes.iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name)), stage);
     }
-    if let Some(show) = request.compare {
-        let named = shared::named(&set, axes, &targets, out);
-        let compare = |file| compare_files::difference(&file, out, show);
-        let blocks = files(&named, axes, &targets, compare);
-        return compare_files::say(blocks.into_iter().chain(generate::pages(&set, axes, compare)).collect());
+    let (purpose, recorded) = match request.compare {
+        Some(show) => (Purpose::Compare(show), Recorded::read(out, &arguments.set)?),
+        None => {
+            let (folder, recorded) = into_folder::open(out, &arguments.set)?;
+            (Purpose::Write(folder), recorded)
+        }
+    };
+    let mut targets = chosen(&request.targets, &set, &recorded)?;
+    if let Some(samples) = request.runner {
+        targets = with_runners(targets, samples)?;
     }
-    let folder = write::open(out).map_err(refused)?;
-    let named = shared::named(&set, axes, &targets, out);
-    let stage = |file| write::stage(&folder, &file);
-    let mut staged = files(&named, axes, &targets, stage);
-    staged.extend(generate::pages(&set, axes, stage));
-    let paths: Vec<PathBuf> = staged.iter().flatten().map(|file| file.path.clone()).collect();
-    let written = write::commit(folder, staged, request.force).map_err(refused)?;
-    let left_out = named.iter().zip(&targets).filter_map(|(named, target)| shared::left_out(&set, named, target, out));
-    let left_out: String = left_out.collect();
+    let scope = Scope::new(&set, axes, &request.targets);
+    let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
+    let plan = Plan::new((&set, axes, &targets), &recorded, &dropped, out);
+    let folder = match purpose {
+        Purpose::Compare(show) => return compare_files::run(&plan, &recorded, &scope, show),
+        Purpose::Write(folder) => folder,
+    };
+    let done = into_folder::write(folder, &plan, &recorded, &scope, request.force)?;
+    let left_out = plan.left_out(out);
     set.axes.retain(|of| axes.is_empty() || axes.contains(&of.axis.name));
-    say(&set, &paths, written, warnings)?;
-    output::print(left_out)?;
+    let report = done.leftovers.report(out);
+    output::say(&messages::text(&report, format));
+    say(&set, &done, out, warnings + report.warnings())?;
+    output::print(left_out + &done.leftovers.of_other_sets(out))?;
     Ok(Exit::Done)
 }
 
@@ -82,34 +92,11 @@ pub fn refused(refusal: Refusal) -> Exit {
     }
 }
 
-/// Makes the files of the axes (all, if none is named) for each target, and those that the axes of its set share.
-fn files<T: Send>(
-    sets: &[Cow<'_, Set>],
-    axes: &[String],
-    targets: &[Target],
-    take: impl Fn(File) -> T + Sync,
-) -> Vec<T> {
-    match sets {
-        // All are the whole set: one design of each axis serves all targets.
-        [set, ..] if sets.iter().all(|set| matches!(set, Cow::Borrowed(_))) => {
-            made(generate::files(set, axes, targets, take))
-        }
-        _ => {
-            let of =
-                |(set, target): (&Cow<'_, Set>, _)| made(generate::files(set, axes, slice::from_ref(target), &take));
-            sets.iter().zip(targets).flat_map(of).collect()
-        }
-    }
-}
-
-/// What was made; a defect is ours, and never anybody's input.
-fn made<T>(result: Result<T, Defect>) -> T {
-    result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
-}
-
-/// The targets of the command line, else of the set, else the usual ones.
-fn chosen(named: &[String], set: &Set) -> Result<Vec<Target>, Exit> {
-    let usual = DEFAULT_TARGETS.map(str::to_owned);
+/// The targets of the command line, else of the set, else the usual ones and those that the folder has from the set: they were asked
+/// for once, and would be out of date.
+fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target>, Exit> {
+    let there = recorded.targets().into_iter().filter(|name| target::named(name).is_some());
+    let usual: Vec<String> = DEFAULT_TARGETS.into_iter().chain(there).map(str::to_owned).collect();
     let names = [named, &set.targets, &usual].into_iter().find(|names| !names.is_empty()).unwrap_or_default();
     let mut targets: Vec<Target> = Vec::with_capacity(names.len());
     for name in names {
@@ -134,7 +121,8 @@ fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exi
     Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
 }
 
-fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Result<(), Exit> {
+fn say(set: &Set, done: &Done, out: &Path, warnings: usize) -> Result<(), Exit> {
+    let Done { paths, written, leftovers } = done;
     if set.axes.len() <= DESCRIBED_AXES {
         for designed in &set.axes {
             output::print(summary::text(designed))?;
@@ -143,11 +131,16 @@ fn say(set: &Set, paths: &[PathBuf], written: Written, warnings: usize) -> Resul
             output::line(path.slashes())?;
         }
     }
+    for file in &leftovers.removed {
+        output::line(format!("{}: removed, no longer generated", out.join(file).slashes()))?;
+    }
+    let removed = leftovers.removed.len();
     output::line(format!(
-        "{}: {} written, {} unchanged, {}",
+        "{}: {} written, {} unchanged, {}{}",
         counted(set.axes.len(), "axe").replace("axe", "axis").replace("axiss", "axes"),
         counted(written.changed, "file"),
         written.unchanged,
+        if removed == 0 { String::new() } else { format!("{removed} removed, ") },
         counted(warnings, "warning"),
     ))
 }

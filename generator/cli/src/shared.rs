@@ -1,15 +1,14 @@
-//! `generate --axis`: what the files that all axes of a set share name, where only some of the axes are written.
+//! What the files that axes share name: the axes of the set, and those that other sets have generated into the same folder.
 //!
-//! They name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file names is
-//! there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
+//! With `--axis` they name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file
+//! names is there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
 
 use generator::blocks::Designed;
 use generator::diagnostics::Slashes;
 use generator::generate::{axis_files, units};
 use generator::pipeline::Set;
-use generator::target::{self, Target};
+use generator::target::{self, Target, Unit};
 use rayon::prelude::*;
-use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
@@ -21,39 +20,36 @@ const DEPTH: usize = 2;
 /// Axes that are named one by one; of more, only their number is said.
 const NAMED_AXES: usize = 10;
 
-/// The set as the shared files of each target name it: mostly the whole set itself.
-pub fn named<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) -> Vec<Cow<'s, Set>> {
+/// The axes of the set that the shared files of each target name: mostly all.
+pub fn own<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) -> Vec<Vec<Unit<'s>>> {
     let files = if axes.is_empty() { String::new() } else { names_below(out, DEPTH) };
     let of = |target: &Target| {
-        let has_shared = units(set).first().is_some_and(|unit| !(target.shared)(slice::from_ref(unit)).is_empty());
-        if axes.is_empty() || !has_shared {
-            return Cow::Borrowed(set);
+        let mut named = units(set);
+        let has_shared = named.first().is_some_and(|unit| !(target.shared)(slice::from_ref(unit)).is_empty());
+        if !axes.is_empty() && has_shared {
+            let is_named = |of: &Designed| axes.contains(&of.axis.name) || is_there(of, target, out, &files);
+            let is_named: Vec<bool> = set.axes.par_iter().map(is_named).collect();
+            let mut is_named = is_named.into_iter();
+            named.retain(|_| is_named.next() == Some(true));
         }
-        let is_named = |of: &&Designed| axes.contains(&of.axis.name) || is_there(of, target, out, &files);
-        let named: Vec<&Designed> = set.axes.par_iter().filter(is_named).collect();
-        if named.len() == set.axes.len() {
-            return Cow::Borrowed(set);
-        }
-        let axes = named.into_iter().cloned().collect();
-        Cow::Owned(Set { targets: set.targets.clone(), axes, foreign: set.foreign })
+        named
     };
     targets.iter().map(of).collect()
 }
 
-/// What is to be said where the shared files of a target are not those of the whole set.
-pub fn left_out(set: &Set, named: &Set, target: &Target, out: &Path) -> Option<String> {
-    if named.axes.len() == set.axes.len() || (target.shared)(&units(named)) == (target.shared)(&units(set)) {
+/// What is to be said where the shared files of a target, which name these axes, are not those of the whole set.
+pub fn left_out(set: &Set, named: &[Unit<'_>], target: &Target, out: &Path) -> Option<String> {
+    let is_named: BTreeSet<&str> = named.iter().map(|unit| unit.axis).collect();
+    let whole = units(set);
+    let mut with_all = named.to_vec();
+    with_all.extend(whole.iter().filter(|unit| !is_named.contains(unit.axis)).cloned());
+    if with_all.len() == named.len() || (target.shared)(named) == (target.shared)(&with_all) {
         return None;
     }
-    let is_named: BTreeSet<&str> = names(named).collect();
-    let left_out: Vec<&str> = names(set).filter(|name| !is_named.contains(name)).collect();
+    let left_out: Vec<&str> = with_all[named.len()..].iter().map(|unit| unit.axis).collect();
     let axes = if left_out.len() > NAMED_AXES { format!("{} axes", left_out.len()) } else { left_out.join(", ") };
     let (target, out) = (target.name, out.slashes());
     Some(format!("{target}: the shared files leave out {axes}: their files are not in {out}\n"))
-}
-
-fn names(set: &Set) -> impl Iterator<Item = &str> {
-    set.axes.iter().map(|of| of.axis.name.as_str())
 }
 
 /// Whether the folder has all files of an axis, as they are now or were once.

@@ -78,7 +78,11 @@ fn generate_says_what_it_made() {
          1 axis: 6 files written, 0 unchanged, 0 warnings\n"
     );
     assert_eq!((run.code, run.err.as_str()), (0, ""));
-    assert_eq!(files(&folder.path().join("generated")).len(), 6, "and nothing else is left in the folder");
+    assert_eq!(
+        files(&folder.path().join("generated")).len(),
+        7,
+        "with the manifest; nothing else is left in the folder"
+    );
 }
 
 #[test]
@@ -100,7 +104,7 @@ fn one_axis_alone() {
     let folder = folder();
     let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Y", "--target", "c"]);
     assert_eq!(run.code, 0);
-    assert_eq!(files(&folder.path().join("generated")).len(), 4);
+    assert_eq!(files(&folder.path().join("generated")).len(), 5, "with the manifest");
     let run = axgen(folder.path(), &["generate", "machine.toml", "--axis", "Q"]);
     assert_eq!((run.code, run.err.as_str()), (2, "--axis: error[AX012]: no axis `Q`\n    allowed: X, Y, C\n"));
 }

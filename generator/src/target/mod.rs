@@ -1,6 +1,7 @@
 //! The target languages: each turns verified programs into files. A target never looks at a parameter.
 
 mod c;
+pub mod head;
 mod outline;
 mod rust;
 mod st;
@@ -25,6 +26,9 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Whose a generated file is, which its head says.
 pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
+
+/// The folders that files lie in, below the output folder: itself, and those of TwinCAT.
+pub const FOLDERS: [&str; 5] = ["", "twincat/", "twincat/DUTs/", "twincat/POUs/", "twincat/Tests/"];
 
 #[derive(Clone, Copy, Debug)]
 pub struct Target {

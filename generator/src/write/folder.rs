@@ -74,7 +74,10 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
 
 impl Folder {
     /// Where a file of that name goes; its folder is there afterwards, and nothing of a killed run beside it.
-    pub(super) fn path_of(&self, name: &str) -> Result<PathBuf, Refusal> {
+    ///
+    /// # Errors
+    /// Its folder cannot be made.
+    pub fn path_of(&self, name: &str) -> Result<PathBuf, Refusal> {
         let path = self.path.join(name);
         let mut below = self.below.lock().unwrap_or_else(PoisonError::into_inner);
         if name.contains('/')
@@ -88,6 +91,12 @@ impl Folder {
         let left_over = below.left_over.remove(&path);
         left_over.iter().flatten().for_each(|(left_over, is_kept)| settle(left_over, *is_kept, &path));
         Ok(path)
+    }
+
+    /// Removes the folders above a file that was removed, up to this one, as far as nothing else is in them.
+    pub(super) fn clear_above(&self, path: &Path) {
+        let above = path.ancestors().skip(1).take_while(|above| *above != self.path);
+        let _ = above.map(fs::remove_dir).take_while(Result::is_ok).count();
     }
 }
 

@@ -3,6 +3,7 @@
 //! ```text
 //! folder   made if need be, locked, cleared of what a killed run left behind
 //! stage    file -> a file beside its target, unless the target is somebody else's
+//! removal  a file that is generated no more -> gone with the same commit
 //! one      a single file by its path, by the caller's rule
 //! replace  renames them all, and puts back what was there if one fails
 //! ```
@@ -19,7 +20,7 @@ pub use one::{One, Replace, is_replaced, stage_one};
 use crate::codes;
 use crate::config::{self, Unreadable};
 use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
-use crate::digest::has_right_checksum;
+use crate::digest::{has_right_checksum, is_text};
 use crate::target::File;
 use beside::{remove, staged};
 use std::io::{self, ErrorKind, Write};
@@ -31,7 +32,7 @@ use std::{fs, iter};
 pub struct Written {
     /// files that are new or have changed
     pub changed: usize,
-    /// files that were there already, to the byte
+    /// files that were there already
     pub unchanged: usize,
 }
 
@@ -87,39 +88,73 @@ fn kept(path: &Path, owner: Owner) -> Diagnostic {
         .instead("the change in what the file is made from; or overwrite it with --force")
 }
 
-/// A file on its way into a folder. What was staged is gone when this is, whatever happens in between.
+/// A file on its way into a folder, or out of it. What was staged is gone when this is, whatever happens in between.
 #[derive(Debug)]
 pub struct Staged {
     /// where it goes
     pub path: PathBuf,
-    /// whose file is there, ours if none is; `None`: it is there already, to the byte, and nothing is to be done
-    replaces: Option<Owner>,
+    change: Change,
+}
+
+/// What becomes of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Change {
+    /// it is there already
+    None,
+    /// it replaces one whose owner this is; ours, if none is there
+    Write(Owner),
+    /// it is the record of the folder itself, which is always replaced, and counts as no file
+    Record,
+    /// it goes
+    Remove,
 }
 
 impl Drop for Staged {
     fn drop(&mut self) {
-        if self.replaces.is_some() {
-            remove(&staged(&self.path)); // not there any more, if it was renamed
+        match self.change {
+            Change::Write(_) | Change::Record => remove(&staged(&self.path)), // not there any more, if it was renamed
+            Change::None | Change::Remove => {}
         }
     }
 }
 
-/// Writes a file beside its target in the folder; a file that is there already, to the byte, is left alone.
+/// Writes a file beside its target in the folder; a file that is there already is left alone, whatever program has saved it.
 ///
 /// # Errors
 /// The folder does not take it.
 pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
     let path = folder.path_of(&file.name)?;
-    let text = file.text.as_bytes();
-    let failed = |error| Refusal::Failed(path.clone(), error);
-    let replaces = replaced(&path, text).map_err(failed)?;
-    if replaces.is_none() {
-        return Ok(Staged { path, replaces });
+    let replaces = replaced(&path, &file.text).map_err(|error| Refusal::Failed(path.clone(), error))?;
+    stage_at(path, &file.text, replaces.map_or(Change::None, Change::Write))
+}
+
+/// The same of the folder's own record, which replaces what is there.
+///
+/// # Errors
+/// The folder does not take it.
+pub fn record(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
+    let path = folder.path_of(&file.name)?;
+    replaced(&path, &file.text).map_err(|error| Refusal::Failed(path.clone(), error))?;
+    stage_at(path, &file.text, Change::Record)
+}
+
+/// A file that goes.
+///
+/// # Errors
+/// The folder of the file cannot be made.
+pub fn removal(folder: &Folder, name: &str) -> Result<Staged, Refusal> {
+    Ok(Staged { path: folder.path_of(name)?, change: Change::Remove })
+}
+
+fn stage_at(path: PathBuf, text: &str, change: Change) -> Result<Staged, Refusal> {
+    if change == Change::None {
+        return Ok(Staged { path, change });
     }
+    let failed = |error| Refusal::Failed(path.clone(), error);
     // What is there already is somebody else's: it is neither followed nor written, and stays.
     let mut new = fs::OpenOptions::new().write(true).create_new(true).open(staged(&path)).map_err(failed)?;
-    let on_its_way = Staged { path: path.clone(), replaces };
-    new.write_all(text).map_err(failed)?;
+    let on_its_way = Staged { path: path.clone(), change };
+    new.write_all(text.as_bytes()).map_err(failed)?;
     Ok(on_its_way)
 }
 
@@ -129,19 +164,33 @@ pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
 /// # Errors
 /// Why nothing was written; the folder's files are as they were before.
 pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
-    let mut files = results.into_iter().collect::<Result<Vec<Staged>, Refusal>>()?;
-    let foreign = |file: &Staged| Some((file.path.clone(), file.replaces.filter(|owner| *owner != Owner::Generated)?));
+    let written = commit_in(&folder, results, force);
+    drop(folder);
+    written
+}
+
+/// The same, and the folder is held on.
+///
+/// # Errors
+/// As [`commit`].
+pub fn commit_in(folder: &Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
+    let files = results.into_iter().collect::<Result<Vec<Staged>, Refusal>>()?;
+    let foreign = |file: &Staged| match file.change {
+        Change::Write(owner) => (owner != Owner::Generated).then(|| (file.path.clone(), owner)),
+        Change::None | Change::Record | Change::Remove => None,
+    };
     let edited: Vec<_> = files.iter().filter_map(foreign).collect();
     if !edited.is_empty() && !force {
         return Err(Refusal::Edited(edited));
     }
-    let all = files.len();
-    files.retain(|file| file.replaces.is_some());
     replace::all(&files)?;
-    let written = Written { changed: files.len(), unchanged: all - files.len() };
-    drop(files);
-    drop(folder);
-    Ok(written)
+    let removed = files.iter().filter(|file| file.change == Change::Remove);
+    removed.for_each(|file| folder.clear_above(&file.path));
+    let count = |is_counted: fn(Change) -> bool| files.iter().filter(|file| is_counted(file.change)).count();
+    Ok(Written {
+        changed: count(|change| matches!(change, Change::Write(_))),
+        unchanged: count(|change| change == Change::None),
+    })
 }
 
 /// Whose a file of this content is.
@@ -157,18 +206,18 @@ pub fn owner(content: &[u8]) -> Owner {
 }
 
 /// Whose file a text is to replace. Through a link nothing is written, and nothing but a file is read.
-fn replaced(path: &Path, text: &[u8]) -> io::Result<Option<Owner>> {
+fn replaced(path: &Path, text: &str) -> io::Result<Option<Owner>> {
     let found = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
     // `load` refuses what is no file, with or without a link before it.
-    if found.is_symlink() && config::load(path).is_ok_and(|old| old == text) {
+    if found.is_symlink() && config::load(path).is_ok_and(|old| is_text(&old, text)) {
         return Ok(None);
     }
     is_writable(found)?;
     match config::load(path) {
-        Ok(old) => Ok((old != text).then(|| owner(&old))),
+        Ok(old) => Ok((!is_text(&old, text)).then(|| owner(&old))),
         Err(Unreadable::TooLarge) => Ok(Some(Owner::Other)),
         Err(Unreadable::System(reason)) => Err(io::Error::other(format!("cannot be read: {reason}"))),
     }

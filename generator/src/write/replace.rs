@@ -1,18 +1,21 @@
-//! Renames staged files to their targets, all or none. At any moment a target has its old content or its new one, whole.
+//! Renames staged files to their targets and removes what goes, all or none. At any moment a target has its old content or its new one, whole.
 
 use super::beside::{kept, remove, staged};
-use super::{Refusal, Staged};
+use super::{Change, Refusal, Staged};
 use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Renames every staged file; on a failure puts back what was there.
+/// Renames every staged file, and removes every one that goes; on a failure puts back what was there.
 pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
     let mut replaced: Vec<Replaced<'_>> = Vec::with_capacity(files.len());
-    for Staged { path, .. } in files {
+    for Staged { path, change } in files.iter().filter(|file| file.change != Change::None) {
         let done = keep(path).and_then(|old| {
-            let done = fs::rename(staged(path), path);
-            replaced.push(Replaced { path, old, new: done.is_ok() });
+            let done = match change {
+                Change::Remove => removed(path),
+                Change::None | Change::Write(_) | Change::Record => fs::rename(staged(path), path),
+            };
+            replaced.push(Replaced { path, old, new: done.is_ok() && *change != Change::Remove });
             done
         });
         if let Err(error) = done {
@@ -42,6 +45,14 @@ fn keep(path: &Path) -> io::Result<bool> {
     // Where the file system has no second names, the target is missing for a moment.
     fs::hard_link(path, kept(path)).or_else(|_| fs::rename(path, kept(path)))?;
     Ok(true)
+}
+
+/// Removes a file; that it is gone already is all the same.
+fn removed(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+        done => done,
+    }
 }
 
 /// Undoes the replacing of one file; gives its path if that fails.

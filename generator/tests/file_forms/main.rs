@@ -65,7 +65,10 @@ fn case(name: &str, set: Set) -> Case {
 
 /// The files of a set in all targets, by name.
 fn files(set: &Set) -> BTreeMap<String, String> {
-    let files = generator::generate::files(set, &[], &TARGETS, |file: File| (file.name, file.text)).unwrap();
+    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
+    let units = generator::generate::units(set);
+    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
+    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
     let count = files.len();
     let files: BTreeMap<String, String> = files.into_iter().collect();
     assert_eq!(files.len(), count, "no two files have one name");

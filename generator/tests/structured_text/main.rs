@@ -31,7 +31,11 @@ fn set(text: &str) -> Set {
 
 /// The files of a set in all targets, by name.
 fn files(text: &str) -> BTreeMap<String, String> {
-    let files = generator::generate::files(&set(text), &[], &TARGETS, |file: File| (file.name, file.text)).unwrap();
+    let set = &set(text);
+    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
+    let units = generator::generate::units(set);
+    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
+    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
     let count = files.len();
     let files: BTreeMap<String, String> = files.into_iter().collect();
     assert_eq!(files.len(), count, "no two files have one name");

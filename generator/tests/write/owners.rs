@@ -1,6 +1,7 @@
 //! What is not as axgen made it needs `--force`.
 
 use crate::{content, generated, pair, write};
+use generator::digest::is_text;
 use generator::write::{Owner, Refusal, owner};
 use std::fs;
 
@@ -50,4 +51,37 @@ fn what_was_edited_or_made_by_others_needs_force() {
     assert_eq!(content(folder.path()), [pair("x.c", &edited), pair("y.c", "mine")]);
     write(folder.path(), &files, true).unwrap();
     assert_eq!(content(folder.path()), files.map(|file| (file.name, file.text)));
+}
+
+/// An object of TwinCAT as a generator would make it.
+fn object() -> String {
+    let body = "<TcPlcObject Version=\"1.1.0.1\">\n  <POU Name=\"FB\" Id=\"{1}\">\n    <ST><![CDATA[x := 1;]]></ST>\n  </POU>\n</TcPlcObject>";
+    generated("FB.TcPOU", body).text
+}
+
+/// What its development environment adds when it saves is no edit; whatever else differs is.
+#[test]
+fn what_twincat_saves() {
+    let ids = "    <LineIds Name=\"FB\">\n      <LineId Id=\"3\" Count=\"1\" />\n    </LineIds>\n";
+    let with_ids = |text: &str| text.replace("  </POU>", &format!("{ids}  </POU>"));
+    let version =
+        |text: &str| text.replace("Version=\"1.1.0.1\"", "Version=\"1.1.0.1\" ProductVersion=\"3.1.4024.53\"");
+    let saved = version(&with_ids(&object())).trim_end().replace('\n', "\r\n");
+    for text in [object(), with_ids(&object()), version(&object()), object().trim_end().to_owned(), saved.clone()] {
+        assert_eq!(owner(text.as_bytes()), Owner::Generated, "{text}");
+        assert!(is_text(text.as_bytes(), &object()), "{text}");
+    }
+    for (from, to) in [
+        ("x := 1;", "x := 2;"),
+        ("x := 1;", "x := 1;\r\n<LineIds Name=\"FB\"></LineIds>"),
+        ("Id=\"{1}\"", "Id=\"{2}\""),
+        ("Version=\"1.1.0.1\"", "Version=\"1.2.0.0\""),
+        ("</LineIds>", "</LineIds><Folder/>"),
+        (" ProductVersion=", " Product="),
+    ] {
+        assert!(saved.contains(from));
+        let text = saved.replacen(from, to, 1);
+        assert_eq!(owner(text.as_bytes()), Owner::Edited, "{text}");
+        assert!(!is_text(text.as_bytes(), &object()), "{text}");
+    }
 }

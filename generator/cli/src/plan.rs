@@ -1,0 +1,98 @@
+//! All files that a run makes, each with its line for the manifest of its folder.
+
+use crate::recorded::Recorded;
+use crate::shared;
+use compiler::pass::Defect;
+use generator::generate::{self, Made};
+use generator::manifest::Entry;
+use generator::pipeline::Set;
+use generator::target::{File, TARGETS, Target, Unit};
+use std::collections::BTreeSet;
+use std::path::Path;
+
+/// What is made, and for which axes.
+pub struct Plan<'p> {
+    set: &'p Set,
+    /// empty: all
+    axes: &'p [String],
+    targets: &'p [Target],
+    /// the targets whose shared files are made
+    shared: Vec<Shared<'p>>,
+}
+
+/// What the shared files of a target name.
+struct Shared<'p> {
+    target: Target,
+    /// the axes of the set; none: the set has no files of the target any more
+    own: Vec<Unit<'p>>,
+    /// those of other sets
+    others: Vec<Unit<'p>>,
+}
+
+impl Shared<'_> {
+    /// All of both.
+    fn units(&self) -> Vec<Unit<'_>> {
+        self.own.iter().chain(&self.others).cloned().collect()
+    }
+
+    /// The names of the files that the set itself needs.
+    fn own_names(&self) -> BTreeSet<String> {
+        let files = if self.own.is_empty() { Vec::new() } else { (self.target.shared)(&self.own) };
+        files.into_iter().map(|file| file.name).collect()
+    }
+}
+
+impl<'p> Plan<'p> {
+    /// The plan for a folder. `dropped`: targets that the set had there, and has no more.
+    pub fn new(
+        (set, axes, targets): (&'p Set, &'p [String], &'p [Target]),
+        recorded: &'p Recorded,
+        dropped: &[&str],
+        out: &Path,
+    ) -> Self {
+        let others = |target: &Target| recorded.units_of_others(set, target);
+        let own = targets.iter().copied().zip(shared::own(set, axes, targets, out));
+        let own = own.map(|(target, own)| Shared { target, own, others: others(&target) });
+        // Other sets' axes stay in the project when those of this set go.
+        let dropped = TARGETS.into_iter().filter(|target| dropped.contains(&target.name));
+        let dropped = dropped.map(|target| Shared { target, own: Vec::new(), others: others(&target) });
+        let dropped = dropped.filter(|shared| !shared.others.is_empty());
+        let shared = own.chain(dropped).collect();
+        Self { set, axes, targets, shared }
+    }
+
+    /// Makes all files. Hands each to `take`, with its line for the manifest, which names `set`; a file without a line only other sets need.
+    pub fn files<T: Send>(&self, set: &str, take: impl Fn(&File) -> T + Sync) -> Vec<(String, Option<Entry>, T)> {
+        let entry = |file: &File, target: &str, axis: Option<&str>| Entry {
+            file: file.name.clone(),
+            target: target.to_owned(),
+            axis: axis.map(str::to_owned),
+            set: set.to_owned(),
+        };
+        let of_axis = |Made { target, axis, file }: Made<'_>| {
+            let entry = entry(&file, target, Some(axis));
+            (file.name.clone(), Some(entry), take(&file))
+        };
+        let mut files = made(generate::files(self.set, self.axes, self.targets, of_axis));
+        for shared in &self.shared {
+            let own = shared.own_names();
+            files.extend((shared.target.shared)(&shared.units()).iter().map(|file| {
+                let entry = own.contains(&file.name).then(|| entry(file, shared.target.name, None));
+                (file.name.clone(), entry, take(file))
+            }));
+        }
+        files.extend(generate::pages(self.set, self.axes, of_axis));
+        files
+    }
+
+    /// What is to be said of axes that shared files do not name.
+    pub fn left_out(&self, out: &Path) -> String {
+        let own = self.shared.iter().filter(|shared| !shared.own.is_empty());
+        own.filter_map(|shared| shared::left_out(self.set, &shared.units(), &shared.target, out)).collect()
+    }
+}
+
+/// What was made; a defect is ours, and never anybody's input.
+fn made<T>(result: Result<T, Defect>) -> T {
+    result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
+}
