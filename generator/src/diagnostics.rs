@@ -67,7 +67,7 @@ impl Diagnostic {
         Self { code, severity: Severity::Error, place, found: found.into(), allowed: None, instead: None }
     }
 
-    pub(crate) fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
+    pub fn warning(code: &'static str, place: Place, found: impl Into<String>) -> Self {
         Self { severity: Severity::Warning, ..Self::error(code, place, found) }
     }
 

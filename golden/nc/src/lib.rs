@@ -41,9 +41,11 @@
 mod axes;
 mod block;
 mod bracket;
+mod foreign;
 mod lexical;
 mod mistake;
 mod number;
+mod passed;
 mod program;
 mod read;
 mod spindle;
@@ -51,5 +53,6 @@ mod unknown;
 mod word;
 
 pub use mistake::Mistake;
+pub use passed::{Kind, Passed};
 pub use program::{Axis, Block, Command, Direction, Program, Target};
 pub use read::read;

@@ -11,16 +11,20 @@
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
+mod notes;
 mod path;
 pub mod picture;
+mod program_axis;
 mod spindle;
 pub(crate) mod spindle_machine;
 
 use crate::samples::Samples;
 use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
+use generator::codes;
 pub use nc::Mistake;
 use nc::Program;
+pub use notes::Note;
 
 /// A scenario that was run.
 #[derive(Clone, Debug)]
@@ -30,7 +34,29 @@ pub struct Scenario {
     pub outputs: Samples,
     /// the blocks of the program, in their order
     pub steps: Vec<Step>,
+    /// what of the program does not act as it says, in the order of its lines
+    pub notes: Vec<Note>,
 }
+
+/// How a program is run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// the program's axis that the axis of the set follows; none: that of its name
+    pub program_axis: Option<String>,
+    /// the scenario stops after this number of cycles, and says so
+    pub cycles: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { program_axis: None, cycles: CYCLES }
+    }
+}
+
+/// A scenario has at most this number of cycles, unless another one is asked for.
+pub const CYCLES: usize = 200_000;
+/// The most that can be asked for: more does not fit into memory everywhere.
+pub const MOST: usize = 5_000_000;
 
 /// When a block of the program acted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,25 +81,21 @@ pub fn usual_block(names: &[&'static str]) -> Option<&'static str> {
 ///
 /// # Errors
 /// What is wrong with the program, or with the program for this axis.
-pub fn run(text: &str, designed: &Designed, block: &Block) -> Result<Scenario, Vec<Mistake>> {
+pub fn run(text: &str, designed: &Designed, block: &Block, options: &Options) -> Result<Scenario, Vec<Mistake>> {
     let program = nc::read(text)?;
     let scenario = if ["spindle", "spindle_axis"].contains(&block.program.block) {
-        spindle::run(&program, designed, block)
+        spindle::run(&program, designed, block, options)
     } else {
-        path::run(&program, designed, block)
+        path::run(&program, designed, block, options)
     };
-    scenario.map_err(|mistake| vec![mistake])
+    let mut scenario = scenario.map_err(|mistake| vec![mistake])?;
+    scenario.notes.extend(program.passed.iter().map(notes::of));
+    scenario.notes.sort_by_key(|note| note.line);
+    Ok(scenario)
 }
-
-/// Longer scenarios are a mistake of their program.
-const MOST: usize = 200_000;
 
 /// One cycle of the block, in which it must not have an error.
 fn cycle(subject: &mut Subject, line: usize) -> Result<(), Mistake> {
-    if subject.inputs.len() >= MOST {
-        let found = format!("a block that is not over after {MOST} cycles of the scenario");
-        return Err(refused(line, found, "a scenario that ends", "another program, or a longer cycle time"));
-    }
     subject.step();
     if subject.get("fault") != 0.0 {
         let found = format!("error {} of the block at sample {}", subject.get("error_id"), subject.inputs.len() - 1);
@@ -88,14 +110,26 @@ fn refused(line: usize, found: impl Into<String>, allowed: impl Into<String>, in
     Mistake { line, column: 1, found: found.into(), allowed: allowed.into(), instead: instead.into() }
 }
 
-/// Runs the blocks of a program one after the other, and notes when.
+/// Runs the blocks of a program one after the other until the scenario is full, and notes when each acted.
 fn steps(
     program: &Program,
-    mut perform: impl FnMut(&nc::Block) -> Result<(usize, usize), Mistake>,
+    mut perform: impl FnMut(&nc::Block) -> Result<Option<(usize, usize)>, Mistake>,
 ) -> Result<Vec<Step>, Mistake> {
     let step = |block: &nc::Block| {
-        let (from, to) = perform(block)?;
-        Ok(Step { line: block.line, number: block.number, from, to })
+        let range = perform(block).transpose()?;
+        Some(range.map(|(from, to)| Step { line: block.line, number: block.number, from, to }))
     };
-    program.blocks.iter().map(step).collect()
+    program.blocks.iter().map_while(step).collect()
+}
+
+/// That the program is longer than its scenario.
+fn stopped(program: &Program, steps: &[Step], cycles: usize, cycle_time: f64) -> Note {
+    let line = steps.last().map_or(1, |step| step.line);
+    let last = program.blocks.last().map_or(line, |block| block.line);
+    let seconds = cycles as f64 * cycle_time;
+    let found = format!(
+        "a program that goes on: the scenario stops after {cycles} cycles, {seconds:.3} s, in line {line} of {last}"
+    );
+    let instead = format!("--cycles with more of them, up to {MOST}, or a shorter program");
+    Note::new(codes::NC_STOPPED, line, found, instead)
 }

@@ -1,10 +1,12 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
+use super::notes::Counted;
 use super::spindle_machine::{self, Machine};
-use super::{Scenario, refused, steps};
+use super::{Options, Scenario, refused, steps, stopped};
 use crate::subject::Subject;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
+use generator::codes;
 use machine::grid::{angle, shortest};
 use machine::profile;
 use machine::spindle::interpolator::{Job, Seen, State};
@@ -24,23 +26,40 @@ const SLOW: f64 = 300_000.0;
 const REST: usize = 20;
 
 /// Runs a program.
-pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Result<Scenario, Mistake> {
+pub(super) fn run(
+    program: &Program,
+    designed: &Designed,
+    block: &Block,
+    options: &Options,
+) -> Result<Scenario, Mistake> {
     let axis = &designed.axis;
     let line = program.blocks.first().map_or(1, |block| block.line);
     let Some(spindle) = &axis.control.spindle else {
         let found = format!("axis `{}` does not change over", axis.name);
         return Err(refused(line, found, "an axis with the block `spindle`", "another axis"));
     };
-    let mut closed =
-        Closed::start(axis, spindle, Subject::start(designed, block)).map_err(|error| no_motion(line, &error))?;
+    let mut closed = Closed::start(axis, spindle, Subject::start(designed, block), options.cycles)
+        .map_err(|error| no_motion(line, &error))?;
     closed.rest(line)?;
     let steps = steps(program, |block| {
         let from = closed.subject.inputs.len();
+        if closed.is_full() {
+            return Ok(None);
+        }
         block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        Ok((from, closed.subject.inputs.len()))
+        Ok(Some((from, closed.subject.inputs.len())))
     })?;
-    closed.rest(steps.last().map_or(line, |step| step.line))?;
-    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps })
+    let mut notes = Vec::new();
+    if closed.is_full() {
+        notes.push(stopped(program, &steps, options.cycles, axis.cycle_time()));
+    } else {
+        closed.rest(steps.last().map_or(line, |step| step.line))?;
+    }
+    let allowed = format!(" above vb_max (P-AXIS-00212), {} rpm: limited to it", axis.ipc.v_max / RPM);
+    notes.extend(closed.limited.note(codes::NC_LIMITED, "speed", &allowed, "a lower speed, or another vb_max"));
+    let rest = " of path axes passed over, which take no time: this is the scenario of a spindle";
+    notes.extend(closed.path.note(codes::NC_OTHER_DRIVE, "motion", rest, "a scenario of its own for the axis"));
+    Ok(Scenario { inputs: closed.subject.inputs, outputs: closed.subject.outputs, steps, notes })
 }
 
 fn no_motion(line: usize, error: &profile::Error) -> Mistake {
@@ -56,10 +75,15 @@ struct Closed<'a> {
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
     is_done: bool,
+    /// the scenario is full with this number of cycles
+    most: usize,
+    /// speeds above vb_max, and motions of path axes
+    limited: Counted,
+    path: Counted,
 }
 
 impl<'a> Closed<'a> {
-    fn start(axis: &'a Axis, spindle: &'a Spindle, mut subject: Subject) -> Result<Self, profile::Error> {
+    fn start(axis: &'a Axis, spindle: &'a Spindle, mut subject: Subject, most: usize) -> Result<Self, profile::Error> {
         subject.set("drive_on", 1.0);
         Ok(Self {
             machine: Machine::start(axis, spindle, START)?,
@@ -68,6 +92,9 @@ impl<'a> Closed<'a> {
             subject,
             feedforward: [0.0, 100.0],
             is_done: false,
+            most,
+            limited: Counted::default(),
+            path: Counted::default(),
         })
     }
 
@@ -77,17 +104,17 @@ impl<'a> Closed<'a> {
             Command::Feedforward { target: Target::Spindle(1), on } => self.feedforward[0] = f64::from(u8::from(on)),
             Command::Percentage { target: Target::Spindle(1), percent } => self.feedforward[1] = f64::from(percent),
             Command::Turn { direction, rpm, .. } => {
-                let speed = self.speed(rpm, line)?;
+                let speed = self.speed(rpm, line);
                 let is_negative = direction == Direction::Negative;
                 self.request(if is_negative { &["m4"] } else { &["m3"] }, speed, 0.0, Job::Turn, line)?;
                 let v = if is_negative { -speed } else { speed };
-                while !self.turns(v) {
+                while !self.turns(v) && !self.is_full() {
                     self.cycle(line)?;
                 }
             }
             Command::Stop { .. } => {
                 self.request(&["m5"], 0.0, 0.0, Job::Stop, line)?;
-                while !self.turns(0.0) {
+                while !self.turns(0.0) && !self.is_full() {
                     self.cycle(line)?;
                 }
             }
@@ -104,14 +131,13 @@ impl<'a> Closed<'a> {
             }
             Command::Dwell { seconds } => {
                 let end = seconds / self.axis.cycle_time();
-                for _ in (0_u32..).take_while(|cycle| f64::from(*cycle) < end) {
+                let mut cycles = 0_u32;
+                while f64::from(cycles) < end && !self.is_full() {
                     self.cycle(line)?;
+                    cycles += 1;
                 }
             }
-            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => {
-                let found = "a motion of path axes in the scenario of a spindle";
-                return Err(refused(line, found, "commands of spindle 1", "a scenario of its own for the axis"));
-            }
+            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => self.path.push(line),
             // Of other spindles, and of path axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => {}
             Command::Home { .. } | Command::Release { .. } | Command::End => {}
@@ -129,7 +155,7 @@ impl<'a> Closed<'a> {
     ) -> Result<(), Mistake> {
         let off = f64::from(self.spindle.v_position_control_on);
         let speed = match rpm {
-            Some(rpm) => self.speed(rpm, line)?,
+            Some(rpm) => self.speed(rpm, line),
             None if off > 0.0 => off,
             None => SLOW,
         };
@@ -148,15 +174,14 @@ impl<'a> Closed<'a> {
         self.until_done(line)
     }
 
-    /// A speed that the axis has [0.001 deg/s].
-    fn speed(&self, rpm: f64, line: usize) -> Result<f64, Mistake> {
+    /// A speed, no larger than the axis has it [0.001 deg/s].
+    fn speed(&mut self, rpm: f64, line: usize) -> f64 {
         let (speed, largest) = (rpm * RPM, self.axis.ipc.v_max);
         if speed > largest {
-            let found = format!("a speed of {rpm} rpm");
-            let allowed = format!("up to {} rpm, vb_max (P-AXIS-00212)", largest / RPM);
-            return Err(refused(line, found, allowed, "a lower speed, or another vb_max"));
+            self.limited.push(line);
+            return largest;
         }
-        Ok(speed)
+        speed
     }
 
     /// Gives a request for one cycle, and waits until it is the job.
@@ -172,6 +197,9 @@ impl<'a> Closed<'a> {
             self.subject.set(input, 0.0);
         }
         while self.subject.get("job_number") <= number || self.subject.get("waiting") > 0.0 || self.seen().job != job {
+            if self.is_full() {
+                break;
+            }
             self.cycle(line)?;
         }
         Ok(())
@@ -180,7 +208,7 @@ impl<'a> Closed<'a> {
     fn until_done(&mut self, line: usize) -> Result<(), Mistake> {
         loop {
             self.cycle(line)?;
-            if self.is_done {
+            if self.is_done || self.is_full() {
                 return Ok(());
             }
         }
@@ -196,6 +224,10 @@ impl<'a> Closed<'a> {
         };
         let window = (v.abs() * SPEED_WINDOW).max(RPM);
         is_there && (self.machine.actual.v - v).abs() <= window && (self.subject.get("v_spindle") - v).abs() < 1.0
+    }
+
+    fn is_full(&self) -> bool {
+        self.subject.inputs.len() >= self.most
     }
 
     fn rest(&mut self, line: usize) -> Result<(), Mistake> {
