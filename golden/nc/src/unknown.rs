@@ -21,6 +21,8 @@ pub(crate) fn say(piece: Piece<'_>, mistakes: &mut Mistakes) {
         bracket::read(piece, mistakes);
     } else if upper.starts_with('%') && kind != Foreign::Subprogram {
         mistakes.push(column, found, "`%` and the name of the program before the first block, once", "nothing here");
+    } else if text.starts_with(')') {
+        mistakes.push(column, found + " without its beginning", "comments in `( )`", "`(` before the comment");
     } else if upper.contains(".POS") {
         let allowed = "`S.POS=` and an angle in deg, for spindle 1 only";
         mistakes.push(column, found, allowed, "a word like `S.POS=180`");
