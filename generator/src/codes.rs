@@ -136,7 +136,9 @@ codes! {
         "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: feedforward_active is TRUE from \
          G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
     PROJECT = "AX116", "XML without an axis list",
-        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA.";
+        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA. \
+         Of an axis of the NC it reads what the message AX478 names. An NC project whose axes are in files of their own has none: take the file of \
+         the axis. XML with a document type, with 1,000 attributes in an element or 200 name spaces is not a project.";
     RESPONSE_COLUMN = "AX117", "a frequency response without a column that it needs",
         "A response has a frequency, and real and imaginary part or magnitude and phase. A column is recognised by its \
          name, in English or German, with its unit in brackets. docs/response.md lists the names.";
@@ -519,4 +521,9 @@ codes! {
     NC_FOLLOWS = "AX477", "an axis that follows an axis of another name",
         "NC programs name axes by a letter, X1=50 by a letter and a number. The axis of the set has another name, and follows the program's axis \
          that the message names. --program-axis chooses it.";
+    NC_AXIS = "AX478", "an axis of TwinCAT NC",
+        "The NC has no axis list. Its largest velocity is P-AXIS-00212, PosKp is P-AXIS-00099, the scale of the encoder P-AXIS-00234 and \
+         00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen does not know it, so that the value must \
+         be written. The cycle time is that of the SAF task, which a file of one axis does not hold. Stages of improved position control do not exist \
+         in the NC: write them in the set.";
 }

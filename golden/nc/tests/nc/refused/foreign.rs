@@ -59,7 +59,6 @@ fn each_word_once_with_the_number_of_them() {
         &[
             "2:1: error: found `G2`, an arc (the first of 3); {allowed}; write straight moves, as a CAM system writes them with arcs switched off",
             "4:1: error: found `G3`, an arc; {allowed}; write straight moves, as a CAM system writes them with arcs switched off",
-            "2:10: error: found `I5`, an arc",
         ],
     )]);
 }
