@@ -1,6 +1,5 @@
 //! Axes of TwinCAT NC (PTP), which have no axis list: their largest velocity, Kv and encoder scaling as lines of one. No file is read.
 
-use super::project::AxisList;
 use super::{axis_name, source::Source, value::shown};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place};
@@ -16,8 +15,17 @@ const PATH: f64 = 10_000.0;
 /// ns in the unit of a task's cycle.
 const CYCLE: u64 = 100;
 
+/// An axis with the list that stands for it.
+pub(crate) struct NcAxis {
+    /// the list, in the lines of the file
+    pub(crate) source: Arc<Source>,
+    pub(crate) name: Option<String>,
+    /// what the list was made of, and what is missing
+    pub(crate) said: Diagnostic,
+}
+
 /// The axes of a project that are in it themselves, with their values.
-pub(crate) fn lists(document: &Document<'_>, source: &Arc<Source>) -> Vec<AxisList> {
+pub(crate) fn lists(document: &Document<'_>, source: &Arc<Source>) -> Vec<NcAxis> {
     let cycle = cycle_time(document);
     axes(document)
         .filter(|axis| child(*axis, "AxisPara").is_some())
@@ -53,7 +61,7 @@ fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Option<(f64, us
 }
 
 /// An axis as lines of a list, each in the line of the file where its value stands.
-fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> AxisList {
+fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> NcAxis {
     let mut taken: Vec<(u32, String)> = Vec::new();
     let (mut said, mut missing) = (Vec::new(), Vec::new());
     let row = |at: usize| document.text_pos_at(at).row;
@@ -92,12 +100,10 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
     taken.sort();
     let place = Place { column: 0, ..source.place(axis.range().start) };
     let name = child(axis, "Name").and_then(|name| name.text()).filter(|name| *name != NAME_OF_FILE);
-    let source = Source::converted(&source.name, text(&taken), source.encoding);
-    AxisList {
-        range: 0..source.bytes.len(),
-        source,
+    NcAxis {
+        source: Source::converted(&source.name, text(&taken), source.encoding),
         name: name.map(axis_name::of_words).filter(|name| axis_name::is_allowed(name)),
-        said: Some(note(place, name, &said, &missing, cycle)),
+        said: note(place, name, &said, &missing, cycle),
     }
 }
 

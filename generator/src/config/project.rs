@@ -1,7 +1,8 @@
 //! Where a file has its axis lists: it is one, or a project of TwinCAT (`.xti`, `.tsproj`), whose elements `AchsMds` hold one for
 //! each axis of the CNC as CDATA; axes of the NC have none, and what stands for it (`nc_axis`). No line of a list is read.
 
-use super::{axis_name, nc_axis, source::Source, value::shown, xml};
+use super::nc_axis::{self, NcAxis};
+use super::{axis_name, source::Source, value::shown, xml};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use roxmltree::Node;
@@ -56,7 +57,9 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     if !found.is_empty() {
         return Ok(found);
     }
-    let of_nc = nc_axis::lists(&document, source);
+    let list =
+        |NcAxis { source, name, said }| AxisList { range: 0..source.bytes.len(), source, name, said: Some(said) };
+    let of_nc: Vec<AxisList> = nc_axis::lists(&document, source).into_iter().map(list).collect();
     if !of_nc.is_empty() {
         return Ok(of_nc);
     }

@@ -1,5 +1,7 @@
-//! The G words of a block with their axes and feed: what they may be with each other, and the commands that they are. Nothing of spindles.
+//! The G words of a block with their axes and feed: what they may be with each other, and the commands that they are. Nothing of
+//! spindles, nor of the time of a dwell.
 
+use super::dwell;
 use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
 use super::number::INTEGER;
@@ -40,13 +42,13 @@ pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut
     for placed in words {
         match placed.word {
             Word::Modal(modal) => force.take(modal),
-            Word::Wait(seconds) => return waits(placed, seconds, words, mistakes),
+            Word::Wait(seconds) => return dwell::waits(placed, seconds, words, mistakes),
             _ => {}
         }
     }
     let is = |wanted: Function| functions.iter().find(|(_, function)| *function == wanted).map(|(placed, _)| *placed);
-    if let Some(dwell) = is(Function::Dwell) {
-        return self::dwell(dwell, words, &axes, mistakes).into_iter().collect();
+    if let Some(placed) = is(Function::Dwell) {
+        return dwell::commands(placed, words, mistakes).into_iter().collect();
     }
     force.feed(words);
     for (_, function) in &functions {
@@ -222,65 +224,4 @@ fn homes(
         commands.push(Command::Home { target: Target::Axis(*axis) });
     }
     commands
-}
-
-const TIME: &str = "`G04` with one time: `X` or `F` and seconds, or `P`, no less than 0";
-
-/// Its time is that of X, U or F in s, or of P: seconds if it has a point, else milliseconds from 100 on.
-fn dwell(
-    placed: &Placed<'_>,
-    words: &[Placed<'_>],
-    axes: &[Position<'_, '_>],
-    mistakes: &mut Mistakes,
-) -> Option<Command> {
-    let times: Vec<(&Placed<'_>, f64)> =
-        words.iter().filter_map(|word| Some((word, time(word, placed, mistakes)?))).collect();
-    let others = axes
-        .iter()
-        .map(|position| position.placed)
-        .filter(|other| times.iter().all(|(time, _)| !std::ptr::eq(*time, *other)));
-    let wrong = others.chain(times.iter().filter(|(_, seconds)| *seconds < 0.0).map(|(placed, _)| *placed));
-    for other in wrong.chain(times.iter().skip(1).map(|(placed, _)| *placed)) {
-        let found = format!("{} beside {}", shown(other.text), shown(placed.text));
-        mistakes.push(other.column, found, TIME, "a block like `G04 X2.5`");
-    }
-    match times.first() {
-        Some((_, seconds)) => Some(Command::Dwell { seconds: *seconds }),
-        None => {
-            mistakes.push(
-                placed.column,
-                format!("{} without its time", shown(placed.text)),
-                TIME,
-                "a block like `G04 X2.5`",
-            );
-            None
-        }
-    }
-}
-
-/// The time of a word of a dwell [s].
-fn time(word: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) -> Option<f64> {
-    /// Nobody waits so long in s, or so short in ms.
-    const MILLISECONDS: f64 = 100.0;
-    match word.word {
-        Word::Axis(axis, seconds) if ["X", "U"].contains(&axis.to_string().as_str()) => Some(seconds),
-        Word::Feed(seconds) => Some(seconds),
-        Word::Parameter { value, is_integer, .. } => {
-            if is_integer {
-                let text = format!("{} {}", dwell.text, word.text).to_ascii_uppercase();
-                mistakes.pass(Kind::DwellUnit, word.column, &text);
-            }
-            Some(if is_integer && value >= MILLISECONDS { value / 1000.0 } else { value })
-        }
-        _ => None,
-    }
-}
-
-/// `#TIME`, which stands alone.
-fn waits(placed: &Placed<'_>, seconds: f64, words: &[Placed<'_>], mistakes: &mut Mistakes) -> Vec<Command> {
-    if let Some(other) = words.iter().find(|other| !std::ptr::eq(*other, placed)) {
-        let found = format!("{} beside {}", shown(other.text), shown(placed.text));
-        mistakes.push(other.column, found, "`#TIME` alone in its block", "`#TIME` in a block of its own");
-    }
-    vec![Command::Dwell { seconds }]
 }

@@ -118,8 +118,10 @@ fn word_end(rest: &str) -> usize {
             let letters = run(0, is_name);
             let digits = run(letters, |byte| byte.is_ascii_digit());
             let is_name_with_more = letters > 1 || matches!(next(digits), b'[' | b'=');
-            // S.POS=180, V.E.NAME
-            if is_name_with_more || next(digits) == b'.' && next(digits + 1).is_ascii_alphabetic() {
+            // S.POS=180, V.E.NAME; but X20.Y10. are two words.
+            let is_angle = rest[digits..].get(..4).is_some_and(|text| text.eq_ignore_ascii_case(".POS"));
+            let has_point = digits == letters && next(digits) == b'.' && next(digits + 1).is_ascii_alphabetic();
+            if is_name_with_more || is_angle || has_point {
                 return blank(rest);
             }
             let blanks = run(letters, |byte| matches!(byte, b' ' | b'\t'));

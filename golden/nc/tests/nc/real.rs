@@ -23,6 +23,7 @@ fn spellings_of_one_program() {
     let expected = commands("N10 G00 X1 Y-2\nN20 M3 S500\nN30 G01 X3 F600\nN40 M5\nM30");
     for text in [
         "N10G0X1Y-2\nN20M03S500\nN30G1X3F600\nN40M05\nN50M2",
+        "N10G00X1.Y-2.\nN20M03S500.\nN30G01X3.F600.\nN40M05\nN50M30",
         "n10 g00 x1. y-2.0\nm3 s500\nN30 g01 x+3 f600.\nm5\nm02",
         "G 0 X 1 Y -2\nS500\nM3\nG 1 X 3 F 600\nM 5\nM 30",
         "%\nO1000 (PART)\n:1\nG0 X=1 Y=-2\nM3 S=500\nG1 X=3 F=600\nM5\nM30\n%\n",

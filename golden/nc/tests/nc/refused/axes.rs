@@ -156,7 +156,6 @@ fn dwell() {
         (
             "G04 Y1\nM30",
             &[
-                "1:1: error: found `G04` without its time; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
                 "1:5: error: found `Y1` beside `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
             ],
         ),
