@@ -159,7 +159,7 @@ fn speeds_and_motions_of_the_other_kind_are_warned_of() {
     );
     assert!(out.lines().count() == 8, "{out}");
     // A spindle without a speed stands, as on a machine.
-    assert_eq!(warned("S", "M3\nG04 X0.1\nM5\nM30", "").0, [String::new(); 0]);
+    assert_eq!(warned("S", "M3\nG04 X0.1\nM5\nM30", "").0, Vec::<String>::new());
 }
 
 /// A scenario is a whole stimulus up to where it stops, and the message says where that is.
@@ -188,10 +188,10 @@ fn a_long_program_stops_with_a_warning() {
 #[test]
 fn an_axis_follows_that_of_its_name_or_the_one_that_is_chosen() {
     let said = |axis: &str, program: &str, options: &str| warned(axis, program, options).0;
-    assert_eq!(said("X", "G0 X1 Y2\nM30\n", ""), [String::new(); 0]);
-    assert_eq!(said("LIFT", "G0 X1 Z2\nM30\n", "--program-axis z"), [String::new(); 0]);
+    assert_eq!(said("X", "G0 X1 Y2\nM30\n", ""), Vec::<String>::new());
+    assert_eq!(said("LIFT", "G0 X1 Z2\nM30\n", "--program-axis z"), Vec::<String>::new());
     assert_eq!(said("X", "G0 Y1\nM30\n", ""), ["1:1: [AX474]: a program that never moves axis X: it stands still"]);
-    assert_eq!(said("Z2", "G0 Z1 Z2=5\nM30\n", ""), [String::new(); 0]);
+    assert_eq!(said("Z2", "G0 Z1 Z2=5\nM30\n", ""), Vec::<String>::new());
     assert_eq!(said("Z2", "G0 Z1\nM30\n", ""), ["1:1: [AX477]: axis `Z2` follows axis Z of the program"]);
     let (code, _, err) = axgen(folder("G0 X1\nM30").path(), "scenario sets.toml p.nc --axis X --program-axis Q");
     assert!(code == 2 && err.starts_with("p.nc:1:1: error[AX019]: `Q` for --program-axis\n"), "{err}");

@@ -4,7 +4,7 @@
 use super::dwell;
 use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
-use super::number::INTEGER;
+use super::number::{INTEGER, integer};
 use super::passed::Kind;
 use super::program::{Axis, Command, Target};
 use super::word::{Function, Modal, Placed, Word};
@@ -195,8 +195,8 @@ fn percentages(function: &Placed<'_>, axes: &[Position<'_, '_>], mistakes: &mut 
     lonely(function, axes, "`G136 X80`", mistakes);
     let mut commands = Vec::new();
     for Position { placed, axis, number } in axes {
-        if number.fract() == 0.0 {
-            commands.push(Command::Percentage { target: Target::Axis(*axis), percent: *number as i32 });
+        if let Some(percent) = integer(&number.to_string()) {
+            commands.push(Command::Percentage { target: Target::Axis(*axis), percent });
         } else {
             let found = format!("{} beside `G136`", shown(placed.text));
             mistakes.push(placed.column, found, INTEGER, format!("`{axis}` and such a number"));
@@ -214,7 +214,7 @@ fn homes(
     lonely(function, axes, "`G74 X1`, or `S[G74]` for a spindle", mistakes);
     let mut commands = Vec::new();
     for Position { placed, axis, number } in axes {
-        if *number != 1.0 {
+        if integer(&number.to_string()) != Some(1) {
             let found = format!("{} beside `G74`", shown(placed.text));
             let allowed = "1 after each axis of `G74`: they are homed at once";
             mistakes.push(placed.column, found, allowed, format!("`{axis}1`, in a later block if it comes later"));

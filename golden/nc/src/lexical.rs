@@ -134,7 +134,10 @@ fn word_end(rest: &str) -> usize {
             let end = run(from, of_number);
             // A power of ten is a part of its number, so that it is refused there.
             let power = run(end + 1, |byte| matches!(byte, b'+' | b'-'));
-            let is_power = end > from && matches!(next(end), b'e' | b'E') && next(power).is_ascii_digit();
+            let is_power = end > from
+                && !b"GMNTgmnt".contains(&first)
+                && matches!(next(end), b'e' | b'E')
+                && next(power).is_ascii_digit();
             if is_power || next(end) == b'[' { blank(rest) } else { end }
         }
         _ => blank(rest),

@@ -204,8 +204,8 @@ fn m_word(number: &str) -> Word {
         "19" => Word::Position,
         "17" | "96" | "97" | "98" | "99" => Word::Foreign(Foreign::Subprogram),
         "29" => Word::Foreign(Foreign::Cycle),
-        // Of printers: M92 E415, M205 X8.
-        _ if number.len() > 2 || number.starts_with(['8', '9']) && number.len() == 2 => {
+        // M66 E0 L0; of printers: M92 E415, M205 X8.
+        _ if number.len() > 2 || number.starts_with(['6', '8', '9']) && number.len() == 2 => {
             Word::Passed(Kind::Machine, Parameters::All)
         }
         _ => Word::Passed(Kind::Machine, Parameters::Letters),

@@ -26,7 +26,7 @@ fn each_kind_once() {
     one("G0 X1\nG1 X2\nX3\nF1 X4\nM30", Kind::NoFeed, (2, 4), "", 2);
     one("G0 X1\n(end)\n", Kind::NoEnd, (1, 6), "", 1);
     one("M30\nG2 X1\n\nM30\n%", Kind::AfterEnd, (2, 1), "", 2);
-    one("M104 S200\nM205 X8 F5\nM92 E415\nM30", Kind::Machine, (1, 1), "M104 M205 M92", 3);
+    one("M104 S200\nM205 X8 F5\nM92 E415\nm66e0l0\nM30", Kind::Machine, (1, 1), "M104 M205 M92 M66", 4);
 }
 
 /// What acts, or is how the reader reads anyway, is not passed over.
