@@ -517,7 +517,7 @@ codes! {
          asks for: with the real machine in mind correct vb_max or the program.";
     NC_STOPPED = "AX476", "an NC program that is longer than its scenario",
         "A scenario stops after 200,000 cycles, or after the number of --cycles. Everything before that is a whole stimulus. More cycles take more \
-         memory, about 250 bytes each, and more time in every engine.";
+         memory, about 400 bytes each, and more time in every engine.";
     NC_FOLLOWS = "AX477", "an axis that follows an axis of another name",
         "NC programs name axes by a letter, X1=50 by a letter and a number. The axis of the set has another name, and follows the program's axis \
          that the message names. --program-axis chooses it.";

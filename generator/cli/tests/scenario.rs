@@ -193,6 +193,9 @@ fn an_axis_follows_that_of_its_name_or_the_one_that_is_chosen() {
     assert_eq!(said("X", "G0 Y1\nM30\n", ""), ["1:1: [AX474]: a program that never moves axis X: it stands still"]);
     assert_eq!(said("Z2", "G0 Z1 Z2=5\nM30\n", ""), Vec::<String>::new());
     assert_eq!(said("Z2", "G0 Z1\nM30\n", ""), ["1:1: [AX477]: axis `Z2` follows axis Z of the program"]);
+    // An axis that goes with the path keeps to its own vb_max.
+    let along = said("LIFT", "G1 X1 A100 F20000\nG0 X0 A0\nM30\n", "--program-axis A");
+    assert_eq!(along, ["1:1: [AX475]: 1 feed above vb_max (P-AXIS-00212), 30000 mm/min: limited to it"]);
     let (code, _, err) = axgen(folder("G0 X1\nM30").path(), "scenario sets.toml p.nc --axis X --program-axis Q");
     assert!(code == 2 && err.starts_with("p.nc:1:1: error[AX019]: `Q` for --program-axis\n"), "{err}");
 }

@@ -171,11 +171,14 @@ impl Closed {
         let share = if part.abs() > 1.0 { 1.0 / part.abs() } else { 1.0 };
         let Limits { velocity, acceleration, jerk } = self.limits;
         let limits = Limits { velocity: velocity * share, acceleration: acceleration * share, jerk: jerk * share };
-        if feed > velocity {
+        // G00 asks for vb_max, whatever the share is.
+        let is_rapid = (feed - velocity).abs() == 0.0;
+        if feed > limits.velocity && !is_rapid {
             self.limited.push(line);
         }
         let mut mover = Mover::at(limits, self.cycle, 0.0, 0.0).map_err(failed)?;
-        mover.go(length, if feed > limits.velocity { limits.velocity } else { feed }).map_err(failed)?;
+        let feed = if feed > limits.velocity { limits.velocity } else { feed };
+        mover.go(length, feed).map_err(failed)?;
         while !mover.is_done() && !self.is_full() {
             let profile::Sample { x, v, a, j } = mover.next();
             self.cycle(profile::Sample { x: start + x * part, v: v * part, a: a * part, j: j * part }, line)?;
