@@ -136,7 +136,9 @@ codes! {
         "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: feedforward_active is TRUE from \
          G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
     PROJECT = "AX116", "XML without an axis list",
-        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA.";
+        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA. \
+         Of an axis of the NC it reads what the message AX478 names. An NC project whose axes are in files of their own has none: take the file of \
+         the axis. XML with a document type, with 1,000 attributes in an element or 200 name spaces is not a project.";
     RESPONSE_COLUMN = "AX117", "a frequency response without a column that it needs",
         "A response has a frequency, and real and imaginary part or magnitude and phase. A column is recognised by its \
          name, in English or German, with its unit in brackets. docs/response.md lists the names.";
@@ -494,6 +496,36 @@ codes! {
          the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
          or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
          (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
+    NC_PASSED = "AX470", "words of an NC program that have no effect here",
+        "A scenario moves one axis or one spindle. Words of the tool (T, D, H, M6, G40, G43, G44, G49), of the machine (M0, M1, M7 to M9, \
+         most other M words) and settings (G17 to G19, G80, G94, O and the like) are passed over. G20 and G70 are inches, G21 and G71 \
+         millimetres; a mirroring by G21 is not known.";
+    NC_PATH_MODE = "AX471", "a path mode of an NC program that has no effect here",
+        "G09, G60, G61, G64, #SLOPE, #HSC and the like say how blocks are joined. In a scenario each block ends with a stop within the \
+         window of the axis: the motion is harder than on a machine that smooths the path, and takes longer.";
+    NC_OFFSET = "AX472", "a position of an NC program that is not known",
+        "Zero offsets (G54 to G59) are data of the machine and are taken as 0. A block with G28, G30 or G53 goes to a position of the \
+         machine and is not made: the axis stays where it is until the next move.";
+    NC_ASSUMED = "AX473", "an NC program that leaves something open",
+        "Controllers differ here, and the message says what was taken: blocks with `/` run, P of a dwell without a point is ms from 100 on, \
+         G92 gives the present position another number, G01 before any F is made with vb_max, a program without M30 or M2 ends with its file, and nothing after its end is read.";
+    NC_OTHER_DRIVE = "AX474", "commands of an NC program for another drive",
+        "The scenario of an axis has no spindle, and that of a spindle has no axes; an axis that the program never moves stands still. \
+         Run the program on the other axis of the set too, or name the axis with --program-axis.";
+    NC_LIMITED = "AX475", "a feed or a speed above vb_max",
+        "The controller limits what the program asks for to vb_max (P-AXIS-00212), and so does the scenario. It is a part of what the program \
+         asks for: with the real machine in mind correct vb_max or the program.";
+    NC_STOPPED = "AX476", "an NC program that is longer than its scenario",
+        "A scenario stops after 200,000 cycles, or after the number of --cycles. Everything before that is a whole stimulus. More cycles take more \
+         memory, about 400 bytes each, and more time in every engine.";
+    NC_FOLLOWS = "AX477", "an axis that follows an axis of another name",
+        "NC programs name axes by a letter, X1=50 by a letter and a number. The axis of the set has another name, and follows the program's axis \
+         that the message names. --program-axis chooses it.";
+    NC_AXIS = "AX478", "an axis of TwinCAT NC",
+        "The NC has no axis list. Its largest velocity is P-AXIS-00212, PosKp is P-AXIS-00099, the scale of the encoder P-AXIS-00234 and \
+         00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen does not know it, so that the value must \
+         be written. The cycle time is that of the SAF task, which a file of one axis does not hold. Stages of improved position control do not exist \
+         in the NC: write them in the set.";
 
     LEFT_OVER = "AX490", "a file that is no longer generated, and not as it was generated",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have removed it; but \

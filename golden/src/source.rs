@@ -39,10 +39,11 @@ pub(crate) fn made(
     if folder.join(INPUTS).exists() && !again {
         return same_program(program, folder).map(|()| None);
     }
-    let scenario = scenario::run(&text(program)?, designed, block).map_err(|mistakes| {
-        let lines = mistakes.iter().map(|mistake| format!("{}:{mistake}", program.slashes()));
-        lines.collect::<Vec<_>>().join("\n")
-    })?;
+    let scenario =
+        scenario::run(&text(program)?, designed, block, &scenario::Options::default()).map_err(|mistakes| {
+            let lines = mistakes.iter().map(|mistake| format!("{}:{mistake}", program.slashes()));
+            lines.collect::<Vec<_>>().join("\n")
+        })?;
     Ok(Some(scenario.inputs))
 }
 

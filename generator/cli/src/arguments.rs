@@ -4,6 +4,7 @@ use crate::emit;
 use crate::messages::Format;
 use crate::results::Files;
 use crate::run;
+use crate::scenario;
 use crate::simulate;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
@@ -81,6 +82,12 @@ pub enum Command {
         /// NC program whose scenario gives the inputs
         #[arg(long, value_name = "FILE", conflicts_with = "stimulus")]
         scenario: Option<PathBuf>,
+        /// The axis of the program that the axis follows [default: that of its name]
+        #[arg(long, value_name = "A", requires = "scenario")]
+        program_axis: Option<String>,
+        /// Stops the scenario after this number of cycles [default: 200000]
+        #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
+        cycles: Option<usize>,
         /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
         #[arg(long, value_name = "FILE")]
         compare: Option<PathBuf>,
@@ -113,6 +120,12 @@ pub enum Command {
         /// The block of the scenario [default: spindle, else axis, else the one that there is]
         #[arg(long, value_name = "B", requires = "scenario")]
         block: Option<String>,
+        /// The axis of the program that the axis follows [default: that of its name]
+        #[arg(long, value_name = "A", requires = "scenario")]
+        program_axis: Option<String>,
+        /// Stops the scenario after this number of cycles [default: 200000]
+        #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
+        cycles: Option<usize>,
         /// Only this engine beside the reference, may be given several times [default: all]
         #[arg(long = "engine", value_name = "E")]
         engines: Vec<String>,
@@ -157,6 +170,12 @@ pub enum Command {
         block: Option<String>,
         #[command(flatten)]
         drive: DriveArguments,
+        /// The axis of the program that the axis follows [default: that of its name]
+        #[arg(long, value_name = "A")]
+        program_axis: Option<String>,
+        /// Stops the scenario after this number of cycles [default: 200000]
+        #[arg(long, value_name = "N", value_parser = scenario::cycles)]
+        cycles: Option<usize>,
         /// CSV file for the inputs of the block
         #[arg(long, value_name = "FILE")]
         stimulus: Option<PathBuf>,

@@ -63,22 +63,40 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             generate::run(&set, format, &generate::Request { targets, axes, runner, out, force, compare, emit })
         }
         Command::Check { set, verbose } => check::run(&set, format, verbose),
-        Command::Run { set, axis, block, engine, stimulus, scenario, compare, map, out, force, hex } => run::run(
-            &set,
-            format,
-            &run::Request { axis, block, engine, stimulus, scenario, compare, map, out, force, hex },
-        ),
+        Command::Run {
+            set,
+            axis,
+            block,
+            engine,
+            stimulus,
+            scenario,
+            program_axis,
+            cycles,
+            compare,
+            map,
+            out,
+            force,
+            hex,
+        } => {
+            let options = scenario::options(program_axis, cycles);
+            let of = run::Request { axis, block, engine, stimulus, scenario, options, compare, map, out, force, hex };
+            run::run(&set, format, &of)
+        }
         Command::Verify { set, samples, scenario: None, engines, results, .. } => {
             verify::run(&set, format, samples, &engines, &results)
         }
-        Command::Verify { set, scenario: Some(program), axis, block, engines, results, .. } => {
-            let request = verify::Scenario { program, axis, block };
+        Command::Verify {
+            set, scenario: Some(program), axis, block, program_axis, cycles, engines, results, ..
+        } => {
+            let options = scenario::options(program_axis, cycles);
+            let request = verify::Scenario { program, axis, block, options };
             verify::run_scenario(&set, format, &request, &engines, &results)
         }
         Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
-        Command::Scenario { set, program, axis, block, drive, stimulus, picture, force } => {
-            let request = scenario::Request { axis, block, drive, program, stimulus, picture, force };
+        Command::Scenario { set, program, axis, block, drive, program_axis, cycles, stimulus, picture, force } => {
+            let options = scenario::options(program_axis, cycles);
+            let request = scenario::Request { axis, block, drive, program, options, stimulus, picture, force };
             scenario::run(&set, format, &request)
         }
         Command::Diff { old, new, cycle_time, name } => {

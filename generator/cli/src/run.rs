@@ -33,6 +33,8 @@ pub struct Request {
     pub stimulus: Option<PathBuf>,
     /// the NC program that makes the inputs
     pub scenario: Option<PathBuf>,
+    /// how that program is run
+    pub options: golden::scenario::Options,
     /// a recording of the outputs
     pub compare: Option<PathBuf>,
     /// which column of the recording is which signal, where the names do not say it
@@ -80,7 +82,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let recording = recording.transpose()?;
     let inputs = match (request.stimulus.as_deref(), request.scenario.as_deref(), &recording) {
         (Some(file), ..) => csv::read(&read(file)?, &inputs).map_err(|mistakes| wrong(file, &mistakes))?,
-        (None, Some(program), _) => scenario::made(program, designed, &block)?.inputs,
+        (None, Some(program), _) => scenario::made(program, designed, &block, &request.options, format)?.inputs,
         (None, None, Some(recording)) => recording.inputs.clone(),
         (None, None, None) => {
             let found = "which inputs? give --stimulus or --compare with a CSV file, or --scenario";

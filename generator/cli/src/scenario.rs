@@ -13,7 +13,7 @@ use generator::config;
 use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
 use golden::csv::{self, Reals};
 use golden::samples::Samples;
-use golden::scenario::{self, Mistake, Scenario, picture};
+use golden::scenario::{self, Mistake, Note, Options, Scenario, picture};
 use golden::svg;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +27,8 @@ pub struct Request {
     pub drive: DriveArguments,
     /// the NC program
     pub program: PathBuf,
+    /// how the program is run
+    pub options: Options,
     /// where the inputs go
     pub stimulus: Option<PathBuf>,
     /// where the picture goes
@@ -44,7 +46,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     for out in outputs.into_iter().flatten() {
         one_file::kept_apart(out, [arguments.set.as_path(), &request.program].into_iter())?;
     }
-    let scenario = made(&request.program, designed, &block)?;
+    let scenario = made(&request.program, designed, &block, &request.options, format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
     let name = request.program.file_stem().unwrap_or_default().to_string_lossy();
     let drawn = picture::svg(&scenario, &name, designed);
@@ -100,20 +102,46 @@ pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Bloc
     }
 }
 
-/// The scenario of a program on an axis.
-pub fn made(program: &Path, designed: &Designed, block: &Block) -> Result<Scenario, Exit> {
-    let unreadable = |code, found: String| Exit::input(code, program.slashes(), found);
+/// How a program is run, from the command line.
+pub fn options(program_axis: Option<String>, cycles: Option<usize>) -> Options {
+    let usual = Options::default();
+    Options { program_axis, cycles: cycles.unwrap_or(usual.cycles) }
+}
+
+/// A number of cycles that fits into memory.
+pub fn cycles(text: &str) -> Result<usize, String> {
+    let most = scenario::MOST;
+    text.parse().ok().filter(|cycles| (1..=most).contains(cycles)).ok_or(format!("1 to {most} is allowed"))
+}
+
+/// The scenario of a program on an axis; what of the program does not act as it says is a warning on standard error.
+pub fn made(
+    program: &Path,
+    designed: &Designed,
+    block: &Block,
+    options: &Options,
+    format: Format,
+) -> Result<Scenario, Exit> {
     let bytes = config::load(program).map_err(|of| {
         let (code, found) = of.said();
-        unreadable(code, found)
+        Exit::input(code, program.slashes(), found)
     })?;
-    let text = String::from_utf8(bytes).map_err(|_| unreadable(codes::UNREADABLE, "it is not UTF-8".to_owned()))?;
-    scenario::run(&text, designed, block).map_err(|mistakes| {
-        let mut report = Report::default();
+    // Comments of programs have umlauts in the encodings of old systems: a byte is a character of Latin-1 then.
+    let text =
+        String::from_utf8(bytes).unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
+    let place = |line, column| Place { line, column, ..Place::whole(program.slashes()) };
+    let mut report = Report::default();
+    let scenario = scenario::run(&text, designed, block, options).map_err(|mistakes| {
         for Mistake { line, column, found, allowed, instead } in mistakes {
-            let place = Place { line, column, ..Place::whole(program.slashes()) };
-            report.push(Diagnostic::error(codes::NC_PROGRAM, place, found).allowed(allowed).instead(instead));
+            report.push(
+                Diagnostic::error(codes::NC_PROGRAM, place(line, column), found).allowed(allowed).instead(instead),
+            );
         }
-        Exit::Input(report)
-    })
+        Exit::Input(std::mem::take(&mut report))
+    })?;
+    for Note { code, line, column, found, instead } in &scenario.notes {
+        let said = Diagnostic::warning(code, place(*line, *column), found.as_str());
+        report.push(if instead.is_empty() { said } else { said.instead(instead.as_str()) });
+    }
+    input::said(Some(scenario), &report, format)
 }

@@ -66,6 +66,8 @@ pub struct Scenario {
     pub axis: Option<String>,
     /// the block; none: the usual one of the axis
     pub block: Option<String>,
+    /// how the program is run
+    pub options: golden::scenario::Options,
 }
 
 /// Runs the command on one block, with the inputs of a scenario.
@@ -82,7 +84,7 @@ pub fn run_scenario(
     files.kept_apart(Some(&request.program))?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = scenario::block_of_scenario(designed, request.block.as_deref())?;
-    let inputs = scenario::made(&request.program, designed, &block)?.inputs;
+    let inputs = scenario::made(&request.program, designed, &block, &request.options, format)?.inputs;
     let mut run = Run::start()?;
     let bar = progress(engines.len(), format);
     run.every_engine(&engines, designed, &block, &inputs, &bar)?;

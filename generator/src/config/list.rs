@@ -25,7 +25,12 @@ const UNREADABLE_LINES: usize = 20;
 
 pub(crate) fn read(list: &AxisList) -> List {
     let mut reading = Reading {
-        list: List { values: Values::default(), foreign: 0, report: Report::default(), complete: true },
+        list: List {
+            values: Values::default(),
+            foreign: 0,
+            report: list.said.clone().map(Report::from).unwrap_or_default(),
+            complete: true,
+        },
         source: &list.source,
         commented: None,
         is_behind_end: false,

@@ -1,10 +1,11 @@
 //! Where a file has its axis lists: it is one, or a project of TwinCAT (`.xti`, `.tsproj`), whose elements `AchsMds` hold one for
-//! each axis as CDATA. No line of a list is read.
+//! each axis of the CNC as CDATA; axes of the NC have none, and what stands for it (`nc_axis`). No line of a list is read.
 
-use super::{axis_name, source::Source, value::shown};
+use super::nc_axis::{self, NcAxis};
+use super::{axis_name, source::Source, value::shown, xml};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
-use roxmltree::{Document, Node, ParsingOptions};
+use roxmltree::Node;
 use std::{ops::Range, sync::Arc};
 
 /// The list of an axis, and where it stands in its file.
@@ -14,6 +15,8 @@ pub(crate) struct AxisList {
     pub(crate) range: Range<usize>,
     /// what a project calls the axis, as far as an axis may be called so
     pub(crate) name: Option<String>,
+    /// of an axis of the NC: what its list was made of
+    pub(crate) said: Option<Diagnostic>,
 }
 
 /// The element that holds a list.
@@ -21,21 +24,22 @@ const ELEMENT: &str = "AchsMds";
 
 /// The lists of a file, at least one.
 pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
-    let of = |range, name| AxisList { source: Arc::clone(source), range, name };
+    let of = |range, name| AxisList { source: Arc::clone(source), range, name, said: None };
     let text = source.bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&source.bytes);
     if !text.trim_ascii_start().starts_with(b"<") {
         return Ok(vec![of(0..source.bytes.len(), None)]);
     }
     let refused = |found: String| {
         let said = Diagnostic::error(codes::PROJECT, source.whole(), found);
-        said.allowed("an axis list, or a project of TwinCAT with the element AchsMds of an axis")
+        said.allowed(
+            "an axis list, or a project of TwinCAT with the element AchsMds of an axis, or with an axis of the NC",
+        )
     };
     let shift = source.bytes.len() - text.len();
     let text = str::from_utf8(text).map_err(|_| Report::from(refused("the file is XML, and not UTF-8".to_owned())))?;
-    let options = ParsingOptions { allow_dtd: false, nodes_limit: 10_000_000, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| {
-        let (line, column) = (error.pos().row as usize, error.pos().col as usize);
-        let said = refused(format!("the file is broken XML: {error}"));
+    let document = xml::parse(text).map_err(|xml::Refused { found, place }| {
+        let said = refused(found);
+        let (line, column) = place.unwrap_or((said.place.line, said.place.column));
         let place = Place { line, column, ..said.place };
         Report::from(Diagnostic { place, ..said })
     })?;
@@ -50,10 +54,25 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
             Ok(of(range.start + shift..range.end + shift, name_of(element)))
         })
         .collect::<Result<_, Report>>()?;
-    if found.is_empty() {
-        return Err(refused(format!("the file is XML, and no element {ELEMENT} of it holds an axis list")).into());
+    if !found.is_empty() {
+        return Ok(found);
     }
-    Ok(found)
+    let list =
+        |NcAxis { source, name, said }| AxisList { range: 0..source.bytes.len(), source, name, said: Some(said) };
+    let of_nc: Vec<AxisList> = nc_axis::lists(&document, source).into_iter().map(list).collect();
+    if !of_nc.is_empty() {
+        return Ok(of_nc);
+    }
+    let mut found = format!("the file is XML, and no element {ELEMENT} of it holds an axis list");
+    let files = nc_axis::files(&document);
+    if let Some(first) = files.first() {
+        found += &format!(
+            "; its {} axes of TwinCAT NC are in files of their own, the first in {}",
+            files.len(),
+            shown(first)
+        );
+    }
+    Err(refused(found).into())
 }
 
 /// What stands between the signs of the only CDATA of an element.

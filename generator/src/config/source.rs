@@ -13,6 +13,8 @@ pub(crate) struct Source {
     pub(crate) encoding: Encoding,
     /// whether it is an option of the command line, which has no lines
     is_option: bool,
+    /// whether a text of our own stands for that of the file: its lines are those of the file, its columns are not
+    is_converted: bool,
     /// found when the first message needs them
     lines: OnceLock<Lines>,
 }
@@ -29,13 +31,30 @@ struct Lines {
 
 impl Source {
     pub(crate) fn new(name: &str, bytes: Vec<u8>, encoding: Encoding) -> Arc<Self> {
-        Arc::new(Self { name: name.to_owned(), bytes, encoding, is_option: false, lines: OnceLock::new() })
+        Arc::new(Self {
+            name: name.to_owned(),
+            bytes,
+            encoding,
+            is_option: false,
+            is_converted: false,
+            lines: OnceLock::new(),
+        })
+    }
+
+    pub(crate) fn converted(name: &str, bytes: Vec<u8>, encoding: Encoding) -> Arc<Self> {
+        let name = name.to_owned();
+        Arc::new(Self { name, bytes, encoding, is_option: false, is_converted: true, lines: OnceLock::new() })
+    }
+
+    /// Whether the file has another text.
+    pub(crate) fn is_converted(&self) -> bool {
+        self.is_converted
     }
 
     pub(crate) fn option(name: &str, value: &str) -> Arc<Self> {
         let bytes = value.as_bytes().to_vec();
         let (name, encoding) = (name.to_owned(), Encoding::Plain);
-        Arc::new(Self { name, bytes, encoding, is_option: true, lines: OnceLock::new() })
+        Arc::new(Self { name, bytes, encoding, is_option: true, is_converted: false, lines: OnceLock::new() })
     }
 
     /// Whether it is an option of the command line.
@@ -53,6 +72,9 @@ impl Source {
         }
         let lines = self.lines.get_or_init(|| Lines::new(&self.bytes));
         let line = lines.starts.partition_point(|start| *start <= offset);
+        if self.is_converted {
+            return Place { line, ..self.whole() };
+        }
         let start = lines.starts[line - 1];
         let characters = offset - start + lines.continuations_before(&self.bytes, start)
             - lines.continuations_before(&self.bytes, offset);

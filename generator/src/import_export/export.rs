@@ -41,6 +41,12 @@ fn of_set(
         return file_of([&before, &list, &behind], encoding, &place, report);
     };
     let list = list.map_err(|unreadable| report.extend(unreadable)).ok()?;
+    if list.source.is_converted() {
+        let found = "the list is an axis of TwinCAT NC, into which nothing can be written";
+        let said = Diagnostic::error(codes::PROJECT, list.source.whole(), found);
+        report.push(said.instead("the values in the NC's own dialogs; `axgen import` makes a set of the axis"));
+        return None;
+    }
     let read = list::read(&list);
     report.extend(read.report);
     // Their lines stay as they are.

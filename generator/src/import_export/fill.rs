@@ -126,7 +126,7 @@ impl Filling<'_> {
     /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
     fn prove(&mut self, list: &[u8]) {
         let source = Source::new("the exported list", list.to_vec(), Encoding::Plain);
-        let read = list::read(&AxisList { source, range: 0..list.len(), name: None });
+        let read = list::read(&AxisList { source, range: 0..list.len(), name: None, said: None });
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
         let of_a_list = self.values.iter().filter(|((name, _), _)| name.parameter().scope == Scope::List);

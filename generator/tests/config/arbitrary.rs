@@ -203,6 +203,7 @@ fn every_code_has_a_test() {
         include_str!("values.rs"),
         include_str!("../real_files/kinds.rs"),
         include_str!("../real_files/mistakes.txt"),
+        include_str!("../real_files/nc_axes.rs"),
         include_str!("../real_files/projects.rs"),
         include_str!("../response_file/defects.txt"),
         include_str!("../response_file/doubtful.txt"),

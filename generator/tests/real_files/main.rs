@@ -8,6 +8,7 @@ mod ends;
 mod kinds;
 mod listings;
 mod mistakes;
+mod nc_axes;
 mod projects;
 mod signs;
 

@@ -119,10 +119,27 @@ fn xml_without_a_list() {
     assert!(set.is_none() && report.to_string().contains("AX005"), "{report}");
 }
 
+/// Each is refused at once, and for what it is.
 #[test]
 fn xml_that_would_cost_more_than_it_weighs() {
-    for content in ["<a>".repeat(200_000), format!("<!DOCTYPE a [<!ENTITY b \"{}\">]><a>&b;</a>", "c".repeat(1000))] {
+    let many = |count: usize, one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<String>();
+    let name_spaces = many(4000, &|at| format!("<a xmlns:n{at}=\"u\">")) + &"</a>".repeat(4000);
+    let attributes = format!("<a{}/>", many(100_000, &|at| format!(" b{at} = '>'")));
+    let comment = format!("<!-- {attributes} --><a><![CDATA[{attributes}]]></a>");
+    for (content, found) in [
+        ("<a>".repeat(200_000), "broken XML"),
+        (format!("<!DOCTYPE a [<!ENTITY b \"{}\">]><a>&b;</a>", "c".repeat(1000)), "XML with DTD detected"),
+        ("<!DOCTYPE a><a/>".to_owned(), "XML with DTD detected"),
+        (name_spaces, "4000 declarations of name spaces, more than the 200"),
+        (attributes, "100000 attributes in one element, more than the 1000"),
+        (comment, "no element AchsMds"),
+        ("<a ".to_owned() + &"=".repeat(100_000), "attributes in one element"),
+        ("<a".to_owned() + &" xmlns:b  =  \"u\"".repeat(300) + "/>", "300 declarations of name spaces"),
+    ] {
+        let begin = std::time::Instant::now();
         let (set, report) = read(&[("x.xti", content.as_bytes())]);
-        assert!(set.is_none() && report.to_string().contains("AX116"), "{}", report.diagnostics.len());
+        let said = report.to_string();
+        assert!(set.is_none() && said.contains("AX116") && said.contains(found), "{found}: {said:.300}");
+        assert!(begin.elapsed().as_secs() < 5, "{found}");
     }
 }

@@ -1,82 +1,171 @@
-//! The G words of a block with their axes and feed: what they may be beside each other, and the commands that they are. Nothing of spindles.
+//! The G words of a block with their axes and feed: what they may be with each other, and the commands that they are. Nothing of
+//! spindles, nor of the time of a dwell.
 
+use super::dwell;
+use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
-use super::number::{INTEGER, decimal, integer};
+use super::number::{INTEGER, integer};
+use super::passed::Kind;
 use super::program::{Axis, Command, Target};
-use super::word::{Function, Placed, Word};
+use super::word::{Function, Modal, Placed, Word};
+use std::collections::BTreeMap;
+
+/// mm in an inch.
+const INCH: f64 = 25.4;
+
+/// What G words and F of earlier blocks still say.
+#[derive(Default)]
+pub(crate) struct InForce {
+    /// of G00 (true) or G01
+    rapid: Option<bool>,
+    /// in mm/min
+    feed: Option<f64>,
+    is_incremental: bool,
+    is_inch: bool,
+    /// where the moves end [mm, deg]
+    place: BTreeMap<Axis, f64>,
+    /// of G92: what is added to absolute positions [mm, deg]
+    shift: BTreeMap<Axis, f64>,
+}
 
 /// An axis word: where it stands, its axis, its number.
 struct Position<'w, 't> {
     placed: &'w Placed<'t>,
     axis: Axis,
-    number: &'t str,
+    number: f64,
 }
 
-/// The commands of the G words; keeps the feed in force.
-pub(crate) fn commands(words: &[Placed<'_>], force: &mut Option<f64>, mistakes: &mut Mistakes) -> Vec<Command> {
+/// The commands of the G words.
+pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
     let axes: Vec<Position<'_, '_>> = words.iter().filter_map(position).collect();
-    for placed in words {
-        if let Word::Feed(feed) = placed.word {
-            *force = Some(feed);
-        }
-    }
     let Some(functions) = functions(words, mistakes) else { return Vec::new() };
-    feed(words, &functions, mistakes);
-    if functions.iter().all(|(_, function)| matches!(function, Function::FeedforwardOn | Function::FeedforwardOff)) {
-        needless(&axes, mistakes);
-    }
-    functions.iter().flat_map(|(placed, function)| one(placed, *function, &axes, *force, mistakes)).collect()
-}
-
-/// The commands of a G word.
-fn one(
-    placed: &Placed<'_>,
-    function: Function,
-    axes: &[Position<'_, '_>],
-    feed: Option<f64>,
-    mistakes: &mut Mistakes,
-) -> Vec<Command> {
-    let target = Target::Axes;
-    let (commands, example) = match function {
-        Function::FeedforwardOn => return vec![Command::Feedforward { target, on: true }],
-        Function::FeedforwardOff => return vec![Command::Feedforward { target, on: false }],
-        Function::Dwell => return dwell(placed, axes, mistakes),
-        Function::Percentage => (percentages(axes, mistakes), "`G136 X80`"),
-        Function::Home => (homes(axes, mistakes), "`G74 X1`, or `S[G74]` for a spindle"),
-        Function::Rapid => (vec![Command::Move { rapid: true, axes: positions(axes), feed_mm_min: None }], "`G00 X10`"),
-        Function::Linear => {
-            if feed.is_none() {
-                let allowed = "F in this block or in one before it";
-                mistakes.push(placed.column, "`G01` without a feed", allowed, "`F` and a feed in mm/min");
-            }
-            (vec![Command::Move { rapid: false, axes: positions(axes), feed_mm_min: feed }], "`G01 X10 F600`")
+    for placed in words {
+        match placed.word {
+            Word::Modal(modal) => force.take(modal),
+            Word::Wait(seconds) => return dwell::waits(placed, seconds, words, mistakes),
+            _ => {}
         }
-    };
-    if axes.is_empty() {
-        let found = format!("{} without an axis", shown(placed.text));
-        mistakes.push(placed.column, found, "a word X, Y or Z beside it", format!("a block like {example}"));
+    }
+    let is = |wanted: Function| functions.iter().find(|(_, function)| *function == wanted).map(|(placed, _)| *placed);
+    if let Some(placed) = is(Function::Dwell) {
+        return dwell::commands(placed, words, mistakes).into_iter().collect();
+    }
+    force.feed(words);
+    for (_, function) in &functions {
+        match function {
+            Function::Rapid => force.rapid = Some(true),
+            Function::Linear => force.rapid = Some(false),
+            _ => {}
+        }
+    }
+    if let Some(placed) = is(Function::MachinePosition) {
+        mistakes.pass(Kind::MachinePosition, placed.column, &placed.text.to_ascii_uppercase());
+        return Vec::new();
+    }
+    let target = Target::Axes;
+    let mut commands = Vec::new();
+    for (placed, function) in &functions {
+        match function {
+            Function::FeedforwardOn => commands.push(Command::Feedforward { target, on: true }),
+            Function::FeedforwardOff => commands.push(Command::Feedforward { target, on: false }),
+            Function::Percentage => commands.extend(percentages(placed, &axes, mistakes)),
+            Function::Home => commands.extend(homes(placed, &axes, force, mistakes)),
+            Function::Preset => force.preset(placed, words, &axes, mistakes),
+            Function::Rapid | Function::Linear | Function::Dwell | Function::MachinePosition => {}
+        }
+    }
+    let takes_axes = |function: &Function| matches!(function, Function::Percentage | Function::Home | Function::Preset);
+    if !functions.iter().any(|(_, function)| takes_axes(function)) && !axes.is_empty() {
+        let is_motion = functions.iter().all(|(_, function)| matches!(function, Function::Rapid | Function::Linear));
+        match force.rapid.filter(|_| is_motion) {
+            Some(rapid) => commands.push(force.travel(rapid, &axes, mistakes)),
+            None => needless(&axes, mistakes),
+        }
     }
     commands
+}
+
+impl InForce {
+    fn take(&mut self, modal: Modal) {
+        match modal {
+            Modal::Absolute => self.is_incremental = false,
+            Modal::Incremental => self.is_incremental = true,
+            Modal::Inches => self.is_inch = true,
+            Modal::Millimetres => self.is_inch = false,
+            Modal::NoPreset => self.shift.clear(),
+        }
+    }
+
+    fn feed(&mut self, words: &[Placed<'_>]) {
+        let feed = words.iter().find_map(|placed| if let Word::Feed(feed) = placed.word { Some(feed) } else { None });
+        self.feed = feed.map(|feed| if self.is_inch { feed * INCH } else { feed }).or(self.feed);
+    }
+
+    fn travel(&mut self, rapid: bool, axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Command {
+        if !rapid && self.feed.is_none() {
+            mistakes.pass(Kind::NoFeed, axes[0].placed.column, "");
+        }
+        let mut ends = Vec::new();
+        for Position { axis, number, .. } in axes {
+            let way = self.length(*axis, *number);
+            let shift = self.shift.get(axis).copied().unwrap_or_default();
+            let place = self.place.entry(*axis).or_default();
+            *place = if self.is_incremental { *place + way } else { way + shift };
+            ends.push((*axis, *place));
+        }
+        Command::Move { rapid, axes: ends, feed_mm_min: self.feed.filter(|_| !rapid) }
+    }
+
+    /// In mm, or in deg.
+    fn length(&self, axis: Axis, number: f64) -> f64 {
+        if self.is_inch && axis.is_linear() { number * INCH } else { number }
+    }
+
+    /// G92: where an axis is has this number from now on. With a feed it is a thread of a lathe.
+    fn preset(
+        &mut self,
+        function: &Placed<'_>,
+        words: &[Placed<'_>],
+        axes: &[Position<'_, '_>],
+        mistakes: &mut Mistakes,
+    ) {
+        if words.iter().any(|placed| matches!(placed.word, Word::Feed(_))) {
+            mistakes.foreign(function.column, function.text, Foreign::Thread);
+            return;
+        }
+        lonely(function, axes, "`G92 X0`", mistakes);
+        mistakes.pass(Kind::Preset, function.column, "");
+        for Position { axis, number, .. } in axes {
+            let place = self.place.get(axis).copied().unwrap_or_default();
+            self.shift.insert(*axis, place - self.length(*axis, *number));
+        }
+    }
 }
 
 fn position<'w, 't>(placed: &'w Placed<'t>) -> Option<Position<'w, 't>> {
     if let Word::Axis(axis, number) = placed.word { Some(Position { placed, axis, number }) } else { None }
 }
 
-/// The G words that go together: one, or G135 and G136, in this order; `None`: others are there, which is said.
+/// The G words that go together: one, or two of a pair, in this order; `None`: others are there, which is said.
 fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option<Vec<(&'w Placed<'t>, Function)>> {
+    const PAIRS: [[Function; 2]; 3] = [
+        [Function::FeedforwardOn, Function::Percentage],
+        [Function::Rapid, Function::MachinePosition],
+        [Function::Linear, Function::MachinePosition],
+    ];
     let function = |placed: &'w Placed<'t>| match placed.word {
         Word::Function(function) => Some((placed, function)),
         _ => None,
     };
     let mut all: Vec<(&Placed<'t>, Function)> = words.iter().filter_map(function).collect();
-    let pair = [Function::FeedforwardOn, Function::Percentage];
     let mut good = true;
     for (at, (placed, function)) in all.iter().enumerate() {
-        let apart = |(_, other): &&(&Placed<'t>, Function)| !(pair.contains(other) && pair.contains(function));
+        let apart = |(_, other): &&(&Placed<'t>, Function)| {
+            !PAIRS.iter().any(|pair| pair.contains(other) && pair.contains(function))
+        };
         if let Some((other, _)) = all[..at].iter().find(apart) {
             let found = format!("{} beside {}", shown(placed.text), shown(other.text));
-            let allowed = "one G word in a block, or `G135` with `G136`";
+            let allowed = "one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`";
             mistakes.push(placed.column, found, allowed, format!("{} in a block of its own", shown(placed.text)));
             good = false;
         }
@@ -85,69 +174,54 @@ fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option
     good.then_some(all)
 }
 
-/// F belongs to G01. Beside G04, which stands alone, it is a mistake already.
-fn feed(words: &[Placed<'_>], functions: &[(&Placed<'_>, Function)], mistakes: &mut Mistakes) {
-    let taken = |(_, function): &(&Placed<'_>, Function)| matches!(function, Function::Linear | Function::Dwell);
-    let feed = words.iter().find(|placed| matches!(placed.word, Word::Feed(_)));
-    if let Some(feed) = feed.filter(|_| !functions.iter().any(taken)) {
-        let found = format!("{} without `G01`", shown(feed.text));
-        mistakes.push(feed.column, found, "F beside `G01`", "`G01` and axes, or no F");
-    }
-}
-
 /// Axis words that belong to no G word: one message for the block.
 fn needless(axes: &[Position<'_, '_>], mistakes: &mut Mistakes) {
     if let Some(Position { placed, .. }) = axes.first() {
         let found = format!("{} without its G word", shown(placed.text));
-        let allowed = "axes beside `G00`, `G01`, `G04`, `G74` or `G136` of the same block";
+        let allowed = "axes after `G00` or `G01`, or with `G04`, `G74` or `G136` of the same block";
         mistakes.push(placed.column, found, allowed, format!("the G word before it, as in `G00 {}`", placed.text));
     }
 }
 
-fn percentages(axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Vec<Command> {
+/// Says of a function that it has no axis.
+fn lonely(placed: &Placed<'_>, axes: &[Position<'_, '_>], example: &str, mistakes: &mut Mistakes) {
+    if axes.is_empty() {
+        let found = format!("{} without an axis", shown(placed.text));
+        mistakes.push(placed.column, found, "an axis with it, such as X, Y or Z", format!("a block like {example}"));
+    }
+}
+
+fn percentages(function: &Placed<'_>, axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Vec<Command> {
+    lonely(function, axes, "`G136 X80`", mistakes);
     let mut commands = Vec::new();
     for Position { placed, axis, number } in axes {
-        match integer(number) {
-            Some(percent) => commands.push(Command::Percentage { target: Target::Axis(*axis), percent }),
-            None => {
-                let found = format!("{} beside `G136`", shown(placed.text));
-                mistakes.push(placed.column, found, INTEGER, format!("`{axis}` and such a number"));
-            }
+        if let Some(percent) = integer(&number.to_string()) {
+            commands.push(Command::Percentage { target: Target::Axis(*axis), percent });
+        } else {
+            let found = format!("{} beside `G136`", shown(placed.text));
+            mistakes.push(placed.column, found, INTEGER, format!("`{axis}` and such a number"));
         }
     }
     commands
 }
 
-fn homes(axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Vec<Command> {
+fn homes(
+    function: &Placed<'_>,
+    axes: &[Position<'_, '_>],
+    force: &mut InForce,
+    mistakes: &mut Mistakes,
+) -> Vec<Command> {
+    lonely(function, axes, "`G74 X1`, or `S[G74]` for a spindle", mistakes);
+    let mut commands = Vec::new();
     for Position { placed, axis, number } in axes {
-        if *number != "1" {
+        if integer(&number.to_string()) != Some(1) {
             let found = format!("{} beside `G74`", shown(placed.text));
-            let allowed = "1 behind each axis of `G74`: they are homed at once";
+            let allowed = "1 after each axis of `G74`: they are homed at once";
             mistakes.push(placed.column, found, allowed, format!("`{axis}1`, in a later block if it comes later"));
         }
-    }
-    axes.iter().map(|position| Command::Home { target: Target::Axis(position.axis) }).collect()
-}
-
-/// Its time is written behind the first axis.
-fn dwell(placed: &Placed<'_>, axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Vec<Command> {
-    const ALLOWED: &str = "`G04` with `X` and the seconds, no less than 0";
-    if axes.is_empty() {
-        mistakes.push(placed.column, "`G04` without its time", ALLOWED, "a block like `G04 X2.5`");
-    }
-    let mut commands = Vec::new();
-    for (position, (axis, seconds)) in axes.iter().zip(positions(axes)) {
-        if axis == Axis::X && seconds >= 0.0 {
-            commands.push(Command::Dwell { seconds });
-        } else {
-            let found = format!("{} beside `G04`", shown(position.placed.text));
-            mistakes.push(position.placed.column, found, ALLOWED, "a block like `G04 X2.5`");
-        }
+        force.place.insert(*axis, 0.0);
+        force.shift.remove(axis);
+        commands.push(Command::Home { target: Target::Axis(*axis) });
     }
     commands
-}
-
-/// Their numbers are decimal ones: `word` has seen to that.
-fn positions(axes: &[Position<'_, '_>]) -> Vec<(Axis, f64)> {
-    axes.iter().filter_map(|position| decimal(position.number).map(|number| (position.axis, number))).collect()
 }

@@ -1,33 +1,83 @@
-//! The words of one block, which make its commands: what holds for all of them, and what stays in force behind it. Not the rules of
+//! The words of one block, which make its commands: what holds for all of them, and what stays in force after it. Not the rules of
 //! spindles or of axes alone.
 
+use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
-use super::program::{Command, Direction};
-use super::word::{Function, Placed, Word};
+use super::passed::Kind;
+use super::program::Command;
+use super::word::{Function, Parameters, Placed, Word};
 use super::{axes, spindle};
 
 /// What words of earlier blocks still say.
 #[derive(Default)]
 pub(crate) struct InForce {
-    /// of M3 or M4, while spindle 1 turns
-    direction: Option<Direction>,
-    /// of F, in mm/min
-    feed: Option<f64>,
+    pub(crate) spindle: spindle::InForce,
+    pub(crate) axes: axes::InForce,
 }
 
 /// The commands of a block, whose number is taken off.
 pub(crate) fn commands(words: Vec<Placed<'_>>, force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
+    let words = parameters(passed(words, mistakes), mistakes);
     let words = once(words, mistakes);
-    alone(&words, &Word::End, |_| false, "nothing but a block number beside `M30`", mistakes);
-    let dwell = Word::Function(Function::Dwell);
-    let time = |word: &Word<'_>| matches!(word, Word::Axis(..) | Word::Function(_));
-    alone(&words, &dwell, time, "nothing but its time and a block number beside `G04`", mistakes);
-    let mut commands = spindle::commands(&words, &mut force.direction, mistakes);
-    commands.extend(axes::commands(&words, &mut force.feed, mistakes));
+    let mut commands = spindle::commands(&words, &mut force.spindle, mistakes);
+    commands.extend(axes::commands(&words, &mut force.axes, mistakes));
     if words.iter().any(|placed| placed.word == Word::End) {
         commands.push(Command::End);
     }
     commands
+}
+
+/// Notes the words that are passed over.
+fn passed<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> {
+    for Placed { column, text, word } in &words {
+        match word {
+            Word::Passed(kind, _) => mistakes.pass(*kind, *column, &spelt(*kind, text)),
+            Word::Skip => mistakes.pass(Kind::Skip, *column, ""),
+            _ => {}
+        }
+    }
+    words
+}
+
+/// A word as a note has it: numbers of programs and of tools, and texts, are the word's letter.
+fn spelt(kind: Kind, text: &str) -> String {
+    let end = match (kind, text.chars().next()) {
+        (_, Some('T' | 't' | 'D' | 'd' | 'H' | 'h' | 'O' | 'o' | ':')) => 1,
+        (_, Some('#')) => {
+            text.find(|letter: char| letter != '#' && !letter.is_ascii_alphanumeric()).unwrap_or(text.len())
+        }
+        _ => text.len(),
+    };
+    text[..end].to_ascii_uppercase()
+}
+
+/// Takes the words away that belong to one that is passed over; words of the same letters without one are not read.
+fn parameters<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> {
+    let has = |these: &[Parameters]| {
+        words.iter().any(|placed| matches!(&placed.word, Word::Passed(_, of) if these.contains(of)))
+    };
+    let has_letters = has(&[Parameters::Letters, Parameters::All]);
+    let is_other = |placed: &Placed<'_>| matches!(placed.word, Word::Function(_) | Word::Turn(_));
+    let has_all = has(&[Parameters::All]) && !words.iter().any(is_other);
+    let function = |wanted| words.iter().any(|placed| placed.word == Word::Function(wanted));
+    let (is_dwell, is_machine) = (function(Function::Dwell), function(Function::MachinePosition));
+    let mut keep = |placed: &Placed<'t>| match placed.word {
+        Word::Parameter { letter: 'I' | 'J' | 'K', .. } => {
+            mistakes.foreign(placed.column, placed.text, Foreign::Arc);
+            false
+        }
+        Word::Parameter { letter: 'P', .. } if is_dwell => true,
+        Word::Parameter { .. } if has_letters || is_machine => false,
+        Word::Parameter { .. } => {
+            mistakes.foreign(placed.column, placed.text, Foreign::Parameter);
+            false
+        }
+        Word::Speed(_) | Word::Feed(_) | Word::Axis(..) => !has_all,
+        Word::Passed(..) | Word::Skip => false,
+        _ => true,
+    };
+    let kept: Vec<bool> = words.iter().map(&mut keep).collect();
+    words.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(placed, _)| placed).collect()
 }
 
 /// Each word once: the second one of a letter or of a function is a mistake, and is left out.
@@ -47,27 +97,13 @@ fn once<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> 
 }
 
 /// Whether two words say the same thing, each its own way.
-fn same(one: &Word<'_>, other: &Word<'_>) -> bool {
+fn same(one: &Word, other: &Word) -> bool {
     match (one, other) {
         (Word::Function(one), Word::Function(other)) => one == other,
+        (Word::Modal(one), Word::Modal(other)) => one == other,
         (Word::Turn(one), Word::Turn(other)) => one == other,
         (Word::Axis(one, _), Word::Axis(other, _)) => one == other,
         (Word::Bracket(one), Word::Bracket(other)) => one.spindle == other.spindle,
         _ => std::mem::discriminant(one) == std::mem::discriminant(other),
-    }
-}
-
-/// Says which word stands beside one that suffers none but some, which have rules of their own.
-fn alone(
-    words: &[Placed<'_>],
-    one: &Word<'_>,
-    some: impl Fn(&Word<'_>) -> bool,
-    allowed: &str,
-    mistakes: &mut Mistakes,
-) {
-    let Some(lonely) = words.iter().find(|placed| placed.word == *one) else { return };
-    if let Some(other) = words.iter().find(|placed| placed.word != *one && !some(&placed.word)) {
-        let found = format!("{} beside {}", shown(other.text), shown(lonely.text));
-        mistakes.push(other.column, found, allowed, format!("{} in a block of its own", shown(lonely.text)));
     }
 }

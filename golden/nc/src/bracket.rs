@@ -22,20 +22,15 @@ pub(crate) fn read(piece: Piece<'_>, mistakes: &mut Mistakes) -> Option<Bracket>
         mistakes.push(piece.column, shown(piece.text), allowed, "a bracket like `S[G135]` or `S2[G135]`");
         return None;
     };
-    let Some((inside, rest)) = behind.split_once(']') else {
+    let Some((inside, _)) = behind.split_once(']') else {
         mistakes.push(piece.column, format!("{} without its end", shown(piece.text)), "a bracket in one line", "`]`");
         return None;
     };
-    if !rest.is_empty() {
-        let column = piece.column + piece.text.len() - rest.len();
-        mistakes.push(column, format!("{} at `]`", shown(rest)), "a blank behind `]`", "a blank");
-        return None;
-    }
     let said = mistakes.count();
     let mut commands = Vec::new();
     for word in words(inside, piece.column + name.len() + 1) {
-        let Some(command) = known(spindle, word.text) else {
-            unknown(spindle, word, mistakes);
+        let Some(command) = known(spindle, &word.text.to_ascii_uppercase()) else {
+            unknown(word, mistakes);
             continue;
         };
         if commands.iter().any(|other| !go_together(other, &command)) {
@@ -52,7 +47,7 @@ pub(crate) fn read(piece: Piece<'_>, mistakes: &mut Mistakes) -> Option<Bracket>
 
 /// `S`, `S1` .. `S99`
 fn spindle(name: &str) -> Option<u32> {
-    let digits = name.strip_prefix('S')?;
+    let digits = name.strip_prefix(['S', 's'])?;
     if digits.is_empty() {
         return Some(1);
     }
@@ -70,17 +65,15 @@ fn words(inside: &str, column: usize) -> impl Iterator<Item = Piece<'_>> {
     })
 }
 
-/// Says what is wrong with a word that is none.
-fn unknown(spindle: u32, word: Piece<'_>, mistakes: &mut Mistakes) {
+/// Says what is wrong with a text that is not a word.
+fn unknown(word: Piece<'_>, mistakes: &mut Mistakes) {
     let Piece { column, text } = word;
     let found = shown(text);
     let upper = text.to_ascii_uppercase();
-    if text == "G136" {
+    if upper == "G136" {
         mistakes.push(column, found, "`G136=` and a percentage in brackets", "a word like `G136=80`");
-    } else if text.starts_with("G136=") {
+    } else if upper.starts_with("G136=") {
         mistakes.push(column, found, number::INTEGER, "`G136=` and such a number");
-    } else if known(spindle, &upper).is_some() {
-        mistakes.push(column, found, "words in upper case", format!("`{upper}`"));
     } else {
         mistakes.push(column, format!("{found} in a bracket"), WORDS, "one of them");
     }

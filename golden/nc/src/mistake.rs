@@ -1,5 +1,8 @@
 //! What is wrong with an NC program, and where: one message for each place, with what is allowed there and what to write instead.
 
+use super::foreign::Foreign;
+use super::passed::{Kind, PassedOver};
+use std::collections::BTreeMap;
 use std::fmt;
 
 /// A place of a program that the reader does not take.
@@ -26,15 +29,22 @@ impl fmt::Display for Mistake {
 
 impl std::error::Error for Mistake {}
 
-/// So many are said of a file, at most.
+/// At most this number is listed of a file.
 const MOST: usize = 1000;
 
-/// The mistakes of a program as they are found.
+const ALLOWED: &str =
+    "straight moves (`G00`, `G01`), dwell, homing, feedforward, the words of spindle 1 and words that are passed over";
+
+/// What is said of a program, as it is found.
 #[derive(Default)]
 pub(crate) struct Mistakes {
     /// the line that is being read
     pub(crate) line: usize,
+    pub(crate) passed: PassedOver,
     list: Vec<Mistake>,
+    count: usize,
+    /// by what they are, and which: the first one, and the number of them
+    foreign: BTreeMap<(Foreign, String), (Mistake, usize)>,
 }
 
 impl Mistakes {
@@ -46,21 +56,51 @@ impl Mistakes {
         allowed: impl Into<String>,
         instead: impl Into<String>,
     ) {
+        self.count += 1;
         if self.list.len() < MOST {
             let (found, allowed, instead) = (found.into(), allowed.into(), instead.into());
             self.list.push(Mistake { line: self.line, column, found, allowed, instead });
         }
     }
 
+    /// A word that is not read, said once for all like it: a program with an arc has thousands.
+    pub(crate) fn foreign(&mut self, column: usize, text: &str, foreign: Foreign) {
+        self.count += 1;
+        let (what, instead) = foreign.said();
+        let is_numbered = text.starts_with(['G', 'g', 'M', 'm']) || foreign == Foreign::Unknown;
+        let key = if is_numbered { text.to_ascii_uppercase() } else { String::new() };
+        if self.foreign.len() >= MOST && !self.foreign.contains_key(&(foreign, key.clone())) {
+            return;
+        }
+        let line = self.line;
+        let first = || {
+            let found = format!("{}, {what}", shown(text));
+            (Mistake { line, column, found, allowed: ALLOWED.to_owned(), instead: instead.to_owned() }, 0)
+        };
+        self.foreign.entry((foreign, key)).or_insert_with(first).1 += 1;
+    }
+
+    /// A word of the present line that is passed over.
+    pub(crate) fn pass(&mut self, kind: Kind, column: usize, word: &str) {
+        self.passed.push(kind, self.line, column, word);
+    }
+
     /// How many there are.
     pub(crate) fn count(&self) -> usize {
-        self.list.len()
+        self.count
     }
 
     /// All, in the order of the file, each once.
     pub(crate) fn sorted(mut self) -> Vec<Mistake> {
+        self.list.extend(self.foreign.into_values().map(|(mut mistake, count)| {
+            if count > 1 {
+                mistake.found += &format!(" (the first of {count})");
+            }
+            mistake
+        }));
         self.list.sort();
         self.list.dedup();
+        self.list.truncate(MOST);
         self.list
     }
 }

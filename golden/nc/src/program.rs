@@ -1,14 +1,17 @@
 //! What an NC program says, as plain data: nothing of how it is written, except the lines and the block numbers.
 
+use super::passed::Passed;
 use std::fmt;
 
 /// A program that has no mistake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// behind `%` in the first line, without it
+    /// after `%` in the first line, without it
     pub name: Option<String>,
-    /// in the order of the file; the last one is `M30`
+    /// in the order of the file, without those that have no command; the last one is the end
     pub blocks: Vec<Block>,
+    /// what is passed over, a kind each
+    pub passed: Vec<Passed>,
 }
 
 /// What begins at the same time.
@@ -16,7 +19,7 @@ pub struct Program {
 pub struct Block {
     /// line of the file, from 1
     pub line: usize,
-    /// behind `N`
+    /// after `N`
     pub number: Option<u32>,
     /// those of the spindle first
     pub commands: Vec<Command>,
@@ -41,9 +44,10 @@ pub enum Command {
     Release { spindle: u32 },
     /// G04
     Dwell { seconds: f64 },
-    /// G00, G01: absolute positions in the order of the words; the feed is there with G01, from this block or an earlier one
+    /// G00, G01: absolute positions [mm, deg] in the order of the words; the feed of G01 is from this block or
+    /// an earlier one, if there is one
     Move { rapid: bool, axes: Vec<(Axis, f64)>, feed_mm_min: Option<f64> },
-    /// M30
+    /// M30, M2, or the end of the file
     End,
 }
 
@@ -57,21 +61,50 @@ pub enum Target {
     Spindle(u32),
 }
 
-/// An axis of the program.
+/// An axis of the program: `X`, or `X1` as in `X1=50`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Axis {
-    X,
-    Y,
-    Z,
+pub struct Axis {
+    letter: char,
+    number: Option<u8>,
+}
+
+impl Axis {
+    pub const X: Self = Self { letter: 'X', number: None };
+    pub const Y: Self = Self { letter: 'Y', number: None };
+    pub const Z: Self = Self { letter: 'Z', number: None };
+
+    /// A letter of an axis, and a number from 0 to 99 without leading zeros or none; in any case.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        let letter = name.chars().next()?.to_ascii_uppercase();
+        let digits = name.get(1..).filter(|_| "XYZABCUVWE".contains(letter))?;
+        let is_plain = digits.bytes().all(|byte| byte.is_ascii_digit()) && (digits == "0" || !digits.starts_with('0'));
+        let number = digits.parse().ok().filter(|number| *number < 100);
+        (digits.is_empty() || is_plain && number.is_some()).then_some(Self { letter, number })
+    }
+
+    /// The axis of the same letter without a number.
+    #[must_use]
+    pub fn without_number(self) -> Self {
+        Self { number: None, ..self }
+    }
+
+    /// Whether the feed is for it: X, Y and Z make the path, the other axes go with it.
+    #[must_use]
+    pub fn is_of_path(self) -> bool {
+        matches!(self.letter, 'X' | 'Y' | 'Z')
+    }
+
+    /// Whether its positions are lengths, so that inches hold for it.
+    pub(crate) fn is_linear(self) -> bool {
+        !matches!(self.letter, 'A' | 'B' | 'C')
+    }
 }
 
 impl fmt::Display for Axis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::X => "X",
-            Self::Y => "Y",
-            Self::Z => "Z",
-        })
+        write!(f, "{}", self.letter)?;
+        self.number.map_or(Ok(()), |number| write!(f, "{number}"))
     }
 }
 

@@ -1,8 +1,10 @@
 //! A text, line by line, which makes a program: its name, its block numbers, its end. Not what a block may hold.
 
 use super::block::{self, InForce};
-use super::lexical::{self, Piece};
+use super::foreign::Foreign;
+use super::lexical::{self, Comment, Piece};
 use super::mistake::{Mistake, Mistakes, shown};
+use super::passed::Kind;
 use super::program::{Block, Command, Program};
 use super::unknown;
 use super::word::{self, Placed, Word};
@@ -10,7 +12,10 @@ use super::word::{self, Placed, Word};
 /// Reads a program; the error is all that is wrong with it, in the order of the file.
 pub fn read(text: &str) -> Result<Program, Vec<Mistake>> {
     let mut reader = Reader::default();
-    for (index, line) in text.split('\n').enumerate() {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    // A file of an old system has carriage returns only.
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    for (index, line) in text.split(end).enumerate() {
         reader.mistakes.line = index + 1;
         reader.line(line.strip_suffix('\r').unwrap_or(line));
     }
@@ -22,112 +27,125 @@ struct Reader {
     name: Option<String>,
     blocks: Vec<Block>,
     force: InForce,
+    comment: Comment,
     mistakes: Mistakes,
-    /// where a missing `M30` would stand: behind the last word, line and column
+    /// where a missing `M30` would stand: after the last word, line and column
     last: (usize, usize),
     /// a line with a word was there
     begun: bool,
-    /// the line of `M30`
-    ended: Option<usize>,
-    /// that something stands behind `M30` is said
-    beyond: bool,
+    /// `M30`, `M2` or the closing `%` was there
+    ended: bool,
 }
 
 impl Reader {
     fn line(&mut self, line: &str) {
         let said = self.mistakes.count();
-        let pieces = lexical::pieces(line, &mut self.mistakes);
-        let Some(last) = pieces.last() else { return };
-        let begun = std::mem::replace(&mut self.begun, true);
-        self.last = (self.mistakes.line, last.column + last.text.len());
-        if !begun && pieces[0].text.starts_with('%') {
-            self.program_name(pieces[0], pieces.get(1));
+        let pieces = self.comment.pieces(line, &mut self.mistakes);
+        let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return };
+        if self.ended {
+            if !first.text.starts_with('%') {
+                self.mistakes.pass(Kind::AfterEnd, first.column, "");
+            }
             return;
         }
-        self.beyond(pieces[0]);
+        let begun = std::mem::replace(&mut self.begun, true);
+        self.last = (self.mistakes.line, last.column + last.text.chars().count());
+        if first.text.starts_with('%') && (!begun || first.text == "%") {
+            self.percent(*first, pieces.get(1), begun);
+            return;
+        }
         let mut words: Vec<Placed<'_>> = Vec::new();
-        for piece in pieces {
-            match word::parse(piece.text) {
-                Some(word) => words.push(Placed { column: piece.column, text: piece.text, word }),
-                None => unknown::say(piece, &mut self.mistakes),
+        for Piece { column, text } in pieces {
+            match word::parse(text) {
+                Some(Word::Foreign(foreign)) => self.mistakes.foreign(column, text, foreign),
+                Some(word) => words.push(Placed { column, text, word }),
+                None => unknown::say(Piece { column, text }, &mut self.mistakes),
             }
         }
         let known = self.mistakes.count() == said;
         self.block(words, known);
     }
 
-    /// `%` and the name of the program.
-    fn program_name(&mut self, piece: Piece<'_>, behind: Option<&Piece<'_>>) {
+    /// `%` and the name of the program, or the mark at the beginning and the end of a tape.
+    fn percent(&mut self, piece: Piece<'_>, next: Option<&Piece<'_>>, begun: bool) {
         let name = piece.text.trim_start_matches('%');
-        let letter = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
-        if name.is_empty() || name.len() + 1 != piece.text.len() || !name.bytes().all(letter) {
-            let allowed = "`%` and a name of letters, digits, `-` and `_`";
+        let letter = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_' | b'.');
+        if piece.text.eq_ignore_ascii_case("%L") {
+            self.mistakes.foreign(piece.column, piece.text, Foreign::Subprogram);
+            return;
+        }
+        if piece.text.len() > name.len() + 1 || !name.bytes().all(letter) {
+            let allowed = "`%` and a name of letters, digits, `-`, `_` and `.`";
             self.mistakes.push(piece.column, shown(piece.text), allowed, "a name like `%spindle-position`");
         }
-        if let Some(other) = behind {
-            let found = format!("{} behind the program name", shown(other.text));
-            self.mistakes.push(other.column, found, "a comment behind the name", "the block in the next line");
+        if let Some(other) = next {
+            let found = format!("{} after the program name", shown(other.text));
+            self.mistakes.push(other.column, found, "a comment after the name", "the block in the next line");
         }
-        self.name = Some(name.to_owned());
-    }
-
-    /// Says once that something stands behind `M30`; what it is, is read all the same.
-    fn beyond(&mut self, piece: Piece<'_>) {
-        if let Some(line) = self.ended.filter(|_| !self.beyond) {
-            let found = format!("{} after `M30` in line {line}", shown(piece.text));
-            self.mistakes.push(piece.column, found, "comments after `M30`", "`M30` as the last block");
-            self.beyond = true;
+        if begun {
+            self.finish(None);
+        } else {
+            self.name = (!name.is_empty()).then(|| name.to_owned());
         }
     }
 
     fn block(&mut self, mut words: Vec<Placed<'_>>, known: bool) {
-        let number = match words.first() {
-            Some(Placed { word: Word::Number(number), .. }) => Some(*number),
-            _ => None,
-        };
-        let first = number.map(|_| words.remove(0));
+        let place = words.iter().position(|placed| placed.word != Word::Skip);
+        let number =
+            place.and_then(|at| if let Word::Number(number) = words[at].word { Some((at, number)) } else { None });
+        let number = number.map(|(at, number)| {
+            words.remove(at);
+            number
+        });
         words.retain(|placed| {
             let stray = matches!(placed.word, Word::Number(_));
             if stray {
-                let found = format!("{} behind another word", shown(placed.text));
-                let allowed = "one block number, as the first word";
-                self.mistakes.push(
-                    placed.column,
-                    found,
-                    allowed,
-                    format!("{} in front, or nothing", shown(placed.text)),
-                );
+                let found = format!("{} after another word", shown(placed.text));
+                let instead = format!("{} in front, or nothing", shown(placed.text));
+                self.mistakes.push(placed.column, found, "one block number, as the first word", instead);
             }
             !stray
         });
-        if let Some(first) = first.filter(|_| words.is_empty() && known) {
-            let found = format!("{} and no word", shown(first.text));
-            self.mistakes.push(
-                first.column,
-                found,
-                "a block number before other words",
-                "the block, or a comment in `( )`",
-            );
-        }
         // A word that is not known would lead to more mistakes, which are none when it is corrected.
         let mut unsaid = Mistakes::default();
         let mistakes = if known { &mut self.mistakes } else { &mut unsaid };
         let commands = block::commands(words, &mut self.force, mistakes);
-        if commands.contains(&Command::End) {
-            self.ended = self.ended.or(Some(self.mistakes.line));
+        self.ended = commands.contains(&Command::End);
+        if !commands.is_empty() {
+            self.blocks.push(Block { line: self.mistakes.line, number, commands });
         }
-        self.blocks.push(Block { line: self.mistakes.line, number, commands });
+    }
+
+    /// An end without `M30`, which is noted; with a `%`, at its line.
+    fn finish(&mut self, place: Option<(usize, usize)>) {
+        let (line, column) = place.unwrap_or((self.mistakes.line, 1));
+        self.mistakes.line = line;
+        self.mistakes.pass(Kind::NoEnd, column, "");
+        self.blocks.push(Block { line, number: None, commands: vec![Command::End] });
+        self.ended = true;
     }
 
     fn end(mut self) -> Result<Program, Vec<Mistake>> {
-        if self.ended.is_none() {
-            let (line, column) = self.last;
-            self.mistakes.line = line.max(1);
-            let allowed = "a program whose last block is `M30`";
-            self.mistakes.push(column.max(1), "no `M30`", allowed, "`M30` in a line of its own");
+        lexical::open_comment(&self.comment, &mut self.mistakes);
+        let (line, column) = self.last;
+        let place = (line.max(1), column.max(1));
+        if self.mistakes.count() == 0 && self.blocks.iter().all(|block| block.commands == [Command::End]) && !self.ended
+        {
+            self.mistakes.line = place.0;
+            let allowed = "a program with a block that does something, and `M30` as its last one";
+            self.mistakes.push(
+                place.1,
+                "no block with a command",
+                allowed,
+                "the blocks, and `M30` in a line of its own",
+            );
+        } else if !self.ended {
+            self.finish(Some(place));
         }
+        let Mistakes { passed, .. } = &mut self.mistakes;
+        let passed = std::mem::take(passed).sorted();
         match self.mistakes.sorted() {
-            none if none.is_empty() => Ok(Program { name: self.name, blocks: self.blocks }),
+            none if none.is_empty() => Ok(Program { name: self.name, blocks: self.blocks, passed }),
             mistakes => Err(mistakes),
         }
     }

@@ -5,61 +5,50 @@ use super::mistake::{Mistakes, shown};
 use super::program::{Command, Direction, Target};
 use super::word::{Placed, Word};
 
+/// What words of earlier blocks still say.
+#[derive(Default)]
+pub(crate) struct InForce {
+    /// of M3 or M4, while spindle 1 turns
+    direction: Option<Direction>,
+    /// of S
+    rpm: Option<f64>,
+}
+
 /// Spindle 1, of which words without brackets are.
 const MAIN: u32 = 1;
 
-/// The commands of the spindle words; keeps the direction in force.
-pub(crate) fn commands(words: &[Placed<'_>], force: &mut Option<Direction>, mistakes: &mut Mistakes) -> Vec<Command> {
+/// The commands of the spindle words; keeps direction and speed in force.
+pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
     let words: Vec<&Placed<'_>> = words.iter().filter(|placed| is_spindle(&placed.word)).collect();
     if let Some(bracket) = words.iter().find_map(|placed| bracket(placed)) {
-        return bracketed(&words, bracket, force, mistakes);
+        return bracketed(&words, bracket, &mut force.direction, mistakes);
     }
     let spindle = MAIN;
-    let Some((function, direction)) = function(&words, mistakes) else {
-        return speed_alone(&words, *force, mistakes);
-    };
     let speed = words.iter().find_map(|placed| if let Word::Speed(rpm) = placed.word { Some(rpm) } else { None });
+    let Some((function, direction)) = function(&words, mistakes) else {
+        refuse_angle(&words, "no `M19`", mistakes);
+        force.rpm = speed.or(force.rpm);
+        let turn = |(rpm, direction)| Command::Turn { spindle, direction, rpm };
+        return speed.zip(force.direction).map(turn).into_iter().collect();
+    };
     let angle =
         words.iter().find_map(|placed| if let Word::Angle(degrees) = placed.word { Some(degrees) } else { None });
-    *force = if function.word == Word::Position { None } else { direction };
-    match function.word {
-        Word::Position => {
-            if angle.is_none() {
-                mistakes.push(function.column, "`M19` without `S.POS=`", "`M19` with an angle", "`M19 S.POS=180`");
-            }
-            angle.map(|degrees| Command::Position { spindle, direction, rpm: speed, degrees })
+    force.direction = if function.word == Word::Position { None } else { direction };
+    if function.word == Word::Position {
+        if angle.is_none() {
+            mistakes.push(function.column, "`M19` without `S.POS=`", "`M19` with an angle", "`M19 S.POS=180`");
         }
-        Word::Stop => {
-            refuse(
-                &words,
-                |word| matches!(word, Word::Speed(_)),
-                "`M5`",
-                "a speed beside `M3`, `M4`, `M19`, or alone",
-                mistakes,
-            );
-            refuse_angle(&words, "`M5`", mistakes);
-            Some(Command::Stop { spindle })
-        }
-        _ => {
-            refuse_angle(&words, &shown(function.text), mistakes);
-            if speed.is_none() {
-                let found = format!("{} without an S word", shown(function.text));
-                mistakes.push(
-                    function.column,
-                    found,
-                    "`M3` and `M4` with a speed",
-                    format!("`{} S1000`", function.text),
-                );
-            }
-            direction.zip(speed).map(|(direction, rpm)| Command::Turn { spindle, direction, rpm })
-        }
+        let position = |degrees| Command::Position { spindle, direction, rpm: speed, degrees };
+        return angle.map(position).into_iter().collect();
     }
-    .into_iter()
-    .collect()
+    force.rpm = speed.or(force.rpm);
+    refuse_angle(&words, &shown(function.text), mistakes);
+    let turn = |direction| Command::Turn { spindle, direction, rpm: force.rpm.unwrap_or_default() };
+    vec![direction.map_or(Command::Stop { spindle }, turn)]
 }
 
 /// Whether it is one of a spindle.
-fn is_spindle(word: &Word<'_>) -> bool {
+fn is_spindle(word: &Word) -> bool {
     matches!(word, Word::Turn(_) | Word::Stop | Word::Position | Word::Speed(_) | Word::Angle(_) | Word::Bracket(_))
 }
 
@@ -114,38 +103,11 @@ fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option
     Some((first, direction))
 }
 
-/// An S word without an M word: another speed in the direction in force.
-fn speed_alone(words: &[&Placed<'_>], force: Option<Direction>, mistakes: &mut Mistakes) -> Vec<Command> {
-    refuse_angle(words, "no `M19`", mistakes);
-    let mut commands = Vec::new();
-    for placed in words {
-        if let Word::Speed(rpm) = placed.word {
-            if let Some(direction) = force {
-                commands.push(Command::Turn { spindle: MAIN, direction, rpm });
-            } else {
-                let found = format!("{} while the spindle does not turn", shown(placed.text));
-                let allowed = "an S word alone only after `M3` or `M4`";
-                mistakes.push(placed.column, found, allowed, format!("`M3 {}` or `M4 {}`", placed.text, placed.text));
-            }
-        }
-    }
-    commands
-}
-
+/// Says of an angle that it has no `M19`.
 fn refuse_angle(words: &[&Placed<'_>], beside: &str, mistakes: &mut Mistakes) {
-    refuse(words, |word| matches!(word, Word::Angle(_)), beside, "`S.POS=` beside `M19`", mistakes);
-}
-
-/// Says of each such word that it stands beside the wrong one.
-fn refuse(
-    words: &[&Placed<'_>],
-    wrong: impl Fn(&Word<'_>) -> bool,
-    beside: &str,
-    allowed: &str,
-    mistakes: &mut Mistakes,
-) {
-    for placed in words.iter().filter(|placed| wrong(&placed.word)) {
+    for placed in words.iter().filter(|placed| matches!(placed.word, Word::Angle(_))) {
         let found = format!("{} beside {beside}", shown(placed.text));
-        mistakes.push(placed.column, found, allowed, format!("the block without {}", shown(placed.text)));
+        let instead = format!("the block without {}", shown(placed.text));
+        mistakes.push(placed.column, found, "`S.POS=` beside `M19`", instead);
     }
 }

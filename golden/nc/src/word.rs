@@ -1,25 +1,31 @@
-//! A word: which there are, and what each says by itself. Nothing of what may stand beside it, and no messages.
+//! A word: which there are, and what each says by itself. Nothing of what may stand with it, and no messages.
 
 use super::bracket::{self, Bracket};
+use super::foreign::{self, Foreign};
 use super::lexical::Piece;
 use super::mistake::Mistakes;
 use super::number;
+use super::passed::Kind;
 use super::program::{Axis, Direction};
 
 /// A word of a block.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Word<'t> {
+pub(crate) enum Word {
     /// N
     Number(u32),
-    /// a G word
+    /// `/`: the block can be skipped
+    Skip,
+    /// a G word that acts in its block
     Function(Function),
+    /// a G word that stays in force
+    Modal(Modal),
     /// M3, M4
     Turn(Direction),
     /// M5
     Stop,
     /// M19
     Position,
-    /// M30
+    /// M2, M30
     End,
     /// S, in rpm
     Speed(f64),
@@ -27,10 +33,28 @@ pub(crate) enum Word<'t> {
     Angle(f64),
     /// S[...]
     Bracket(Bracket),
-    /// F, in mm/min
+    /// F
     Feed(f64),
-    /// X, Y, Z: what the number is, the function says
-    Axis(Axis, &'t str),
+    /// X, Y1: what the number is, the function says
+    Axis(Axis, f64),
+    /// P, Q, R, L, I, J, K: of another word of the block; whether the number is an integer without a point
+    Parameter { value: f64, letter: char, is_integer: bool },
+    /// #TIME, in s
+    Wait(f64),
+    /// without effect; whether words of the letters above belong to it
+    Passed(Kind, Parameters),
+    /// of another language, or not read
+    Foreign(Foreign),
+}
+
+/// Which words of its block belong to a word that is passed over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Parameters {
+    No,
+    /// P, Q, R, L
+    Letters,
+    /// those, and if the block has no G word also S, F and axes: they are neither speed nor feed nor position
+    All,
 }
 
 /// A word and where it stands.
@@ -39,7 +63,7 @@ pub(crate) struct Placed<'t> {
     /// character of the line, from 1
     pub(crate) column: usize,
     pub(crate) text: &'t str,
-    pub(crate) word: Word<'t>,
+    pub(crate) word: Word,
 }
 
 /// What the axis words of a block are for.
@@ -49,44 +73,141 @@ pub(crate) enum Function {
     Linear,
     Dwell,
     Home,
+    /// G28, G30, G53
+    MachinePosition,
+    /// G92
+    Preset,
     FeedforwardOn,
     Percentage,
     FeedforwardOff,
 }
 
+/// What the numbers of later axis words are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Modal {
+    Absolute,
+    Incremental,
+    Inches,
+    Millimetres,
+    /// G92.1, G92.2
+    NoPreset,
+}
+
 /// What a word says, if it is one.
-pub(crate) fn parse(text: &str) -> Option<Word<'_>> {
-    Some(match text {
-        "G00" => Word::Function(Function::Rapid),
-        "G01" => Word::Function(Function::Linear),
-        "G04" => Word::Function(Function::Dwell),
-        "G74" => Word::Function(Function::Home),
-        "G135" => Word::Function(Function::FeedforwardOn),
-        "G136" => Word::Function(Function::Percentage),
-        "G137" => Word::Function(Function::FeedforwardOff),
-        "M3" => Word::Turn(Direction::Positive),
-        "M4" => Word::Turn(Direction::Negative),
-        "M5" => Word::Stop,
-        "M19" => Word::Position,
-        "M30" => Word::End,
-        _ if text.contains('[') => Word::Bracket(bracket::read(Piece { column: 1, text }, &mut Mistakes::default())?),
-        _ => return with_number(text),
+pub(crate) fn parse(text: &str) -> Option<Word> {
+    let upper = text.to_ascii_uppercase();
+    let first = upper.chars().next()?;
+    if matches!(first, '/' | '%' | '$' | '#' | ':') {
+        return command(&upper);
+    }
+    let name = upper.split(['[', '=']).next().unwrap_or_default();
+    if upper.contains('[') && name.starts_with('S') && name.bytes().skip(1).all(|byte| byte.is_ascii_digit()) {
+        return bracket::read(Piece { column: 1, text: &upper }, &mut Mistakes::default()).map(Word::Bracket);
+    }
+    let angle = upper.strip_prefix("S.POS=").or(upper.strip_prefix("SPOS="));
+    if let Some(angle) = angle {
+        return number::decimal(angle).map(Word::Angle);
+    }
+    // X1=50, X=50, S=1000
+    if let Some((name, number)) = upper.split_once('=') {
+        let number = number::decimal(number)?;
+        return match name {
+            "S" | "S1" => speed(number),
+            "F" => feed(number),
+            _ => Axis::named(name).map(|axis| Word::Axis(axis, number)),
+        };
+    }
+    let number = upper.get(first.len_utf8()..)?.trim_start();
+    let plain = || {
+        let (whole, part) = number.split_once('.').map_or((number, ""), |(whole, part)| (whole, part));
+        let is_plain = whole.bytes().chain(part.bytes()).all(|byte| byte.is_ascii_digit()) && !whole.is_empty();
+        let whole = whole.trim_start_matches('0');
+        let whole = if whole.is_empty() { "0" } else { whole };
+        is_plain.then(|| if part.is_empty() { whole.to_owned() } else { format!("{whole}.{part}") })
+    };
+    match first {
+        'N' => number::count(number).map(Word::Number),
+        'G' => Some(g_word(&plain()?)),
+        'M' => Some(m_word(&plain()?)),
+        // The direction of a spindle is its M word, never a sign.
+        'S' => speed(number::decimal(number)?),
+        'F' => feed(number::decimal(number)?),
+        'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(Kind::Tool, Parameters::No)),
+        'O' => number::count(number).map(|_| Word::Passed(Kind::Setting, Parameters::No)),
+        'P' | 'Q' | 'R' | 'L' | 'I' | 'J' | 'K' => {
+            let is_integer = number::count(number).is_some();
+            number::decimal(number).map(|value| Word::Parameter { value, letter: first, is_integer })
+        }
+        _ => Axis::named(&upper[..first.len_utf8()]).and_then(|axis| Some(Word::Axis(axis, number::decimal(number)?))),
+    }
+}
+
+fn speed(rpm: f64) -> Option<Word> {
+    (rpm >= 0.0).then_some(Word::Speed(rpm))
+}
+
+fn feed(feed: f64) -> Option<Word> {
+    (feed > 0.0).then_some(Word::Feed(feed))
+}
+
+/// A word that begins with a sign.
+fn command(upper: &str) -> Option<Word> {
+    let (first, rest) = upper.split_at(1);
+    let name = rest.split(|letter: char| !letter.is_ascii_alphanumeric()).next().unwrap_or_default();
+    Some(match (first, name) {
+        ("/", _) => Word::Skip,
+        (":", _) => number::count(rest).map(|_| Word::Passed(Kind::Setting, Parameters::No))?,
+        ("#", "TIME") => Word::Wait(number::decimal(rest["TIME".len()..].trim()).filter(|seconds| *seconds >= 0.0)?),
+        ("#", "MSG" | "FLUSH") => Word::Passed(Kind::Setting, Parameters::No),
+        ("#", "SLOPE" | "HSC" | "CONTOUR" | "FILTER") => Word::Passed(Kind::PathMode, Parameters::No),
+        ("#" | "$", _) => Word::Foreign(foreign::text(upper)),
+        _ => return None,
     })
 }
 
-fn with_number(text: &str) -> Option<Word<'_>> {
-    if let Some(angle) = text.strip_prefix("S.POS=") {
-        return number::decimal(angle).map(Word::Angle);
+/// By its number without leading zeros.
+fn g_word(number: &str) -> Word {
+    let passed = |kind| Word::Passed(kind, Parameters::Letters);
+    match number {
+        "0" => Word::Function(Function::Rapid),
+        "1" => Word::Function(Function::Linear),
+        "4" => Word::Function(Function::Dwell),
+        "74" => Word::Function(Function::Home),
+        "28" | "30" | "53" => Word::Function(Function::MachinePosition),
+        "92" => Word::Function(Function::Preset),
+        "135" => Word::Function(Function::FeedforwardOn),
+        "136" => Word::Function(Function::Percentage),
+        "137" => Word::Function(Function::FeedforwardOff),
+        "90" => Word::Modal(Modal::Absolute),
+        "91" => Word::Modal(Modal::Incremental),
+        "20" | "70" => Word::Modal(Modal::Inches),
+        "21" | "71" => Word::Modal(Modal::Millimetres),
+        "92.1" | "92.2" => Word::Modal(Modal::NoPreset),
+        "40" | "43" | "44" | "49" => Word::Passed(Kind::Tool, Parameters::No),
+        "17" | "18" | "19" | "15" | "50.1" | "64.1" | "69" | "80" | "90.1" | "91.1" | "94" | "97" => {
+            Word::Passed(Kind::Setting, Parameters::No)
+        }
+        "5.1" | "8" | "9" | "60" | "61" | "61.1" | "64" | "187" | "260" | "261" => passed(Kind::PathMode),
+        "54" | "55" | "56" | "57" | "58" | "59" | "54.1" | "54.2" | "59.1" | "59.2" | "59.3" => passed(Kind::Offset),
+        _ => Word::Foreign(foreign::g_word(number)),
     }
-    let (letter, number) = (text.chars().next()?, text.get(1..)?);
-    match letter {
-        'N' => number::count(number).map(Word::Number),
-        // The direction of a spindle is its M word, never a sign.
-        'S' => number::decimal(number).filter(|speed| *speed >= 0.0).map(Word::Speed),
-        'F' => number::decimal(number).filter(|feed| *feed > 0.0).map(Word::Feed),
-        'X' => number::decimal(number).map(|_| Word::Axis(Axis::X, number)),
-        'Y' => number::decimal(number).map(|_| Word::Axis(Axis::Y, number)),
-        'Z' => number::decimal(number).map(|_| Word::Axis(Axis::Z, number)),
-        _ => None,
+}
+
+/// The same of M words.
+fn m_word(number: &str) -> Word {
+    match number {
+        "2" | "30" => Word::End,
+        "3" => Word::Turn(Direction::Positive),
+        "4" => Word::Turn(Direction::Negative),
+        "5" => Word::Stop,
+        "6" => Word::Passed(Kind::Tool, Parameters::No),
+        "19" => Word::Position,
+        "17" | "96" | "97" | "98" | "99" => Word::Foreign(Foreign::Subprogram),
+        "29" => Word::Foreign(Foreign::Cycle),
+        // M66 E0 L0; of printers: M92 E415, M205 X8.
+        _ if number.len() > 2 || number.starts_with(['6', '8', '9']) && number.len() == 2 => {
+            Word::Passed(Kind::Machine, Parameters::All)
+        }
+        _ => Word::Passed(Kind::Machine, Parameters::Letters),
     }
 }

@@ -11,18 +11,19 @@
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
+mod in_loop;
+mod notes;
 mod path;
 pub mod picture;
+mod program_axis;
 mod spindle;
 pub(crate) mod spindle_machine;
 
-use crate::drive::{AtLimit, Oscillation, margins};
+use crate::drive::Oscillation;
 use crate::samples::Samples;
-use crate::subject::Subject;
-use generator::axis::{DriveModel, Enable};
 use generator::blocks::{Block, Designed};
 pub use nc::Mistake;
-use nc::{Command, Program};
+pub use notes::Note;
 
 /// A scenario that was run.
 #[derive(Clone, Debug)]
@@ -34,7 +35,29 @@ pub struct Scenario {
     pub steps: Vec<Step>,
     /// whether the loop with `v_add` oscillates
     pub oscillation: Oscillation,
+    /// what of the program does not act as it says, in the order of its lines
+    pub notes: Vec<Note>,
 }
+
+/// How a program is run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// the program's axis that the axis of the set follows; none: that of its name
+    pub program_axis: Option<String>,
+    /// the scenario stops after this number of cycles, and says so
+    pub cycles: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { program_axis: None, cycles: CYCLES }
+    }
+}
+
+/// A scenario has at most this number of cycles, unless another one is asked for.
+pub const CYCLES: usize = 200_000;
+/// The most that can be asked for: more does not fit into memory everywhere.
+pub const MOST: usize = 5_000_000;
 
 /// When a block of the program acted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,88 +82,20 @@ pub fn usual_block(names: &[&'static str]) -> Option<&'static str> {
 ///
 /// # Errors
 /// What is wrong with the program, or with the program for this axis.
-pub fn run(text: &str, designed: &Designed, block: &Block) -> Result<Scenario, Vec<Mistake>> {
+pub fn run(text: &str, designed: &Designed, block: &Block, options: &Options) -> Result<Scenario, Vec<Mistake>> {
     let program = nc::read(text)?;
     let scenario = if ["spindle", "spindle_axis"].contains(&block.program.block) {
-        spindle::run(&program, designed, block)
+        spindle::run(&program, designed, block, options)
     } else {
-        path::run(&program, designed, block)
+        path::run(&program, designed, block, options)
     };
-    scenario.map_err(|mistake| vec![mistake])
-}
-
-/// Whether `v_add` acts in a loop that is stable with that drive: the block starts ON, and puts `v_add` out.
-fn is_stable(designed: &Designed, subject: &Subject, drive: &DriveModel) -> bool {
-    let acts = designed.axis.ipc.enable == Enable::On && subject.output("v_add").is_some();
-    !acts || margins::margins(designed, drive).stable
-}
-
-/// Whether `v_add` is at its limit in this cycle.
-fn is_limited(designed: &Designed, subject: &Subject) -> bool {
-    subject.get("v_add_calculated").abs() >= designed.axis.ipc.limit() * (1.0 - ROUNDING) && subject.get("v_add") != 0.0
-}
-
-/// Longer scenarios are a mistake of their program.
-const MOST: usize = 200_000;
-/// Within which a limit is one in single precision.
-const ROUNDING: f64 = 1e-6;
-
-/// One cycle of the block, in which it must not have an error.
-fn cycle(subject: &mut Subject, line: usize) -> Result<(), Mistake> {
-    if subject.inputs.len() >= MOST {
-        let found = format!("a block that is not over after {MOST} cycles of the scenario");
-        return Err(refused(line, found, "a scenario that ends", "another program, or a longer cycle time"));
-    }
-    subject.step();
-    if subject.get("fault") != 0.0 {
-        let found = format!("error {} of the block at sample {}", subject.get("error_id"), subject.inputs.len() - 1);
-        let instead = "other parameters, or another program; `axgen explain` says what the error means";
-        return Err(refused(line, found, "a scenario without an error", instead));
-    }
-    Ok(())
+    let mut scenario = scenario.map_err(|mistake| vec![mistake])?;
+    scenario.notes.extend(program.passed.iter().map(notes::of));
+    scenario.notes.sort_by_key(|note| note.line);
+    Ok(scenario)
 }
 
 /// What is wrong with a block of a program on this axis.
 fn refused(line: usize, found: impl Into<String>, allowed: impl Into<String>, instead: impl Into<String>) -> Mistake {
     Mistake { line, column: 1, found: found.into(), allowed: allowed.into(), instead: instead.into() }
-}
-
-/// The same in a loop that oscillates, which may be why.
-fn oscillates(mistake: Mistake) -> Mistake {
-    let instead = "weights with which the loop is stable: it is not, and `axgen analyze` prints the largest ones";
-    Mistake { instead: instead.to_owned(), ..mistake }
-}
-
-/// An axis in its loop.
-trait InLoop {
-    /// Does what a command asks for; is back when that is done.
-    fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake>;
-
-    /// Some cycles without a command.
-    fn rest(&mut self, line: usize) -> Result<(), Mistake>;
-
-    fn subject(&self) -> &Subject;
-
-    fn at_limit(&self) -> &AtLimit;
-}
-
-/// Runs the blocks of a program one after the other, between rests, in a loop that is stable or not.
-fn perform_all(closed: &mut impl InLoop, program: &Program, is_stable: bool) -> Result<Scenario, Mistake> {
-    let steps = steps(closed, program).map_err(|mistake| if is_stable { mistake } else { oscillates(mistake) })?;
-    let Subject { inputs, outputs, .. } = closed.subject();
-    let oscillation = Oscillation { is_stable, at_limit: closed.at_limit().time() };
-    Ok(Scenario { inputs: inputs.clone(), outputs: outputs.clone(), steps, oscillation })
-}
-
-fn steps(closed: &mut impl InLoop, program: &Program) -> Result<Vec<Step>, Mistake> {
-    let lines = |block: Option<&nc::Block>| block.map_or(1, |block| block.line);
-    closed.rest(lines(program.blocks.first()))?;
-    let mut steps = Vec::with_capacity(program.blocks.len());
-    for block in &program.blocks {
-        let from = closed.subject().inputs.len();
-        block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        steps.push(Step { line: block.line, number: block.number, from, to: closed.subject().inputs.len() });
-    }
-    closed.rest(lines(program.blocks.last()))?;
-    Ok(steps)
 }

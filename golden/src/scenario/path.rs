@@ -1,14 +1,18 @@
 //! Scenarios of path axes: moves, dwell, feedforward. The axis follows with the lag of its position controller. No spindle.
 
-use super::{InLoop, Scenario, is_limited, is_stable, perform_all, refused};
+use super::in_loop::{InLoop, is_stable, perform_all};
+use super::notes::{Counted, Note};
+use super::{Options, Scenario, program_axis, refused};
 use crate::drive::{AtLimit, AxisDrive};
 use crate::subject::Subject;
 use generator::blocks::{Block, Designed};
+use generator::codes;
 use machine::drive::Setup;
 use machine::grid::{position, rate};
 use machine::profile::{self, Limits, Mover};
 use machine::{Machine, Measured};
 use nc::{Axis, Command, Mistake, Program, Target};
+use std::collections::BTreeMap;
 
 /// um in 1 mm.
 const MM: f64 = 1000.0;
@@ -21,24 +25,30 @@ const RISE_TIME: f64 = 0.2;
 const JERK_TIME: f64 = 0.05;
 /// Homing is so much slower than the largest velocity.
 const HOMING: f64 = 0.1;
+/// Shorter ways are nothing [um].
+const SHORTEST: f64 = 1e-3;
+/// Within which an axis is at the end of a move [s].
+const LATEST: f64 = 60.0;
 /// Cycles before the first block and behind the last one.
 const REST: usize = 20;
 
 /// Runs a program.
-pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Result<Scenario, Mistake> {
-    let of = &designed.axis;
-    let line = program.blocks.first().map_or(1, |block| block.line);
-    let axes = [("X", Axis::X), ("Y", Axis::Y), ("Z", Axis::Z)];
-    let Some((_, axis)) = axes.into_iter().find(|(name, _)| of.name.eq_ignore_ascii_case(name)) else {
-        let found = format!("axis `{}`, which NC programs do not have", of.name);
-        return Err(refused(line, found, "an axis named X, Y or Z", "another name for the axis in its set"));
-    };
-    let kv = of.control.position_control.as_ref().map_or(KV, |control| f64::from(control.kv) / 100.0);
+pub(super) fn run(
+    program: &Program,
+    designed: &Designed,
+    block: &Block,
+    options: &Options,
+) -> Result<Scenario, Mistake> {
+    let mut notes = Vec::new();
+    let axis = program_axis::of(program, &designed.axis.name, options, &mut notes)?;
+    let kv = designed.axis.control.position_control.as_ref().map_or(KV, |control| f64::from(control.kv) / 100.0);
     let drive = AxisDrive::of(designed, Setup { delay: 1.0, ..Setup::DELAY_AND_LAG }, kv);
     let subject = Subject::start(designed, block);
     let is_stable = is_stable(designed, &subject, &drive.model);
-    let mut closed = Closed::start(designed, axis, subject, &drive);
-    perform_all(&mut closed, program, is_stable)
+    let mut closed = Closed::start(designed, axis, subject, &drive, options.cycles);
+    let mut scenario = perform_all(&mut closed, program, is_stable)?;
+    scenario.notes.append(&mut notes);
+    Ok(scenario)
 }
 
 /// The loop: program, interpolator, block, drive.
@@ -49,15 +59,20 @@ struct Closed<'d> {
     cycle: f64,
     kv: f64,
     subject: Subject,
-    /// end of the last move, of X, Y and Z [um]
-    place: [f64; 3],
+    /// end of the last move [um, 0.001 deg]; 0 of an axis that did not move
+    place: BTreeMap<Axis, f64>,
+    /// feeds above vb_max, and commands of spindles
+    limited: Counted,
+    spindle: Counted,
     machine: Box<dyn Machine>,
     actual: Measured,
     at_limit: AtLimit,
+    /// the scenario is full with this number of cycles
+    most: usize,
 }
 
 impl<'d> Closed<'d> {
-    fn start(designed: &'d Designed, axis: Axis, subject: Subject, drive: &AxisDrive) -> Self {
+    fn start(designed: &'d Designed, axis: Axis, subject: Subject, drive: &AxisDrive, most: usize) -> Self {
         let of = &designed.axis;
         let (cycle, velocity) = (of.cycle_time(), of.ipc.v_max);
         let acceleration = velocity / RISE_TIME;
@@ -68,10 +83,13 @@ impl<'d> Closed<'d> {
             cycle,
             kv: drive.model.position_gain.unwrap_or(KV),
             subject,
-            place: [0.0; 3],
+            place: BTreeMap::new(),
+            limited: Counted::default(),
+            spindle: Counted::default(),
             machine: drive.machine(),
             actual: Measured::default(),
             at_limit: AtLimit::new(cycle),
+            most,
         }
     }
 }
@@ -90,7 +108,12 @@ impl InLoop for Closed<'_> {
             Command::Dwell { seconds } => {
                 let end = seconds / self.cycle;
                 let at = profile::Sample { x: self.own(), ..Default::default() };
-                (0_u32..).take_while(|cycle| f64::from(*cycle) < end).try_for_each(|_| self.cycle(at, line))
+                let mut cycles = 0_u32;
+                while f64::from(cycles) < end && !self.is_full() {
+                    self.cycle(at, line)?;
+                    cycles += 1;
+                }
+                Ok(())
             }
             Command::Move { axes, feed_mm_min, .. } => {
                 // Without a feed it is G00.
@@ -101,8 +124,8 @@ impl InLoop for Closed<'_> {
                 self.travel(&[(*axis, 0.0)], self.limits.velocity * HOMING, line)
             }
             Command::Turn { .. } | Command::Stop { .. } | Command::Position { .. } => {
-                let found = "a motion of a spindle in the scenario of an axis";
-                Err(refused(line, found, "moves, dwell and feedforward", "a scenario of its own for the spindle"))
+                self.spindle.push(line);
+                Ok(())
             }
             // Of spindles, and of other axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => Ok(()),
@@ -115,46 +138,89 @@ impl InLoop for Closed<'_> {
         (0..REST).try_for_each(|_| self.cycle(at, line))
     }
 
+    fn notes(&self) -> Vec<Note> {
+        let allowed =
+            format!(" above vb_max (P-AXIS-00212), {} mm/min: limited to it", self.limits.velocity * 60.0 / MM);
+        let rest = " of a spindle passed over: this is the scenario of an axis";
+        let limited = self.limited.note(codes::NC_LIMITED, "feed", &allowed, "a lower feed, or another vb_max");
+        let other = self.spindle.note(codes::NC_OTHER_DRIVE, "command", rest, "a scenario of its own for the spindle");
+        limited.into_iter().chain(other).collect()
+    }
+
+    fn designed(&self) -> &Designed {
+        self.designed
+    }
+
     fn subject(&self) -> &Subject {
         &self.subject
     }
 
-    fn at_limit(&self) -> &AtLimit {
-        &self.at_limit
+    fn at_limit(&mut self) -> &mut AtLimit {
+        &mut self.at_limit
+    }
+
+    fn most(&self) -> usize {
+        self.most
     }
 }
 
 impl Closed<'_> {
-    /// A straight line, on which the axis has its part.
+    /// A straight line, on which the axis has its part. The feed is that of X, Y and Z, with which the other axes go; if none of these
+    /// three moves, that of the others.
     fn travel(&mut self, axes: &[(Axis, f64)], feed: f64, line: usize) -> Result<(), Mistake> {
-        let mut end = self.place;
+        let start = self.own();
+        let mut ways = BTreeMap::new();
         for (axis, mm) in axes {
-            end[*axis as usize] = mm * MM;
+            let end = mm * MM;
+            ways.insert(*axis, end - self.place.insert(*axis, end).unwrap_or_default());
         }
-        let ways = [0, 1, 2].map(|axis| end[axis] - self.place[axis]);
-        let length = libm::sqrt(ways.iter().map(|way| way * way).fold(0.0, |sum, square| sum + square));
-        let (start, own) = (self.own(), self.axis as usize);
-        if length > 0.0 {
-            let failed = |error: profile::Error| {
-                let instead = "another feed, or another vb_max (P-AXIS-00212)";
-                refused(line, error.to_string(), "what the interpolator can do", instead)
-            };
-            if feed > self.limits.velocity {
-                let allowed = format!("up to {} mm/min, vb_max (P-AXIS-00212)", self.limits.velocity * 60.0 / MM);
-                let found = format!("a feed of {} mm/min", feed * 60.0 / MM);
-                return Err(refused(line, found, allowed, "a lower feed, or another vb_max"));
-            }
-            let part = ways[own] / length;
-            let mut mover = Mover::at(self.limits, self.cycle, 0.0, 0.0).map_err(failed)?;
-            mover.go(length, feed).map_err(failed)?;
-            while !mover.is_done() {
-                let profile::Sample { x, v, a, j } = mover.next();
-                self.cycle(profile::Sample { x: start + x * part, v: v * part, a: a * part, j: j * part }, line)?;
-            }
+        let length = |is_of_path| {
+            let ways = ways.iter().filter(|(axis, _)| axis.is_of_path() == is_of_path);
+            libm::sqrt(ways.map(|(_, way)| way * way).fold(0.0, |sum, square| sum + square))
+        };
+        let length = Some(length(true)).filter(|length| *length > SHORTEST).unwrap_or_else(|| length(false));
+        if length > SHORTEST {
+            let part = ways.get(&self.axis).map_or(0.0, |way| way / length);
+            self.along(length, part, start, feed, line)?;
         }
-        self.place = end;
+        self.arrive(line)
+    }
+
+    /// The way of a length, of which the axis has its part.
+    fn along(&mut self, length: f64, part: f64, start: f64, feed: f64, line: usize) -> Result<(), Mistake> {
+        let failed = |error: profile::Error| {
+            let instead = "another feed, or another vb_max (P-AXIS-00212)";
+            refused(line, error.to_string(), "what the interpolator can do", instead)
+        };
+        // The axis that goes faster than the path has its own limits.
+        let share = if part.abs() > 1.0 { 1.0 / part.abs() } else { 1.0 };
+        let Limits { velocity, acceleration, jerk } = self.limits;
+        let limits = Limits { velocity: velocity * share, acceleration: acceleration * share, jerk: jerk * share };
+        // G00 asks for vb_max, whatever the share is.
+        let is_rapid = (feed - velocity).abs() == 0.0;
+        if feed > limits.velocity && !is_rapid {
+            self.limited.push(line);
+        }
+        let mut mover = Mover::at(limits, self.cycle, 0.0, 0.0).map_err(failed)?;
+        let feed = if feed > limits.velocity { limits.velocity } else { feed };
+        mover.go(length, feed).map_err(failed)?;
+        while !mover.is_done() && !self.is_full() {
+            let profile::Sample { x, v, a, j } = mover.next();
+            self.cycle(profile::Sample { x: start + x * part, v: v * part, a: a * part, j: j * part }, line)?;
+        }
+        Ok(())
+    }
+
+    /// Waits until the axis is at the end of its move.
+    fn arrive(&mut self, line: usize) -> Result<(), Mistake> {
         let at = profile::Sample { x: self.own(), ..Default::default() };
-        while (self.actual.x - at.x).abs() > POSITION_WINDOW {
+        let latest = self.subject.inputs.len() as f64 + LATEST / self.cycle;
+        while (self.actual.x - at.x).abs() > POSITION_WINDOW && !self.is_full() {
+            if self.subject.inputs.len() as f64 > latest {
+                let found =
+                    format!("an axis that is not within {POSITION_WINDOW} um of the end of its move after {LATEST} s");
+                return Err(refused(line, found, "an axis that follows", "a higher Kv, or other parameters"));
+            }
             self.cycle(at, line)?;
         }
         Ok(())
@@ -162,7 +228,7 @@ impl Closed<'_> {
 
     /// Where the axis was sent.
     fn own(&self) -> f64 {
-        self.place[self.axis as usize]
+        self.place.get(&self.axis).copied().unwrap_or_default()
     }
 
     /// One cycle with a command: block, then the axis.
@@ -183,8 +249,8 @@ impl Closed<'_> {
         for (name, value) in inputs {
             self.subject.set(name, value);
         }
-        super::cycle(&mut self.subject, line)?;
-        self.at_limit.count(command.a != 0.0, is_limited(self.designed, &self.subject));
+        self.subject.step();
+        self.look(command.a != 0.0, line)?;
         let v = self.kv * error + self.subject.get("v_feedforward") + self.subject.get("v_add");
         self.actual = self.machine.step(v);
         Ok(())

@@ -1,11 +1,14 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
+use super::in_loop::{InLoop, is_stable, perform_all};
+use super::notes::{Counted, Note};
 use super::spindle_machine::{self, Machine};
-use super::{InLoop, Scenario, is_limited, is_stable, perform_all, refused};
+use super::{Options, Scenario, refused};
 use crate::drive::AtLimit;
 use crate::subject::Subject;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
+use generator::codes;
 use machine::grid::{angle, shortest};
 use machine::profile;
 use machine::spindle::interpolator::{Job, Seen, State};
@@ -25,7 +28,12 @@ const SLOW: f64 = 300_000.0;
 const REST: usize = 20;
 
 /// Runs a program.
-pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Result<Scenario, Mistake> {
+pub(super) fn run(
+    program: &Program,
+    designed: &Designed,
+    block: &Block,
+    options: &Options,
+) -> Result<Scenario, Mistake> {
     let axis = &designed.axis;
     let line = program.blocks.first().map_or(1, |block| block.line);
     let Some(spindle) = &axis.control.spindle else {
@@ -34,7 +42,8 @@ pub(super) fn run(program: &Program, designed: &Designed, block: &Block) -> Resu
     };
     let subject = Subject::start(designed, block);
     let is_stable = is_stable(designed, &subject, &Machine::model(axis, spindle));
-    let mut closed = Closed::start(designed, spindle, subject).map_err(|error| no_motion(line, &error))?;
+    let mut closed =
+        Closed::start(designed, spindle, subject, options.cycles).map_err(|error| no_motion(line, &error))?;
     perform_all(&mut closed, program, is_stable)
 }
 
@@ -52,13 +61,23 @@ struct Closed<'a> {
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
     is_done: bool,
+    /// speeds above vb_max, and motions of path axes
+    limited: Counted,
+    path: Counted,
     /// velocity of the cycle before
     v_before: f64,
     at_limit: AtLimit,
+    /// the scenario is full with this number of cycles
+    most: usize,
 }
 
 impl<'a> Closed<'a> {
-    fn start(designed: &'a Designed, spindle: &'a Spindle, mut subject: Subject) -> Result<Self, profile::Error> {
+    fn start(
+        designed: &'a Designed,
+        spindle: &'a Spindle,
+        mut subject: Subject,
+        most: usize,
+    ) -> Result<Self, profile::Error> {
         subject.set("drive_on", 1.0);
         let axis = &designed.axis;
         Ok(Self {
@@ -71,6 +90,9 @@ impl<'a> Closed<'a> {
             is_done: false,
             v_before: 0.0,
             at_limit: AtLimit::new(axis.cycle_time()),
+            most,
+            limited: Counted::default(),
+            path: Counted::default(),
         })
     }
 }
@@ -81,17 +103,17 @@ impl InLoop for Closed<'_> {
             Command::Feedforward { target: Target::Spindle(1), on } => self.feedforward[0] = f64::from(u8::from(on)),
             Command::Percentage { target: Target::Spindle(1), percent } => self.feedforward[1] = f64::from(percent),
             Command::Turn { direction, rpm, .. } => {
-                let speed = self.speed(rpm, line)?;
+                let speed = self.speed(rpm, line);
                 let is_negative = direction == Direction::Negative;
                 self.request(if is_negative { &["m4"] } else { &["m3"] }, speed, 0.0, Job::Turn, line)?;
                 let v = if is_negative { -speed } else { speed };
-                while !self.turns(v) {
+                while !self.turns(v) && !self.is_full() {
                     self.cycle(line)?;
                 }
             }
             Command::Stop { .. } => {
                 self.request(&["m5"], 0.0, 0.0, Job::Stop, line)?;
-                while !self.turns(0.0) {
+                while !self.turns(0.0) && !self.is_full() {
                     self.cycle(line)?;
                 }
             }
@@ -108,14 +130,13 @@ impl InLoop for Closed<'_> {
             }
             Command::Dwell { seconds } => {
                 let end = seconds / self.axis.cycle_time();
-                for _ in (0_u32..).take_while(|cycle| f64::from(*cycle) < end) {
+                let mut cycles = 0_u32;
+                while f64::from(cycles) < end && !self.is_full() {
                     self.cycle(line)?;
+                    cycles += 1;
                 }
             }
-            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => {
-                let found = "a motion of path axes in the scenario of a spindle";
-                return Err(refused(line, found, "commands of spindle 1", "a scenario of its own for the axis"));
-            }
+            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => self.path.push(line),
             // Of other spindles, and of path axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => {}
             Command::Home { .. } | Command::Release { .. } | Command::End => {}
@@ -127,12 +148,28 @@ impl InLoop for Closed<'_> {
         (0..REST).try_for_each(|_| self.cycle(line))
     }
 
+    fn notes(&self) -> Vec<Note> {
+        let allowed = format!(" above vb_max (P-AXIS-00212), {} rpm: limited to it", self.axis.ipc.v_max / RPM);
+        let rest = " of path axes passed over, which take no time: this is the scenario of a spindle";
+        let limited = self.limited.note(codes::NC_LIMITED, "speed", &allowed, "a lower speed, or another vb_max");
+        let other = self.path.note(codes::NC_OTHER_DRIVE, "motion", rest, "a scenario of its own for the axis");
+        limited.into_iter().chain(other).collect()
+    }
+
+    fn designed(&self) -> &Designed {
+        self.designed
+    }
+
     fn subject(&self) -> &Subject {
         &self.subject
     }
 
-    fn at_limit(&self) -> &AtLimit {
-        &self.at_limit
+    fn at_limit(&mut self) -> &mut AtLimit {
+        &mut self.at_limit
+    }
+
+    fn most(&self) -> usize {
+        self.most
     }
 }
 
@@ -147,7 +184,7 @@ impl Closed<'_> {
     ) -> Result<(), Mistake> {
         let off = f64::from(self.spindle.v_position_control_on);
         let speed = match rpm {
-            Some(rpm) => self.speed(rpm, line)?,
+            Some(rpm) => self.speed(rpm, line),
             None if off > 0.0 => off,
             None => SLOW,
         };
@@ -166,15 +203,14 @@ impl Closed<'_> {
         self.until_done(line)
     }
 
-    /// A speed that the axis has [0.001 deg/s].
-    fn speed(&self, rpm: f64, line: usize) -> Result<f64, Mistake> {
+    /// A speed, no larger than the axis has it [0.001 deg/s].
+    fn speed(&mut self, rpm: f64, line: usize) -> f64 {
         let (speed, largest) = (rpm * RPM, self.axis.ipc.v_max);
         if speed > largest {
-            let found = format!("a speed of {rpm} rpm");
-            let allowed = format!("up to {} rpm, vb_max (P-AXIS-00212)", largest / RPM);
-            return Err(refused(line, found, allowed, "a lower speed, or another vb_max"));
+            self.limited.push(line);
+            return largest;
         }
-        Ok(speed)
+        speed
     }
 
     /// Gives a request for one cycle, and waits until it is the job.
@@ -190,6 +226,9 @@ impl Closed<'_> {
             self.subject.set(input, 0.0);
         }
         while self.subject.get("job_number") <= number || self.subject.get("waiting") > 0.0 || self.seen().job != job {
+            if self.is_full() {
+                break;
+            }
             self.cycle(line)?;
         }
         Ok(())
@@ -198,7 +237,7 @@ impl Closed<'_> {
     fn until_done(&mut self, line: usize) -> Result<(), Mistake> {
         loop {
             self.cycle(line)?;
-            if self.is_done {
+            if self.is_done || self.is_full() {
                 return Ok(());
             }
         }
@@ -236,8 +275,8 @@ impl Closed<'_> {
         for (name, value) in inputs {
             self.subject.set(name, value);
         }
-        super::cycle(&mut self.subject, line)?;
-        self.at_limit.count(commanded.v.to_bits() != self.v_before.to_bits(), is_limited(self.designed, &self.subject));
+        self.subject.step();
+        self.look(commanded.v.to_bits() != self.v_before.to_bits(), line)?;
         self.v_before = commanded.v;
         self.machine.obey(&|name| self.subject.output(name), self.feedforward);
         Ok(())

@@ -216,3 +216,28 @@ fn a_long_way() {
     assert_eq!(samples.len(), 1002, "10,000 s and a little");
     assert_eq!(mover.now(), Sample { x: 1000.0, ..Sample::default() });
 }
+
+/// A target from a speed that still rises: what decides is the speed that is there when the acceleration is taken
+/// back. Above the speed of the way it slows down to it, and keeps it.
+#[test]
+fn an_acceleration_counts_by_its_sign() {
+    const SLOW: f64 = 300_000.0;
+    for sign in [1.0, -1.0] {
+        let mut rising = at(SPINDLE, 0.0, 0.0);
+        rising.turn(6e6 * sign).expect("a profile");
+        while rising.now().v * sign < SLOW - 20_000.0 {
+            rising.next();
+        }
+        let Sample { v, a, .. } = rising.now();
+        assert!(v.abs() < SLOW && (v + a * a.abs() / (2.0 * SPINDLE.jerk)).abs() > SLOW, "{v} {a}");
+        rising.go(20_000_000.0 * sign, SLOW).expect("a profile");
+        let samples = run(&mut rising);
+        hold(&samples, SPINDLE, CYCLE);
+        let top = samples.iter().position(|sample| sample.a * sign <= 0.0).expect("it takes the acceleration back");
+        let braking =
+            samples[top..].iter().position(|sample| sample.v * sign <= SLOW * (1.0 + 1e-9)).expect("it slows down");
+        let slow = &samples[top + braking..];
+        let kept = slow.iter().take_while(|sample| (sample.v.abs() - SLOW).abs() < 1e-6 * SLOW).count();
+        assert!(kept > slow.len() / 2, "it keeps the speed: {kept} of {}", slow.len());
+    }
+}

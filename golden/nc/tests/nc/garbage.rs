@@ -15,7 +15,8 @@ fn check(text: &str) {
         Err(mistakes) => {
             assert!(!mistakes.is_empty() && mistakes.is_sorted(), "{text:?}: {mistakes:#?}");
             for mistake in &mistakes {
-                let line = text.split('\n').nth(mistake.line - 1).expect("a line of the text");
+                let end = if text.contains('\n') { '\n' } else { '\r' };
+                let line = text.split(end).nth(mistake.line - 1).expect("a line of the text");
                 assert!((1..=line.chars().count() + 1).contains(&mistake.column), "{text:?}: {mistake}");
                 assert!(!mistake.to_string().contains(char::is_control), "{text:?}: {mistake}");
             }

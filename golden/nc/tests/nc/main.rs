@@ -4,5 +4,7 @@
 mod garbage;
 mod manual;
 mod meaning;
+mod passed;
+mod real;
 mod refused;
 mod support;

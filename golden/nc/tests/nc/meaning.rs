@@ -10,7 +10,7 @@ fn the_smallest_program() {
     for text in ["M30", "M30\n", "\n(nothing)\n\tM30 \r\n\r\n(and no more", "M30(end)"] {
         let line = if text.starts_with('\n') { 3 } else { 1 };
         let blocks = vec![Block { line, number: None, commands: vec![Command::End] }];
-        assert_eq!(read(text), Ok(Program { name: None, blocks }), "{text:?}");
+        assert_eq!(read(text), Ok(Program { name: None, blocks, passed: vec![] }), "{text:?}");
     }
 }
 

@@ -8,7 +8,13 @@ fn forms() {
         ("S[]\nM30", &["1:1: error: found `S[]` without a word; allowed: {bracket}; write one of them"]),
         ("S[ ]\nM30", &["1:1: error: found `S[ ]` without a word; allowed: {bracket}; write one of them"]),
         ("S[G135\nM30", &["1:1: error: found `S[G135` without its end; allowed: a bracket in one line; write `]`"]),
-        ("S]\nM30", &["1:1: error: found `S]`; allowed: {words}"]),
+        (
+            "S]\nM30",
+            &[
+                "1:1: error: found `S`; allowed: {speed}",
+                "1:2: error: found `]`, an expression; {allowed}; write its result as a number",
+            ],
+        ),
         (
             "S0[G135]\nM30",
             &[
@@ -27,20 +33,25 @@ fn forms() {
                 "1:1: error: found `S100[G135]`; allowed: a spindle before `[`: `S`, or `S1` to `S99`; write a bracket like `S[G135]` or `S2[G135]`",
             ],
         ),
-        (
-            "X[G135]\nM30",
-            &[
-                "1:1: error: found `X[G135]`; allowed: a spindle before `[`: `S`, or `S1` to `S99`; write a bracket like `S[G135]` or `S2[G135]`",
-            ],
-        ),
+        ("X[G135]\nM30", &["1:1: error: found `X[G135]`, an expression; {allowed}; write its result as a number"]),
         (
             "S-1[G135]\nM30",
             &[
                 "1:1: error: found `S-1[G135]`; allowed: a spindle before `[`: `S`, or `S1` to `S99`; write a bracket like `S[G135]` or `S2[G135]`",
             ],
         ),
-        ("S[G135]X1\nM30", &["1:8: error: found `X1` at `]`; allowed: a blank behind `]`; write a blank"]),
-        ("S[G135]S[G135]\nM30", &["1:8: error: found `S[G135]` at `]`; allowed: a blank behind `]`; write a blank"]),
+        (
+            "S[G135]X1\nM30",
+            &[
+                "1:8: error: found `X1` without its G word; allowed: axes after `G00` or `G01`, or with `G04`, `G74` or `G136` of the same block; write the G word before it, as in `G00 X1`",
+            ],
+        ),
+        (
+            "S[G135]S[G135]\nM30",
+            &[
+                "1:8: error: found `S[G135]` after `S[G135]` in one block; allowed: each word once in a block; write one of them, or `S[G135]` in a block of its own",
+            ],
+        ),
     ]);
 }
 

@@ -2,6 +2,7 @@
 
 mod axes;
 mod brackets;
+mod foreign;
 mod program;
 mod spindle;
 mod words;
@@ -11,14 +12,14 @@ use crate::support::said;
 /// What messages repeat, by the names that the rows have for it.
 const REPEATED: [(&str, &str); 5] = [
     (
-        "{words}",
-        "`N`, `G00`, `G01`, `G04`, `G74`, `G135`, `G136`, `G137`, `M3`, `M4`, `M5`, `M19`, `M30`, `S`, `S.POS=`, `S[ ]`, `F`, `X`, `Y`, `Z`; write one of these words, or nothing",
+        "{allowed}",
+        "allowed: straight moves (`G00`, `G01`), dwell, homing, feedforward, the words of spindle 1 and words that are passed over",
     ),
-    ("{number}", "a number like `5`, `-5` or `0.5`, with up to 9 digits before the point and up to 6 behind it"),
+    ("{number}", "a number like `5`, `-5`, `.5` or `5.`, with up to 9 digits before the point and up to 30 after it"),
     ("{bracket}", "`G135`, `G136=` and a percentage, both of them, `G137`, `G74`, `PUTAX`"),
     (
         "{speed}",
-        "a speed in rpm, no less than 0, with up to 9 digits before the point and up to 6 behind it; write `S` and such a number",
+        "a speed in rpm, no less than 0, with up to 9 digits before the point and up to 30 after it; write `S` and such a number",
     ),
     ("{functions}", "one of `M3`, `M4`, `M5`, `M19` in a block, or `M19` with `M3` or `M4`"),
 ];

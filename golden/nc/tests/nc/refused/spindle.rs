@@ -18,12 +18,6 @@ fn functions() {
             ],
         ),
         (
-            "M5 S5\nM30",
-            &[
-                "1:4: error: found `S5` beside `M5`; allowed: a speed beside `M3`, `M4`, `M19`, or alone; write the block without `S5`",
-            ],
-        ),
-        (
             "M19 M5 S.POS=1\nM30",
             &[
                 "1:5: error: found `M5` beside another M word of the spindle; allowed: {functions}; write `M5` in a block of its own",
@@ -48,14 +42,6 @@ fn what_is_missing() {
         (
             "M19 M4 S5\nM30",
             &["1:1: error: found `M19` without `S.POS=`; allowed: `M19` with an angle; write `M19 S.POS=180`"],
-        ),
-        (
-            "M3\nM30",
-            &["1:1: error: found `M3` without an S word; allowed: `M3` and `M4` with a speed; write `M3 S1000`"],
-        ),
-        (
-            "M4\nM30",
-            &["1:1: error: found `M4` without an S word; allowed: `M3` and `M4` with a speed; write `M4 S1000`"],
         ),
     ]);
 }
@@ -84,44 +70,7 @@ fn angles() {
         (
             "S5 S.POS=1\nM30",
             &[
-                "1:1: error: found `S5` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S5` or `M4 S5`",
                 "1:4: error: found `S.POS=1` beside no `M19`; allowed: `S.POS=` beside `M19`; write the block without `S.POS=1`",
-            ],
-        ),
-    ]);
-}
-
-#[test]
-fn a_speed_without_a_direction() {
-    refuses(&[
-        (
-            "S5\nM30",
-            &[
-                "1:1: error: found `S5` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S5` or `M4 S5`",
-            ],
-        ),
-        (
-            "M3 S5\nM5\nS6\nM30",
-            &[
-                "3:1: error: found `S6` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S6` or `M4 S6`",
-            ],
-        ),
-        (
-            "M3 S5\nM19 S.POS=1\nS6\nM30",
-            &[
-                "3:1: error: found `S6` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S6` or `M4 S6`",
-            ],
-        ),
-        (
-            "M3 S5\nS[G74]\nS6\nM30",
-            &[
-                "3:1: error: found `S6` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S6` or `M4 S6`",
-            ],
-        ),
-        (
-            "M3 S5\nS1[PUTAX]\nS6\nM30",
-            &[
-                "3:1: error: found `S6` while the spindle does not turn; allowed: an S word alone only after `M3` or `M4`; write `M3 S6` or `M4 S6`",
             ],
         ),
     ]);

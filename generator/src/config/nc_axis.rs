@@ -1,0 +1,158 @@
+//! Axes of TwinCAT NC (PTP), which have no axis list: their largest velocity, Kv and encoder scaling as lines of one. No file is read.
+
+use super::{axis_name, source::Source, value::shown};
+use crate::codes;
+use crate::diagnostics::{Diagnostic, Place};
+use roxmltree::{Document, Node};
+use std::sync::Arc;
+
+/// What TwinCAT writes in the place of a name that is that of the file.
+const NAME_OF_FILE: &str = "__FILENAME__";
+/// 0.001 mm/s in 1 mm/s, 0.01/s in 1/s, 0.1 um in 1 mm.
+const VELOCITY: f64 = 1000.0;
+const KV: f64 = 100.0;
+const PATH: f64 = 10_000.0;
+/// ns in the unit of a task's cycle.
+const CYCLE: u64 = 100;
+
+/// An axis with the list that stands for it.
+pub(crate) struct NcAxis {
+    /// the list, in the lines of the file
+    pub(crate) source: Arc<Source>,
+    pub(crate) name: Option<String>,
+    /// what the list was made of, and what is missing
+    pub(crate) said: Diagnostic,
+}
+
+/// The axes of a project that are in it themselves, with their values.
+pub(crate) fn lists(document: &Document<'_>, source: &Arc<Source>) -> Vec<NcAxis> {
+    let cycle = cycle_time(document);
+    axes(document)
+        .filter(|axis| child(*axis, "AxisPara").is_some())
+        .map(|axis| list(axis, cycle, document, source))
+        .collect()
+}
+
+/// The files that a project names for its axes.
+pub(crate) fn files<'d>(document: &'d Document<'_>) -> Vec<&'d str> {
+    axes(document).filter_map(|axis| axis.attribute("File")).collect()
+}
+
+fn axes<'d, 'i>(document: &'d Document<'i>) -> impl Iterator<Item = Node<'d, 'i>> {
+    document.descendants().filter(|node| node.has_tag_name("Axis"))
+}
+
+/// Of the task that runs the axes [ns].
+fn cycle_time(document: &Document<'_>) -> Option<u64> {
+    let task = document.descendants().find(|node| node.has_tag_name("SafTask"))?;
+    task.attribute("CycleTime")?.parse::<u64>().ok().map(|cycle| cycle.saturating_mul(CYCLE))
+}
+
+fn child<'d, 'i>(of: Node<'d, 'i>, name: &str) -> Option<Node<'d, 'i>> {
+    of.children().find(|child| child.has_tag_name(name))
+}
+
+/// A number of an axis, by the elements below it and the attribute, where it stands.
+fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Option<(f64, usize)> {
+    let node = path.iter().try_fold(axis, |node, name| child(node, name))?;
+    let attribute = node.attribute_node(attribute)?;
+    let value = attribute.value().parse().ok().filter(|value: &f64| value.is_finite())?;
+    Some((value, attribute.range().start))
+}
+
+/// An axis as lines of a list, each in the line of the file where its value stands.
+fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> NcAxis {
+    let mut taken: Vec<(u32, String)> = Vec::new();
+    let (mut said, mut missing) = (Vec::new(), Vec::new());
+    let row = |at: usize| document.text_pos_at(at).row;
+    let mut take = |at: usize, lines: &[(&str, f64)]| {
+        let text: Vec<String> = lines.iter().map(|(path, value)| format!("{path} {value}")).collect();
+        taken.extend(text.iter().map(|line| (row(at), line.clone())));
+        text.join(", ")
+    };
+    match number(axis, &["AxisPara", "Velo"], "Maximum") {
+        Some((velocity, at)) => {
+            let line = take(at, &[("getriebe[0].dynamik.vb_max", (velocity * VELOCITY).round())]);
+            said.push(format!("Velo Maximum {velocity} mm/s is {line} (P-AXIS-00212)"));
+        }
+        None => missing.push("Velo Maximum: write getriebe[0].dynamik.vb_max"),
+    }
+    match number(axis, &["Controller", "CtrPara", "PID"], "PosKp") {
+        Some((kv, at)) => {
+            let line = take(at, &[("getriebe[0].kv", (kv * KV).round())]);
+            said.push(format!("PID PosKp {kv}/s is {line} (P-AXIS-00099)"));
+        }
+        None => missing.push("PID PosKp: write getriebe[0].kv"),
+    }
+    let numerator = number(axis, &["Encoder", "EncPara"], "ScaleFactorNumerator");
+    let denominator = number(axis, &["Encoder", "EncPara"], "ScaleFactorDenominator").map_or(1.0, |(value, _)| value);
+    match numerator
+        .and_then(|(numerator, at)| Some((numerator / denominator, resolution(numerator / denominator)?, at)))
+    {
+        Some((scale, [increments, path], at)) => {
+            let line = take(at, &[("getriebe[0].wegaufz", increments), ("getriebe[0].wegaufn", path)]);
+            said.push(format!("EncPara scale {scale} mm per increment is {line} (P-AXIS-00234, 00233)"));
+        }
+        None => {
+            missing.push("EncPara ScaleFactorNumerator: write getriebe[0].wegaufz and wegaufn, if a spindle needs them")
+        }
+    }
+    taken.sort();
+    let place = Place { column: 0, ..source.place(axis.range().start) };
+    let name = child(axis, "Name").and_then(|name| name.text()).filter(|name| *name != NAME_OF_FILE);
+    NcAxis {
+        source: Source::converted(&source.name, text(&taken), source.encoding),
+        name: name.map(axis_name::of_words).filter(|name| axis_name::is_allowed(name)),
+        said: note(place, name, &said, &missing, cycle),
+    }
+}
+
+/// What became of the axis, and what is still to be written.
+fn note(place: Place, name: Option<&str>, said: &[String], missing: &[&str], cycle: Option<u64>) -> Diagnostic {
+    let name = name.map(|name| format!(" {}", shown(name))).unwrap_or_default();
+    let taken = if said.is_empty() { "nothing could be taken".to_owned() } else { said.join("; ") };
+    let mut found = format!("axis{name} of TwinCAT NC, which has no axis list: {taken}");
+    if !missing.is_empty() {
+        found += &format!("; not in the file, for TwinCAT leaves out what has its default: {}", missing.join("; "));
+    }
+    let cycle = cycle.map_or_else(
+        || "the cycle time of the NC's SAF task".to_owned(),
+        |ns| format!("the cycle time of the SAF task, {} us", ns as f64 / 1000.0),
+    );
+    let instead = format!(
+        "a TOML set whose axis names this file as its list, with {cycle}, the stages and the type of the axis, if it is rotary"
+    );
+    Diagnostic::warning(codes::NC_AXIS, place, found).instead(instead)
+}
+
+/// Increments and path [0.1 um] of a scale [mm per increment], as whole numbers with nine digits.
+fn resolution(scale: f64) -> Option<[f64; 2]> {
+    let path = scale * PATH;
+    if !(1e-6..1e9).contains(&path) {
+        return None;
+    }
+    let power = |digits: i32| libm::pow(10.0, f64::from(digits));
+    let exact = (0..=9).find(|digits| {
+        let whole = path * power(*digits);
+        (whole - whole.round()).abs() <= whole * 1e-12
+    });
+    let longest = (0..=9).rev().find(|digits| path * power(*digits) < 1e9).unwrap_or(0);
+    let digits = exact.filter(|digits| *digits <= longest).unwrap_or(longest);
+    Some([power(digits), (path * power(digits)).round()])
+}
+
+/// Each line in its row; two of one row in the rows after it.
+fn text(taken: &[(u32, String)]) -> Vec<u8> {
+    let mut text = String::new();
+    let mut row = 1;
+    for (at, line) in taken {
+        while row < *at {
+            text.push('\n');
+            row += 1;
+        }
+        text += line;
+        text.push('\n');
+        row += 1;
+    }
+    text.into_bytes()
+}

@@ -1,0 +1,104 @@
+//! What a scenario does otherwise than its program says: a note for each kind, with its first place and the number of them.
+
+use generator::codes;
+use nc::{Kind, Passed};
+
+/// A warning about a program, or about a program on an axis.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// from the list of the generator
+    pub code: &'static str,
+    /// line of the file, from 1, and character of the line; 0: the whole
+    pub line: usize,
+    pub column: usize,
+    pub found: String,
+    /// what the user can do; empty: nothing has to be done
+    pub instead: String,
+}
+
+impl Note {
+    pub(super) fn new(code: &'static str, line: usize, found: impl Into<String>, instead: impl Into<String>) -> Self {
+        Self { code, line, column: 1, found: found.into(), instead: instead.into() }
+    }
+}
+
+/// What the reader has passed over.
+pub(super) fn of(passed: &Passed) -> Note {
+    let Passed { kind, line, column, words, count } = passed;
+    let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
+    let words_of = |what: &str| format!("{}{listed} of {what} passed over", counted(*count, "word"));
+    let (code, found, instead) = match kind {
+        Kind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
+        Kind::Machine => (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", ""),
+        Kind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
+        Kind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
+        Kind::Offset => (
+            codes::NC_OFFSET,
+            words_of("zero offsets") + ": all offsets are taken as 0",
+            "positions of the machine, if several offsets are used",
+        ),
+        Kind::MachinePosition => (
+            codes::NC_OFFSET,
+            format!("{}{listed} to positions of the machine not made: they are unknown", counted(*count, "move")),
+            "`G74 X1`, or `G00` and the position",
+        ),
+        Kind::Skip => (
+            codes::NC_ASSUMED,
+            format!("{} with `/` run, as with the switch off", counted(*count, "block")),
+            "the program without them, if they are skipped on the machine",
+        ),
+        Kind::DwellUnit => (
+            codes::NC_ASSUMED,
+            format!(
+                "{}{listed} with a time of unknown unit: taken as ms from 100 on, below as s",
+                counted(*count, "dwell")
+            ),
+            "`G04 X` and seconds",
+        ),
+        Kind::Preset => (
+            codes::NC_ASSUMED,
+            format!("{} with `G92` taken as another number for the present position", counted(*count, "block")),
+            "positions without `G92`, if the controller adds its numbers to them",
+        ),
+        Kind::NoFeed => (
+            codes::NC_ASSUMED,
+            format!("{} with `G01` before any F: made with vb_max (P-AXIS-00212)", counted(*count, "move")),
+            "`F` and a feed in mm/min",
+        ),
+        Kind::NoEnd => {
+            (codes::NC_ASSUMED, "a program without `M30` or `M2`: its end is the end of the file".to_owned(), "`M30`")
+        }
+        Kind::AfterEnd => (
+            codes::NC_ASSUMED,
+            format!("{} after the end of the program not read", counted(*count, "line")),
+            "a file of one program",
+        ),
+    };
+    Note { code, line: *line, column: *column, found, instead: instead.to_owned() }
+}
+
+/// Things of one kind as they are found: the first one's line, and the number of them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counted {
+    pub(super) line: usize,
+    pub(super) count: usize,
+}
+
+impl Counted {
+    pub(super) fn push(&mut self, line: usize) {
+        if self.count == 0 {
+            self.line = line;
+        }
+        self.count += 1;
+    }
+
+    /// The note, if there is one to make.
+    pub(super) fn note(self, code: &'static str, what: &str, rest: &str, instead: &str) -> Option<Note> {
+        (self.count > 0).then(|| Note::new(code, self.line, counted(self.count, what) + rest, instead))
+    }
+}
+
+/// `1 move`, `2 moves`.
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
