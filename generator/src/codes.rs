@@ -494,4 +494,14 @@ codes! {
          the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
          or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
          (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
+    OTHER_INTERVAL = "AX480", "a recording of another interval than the block's cycle",
+        "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other times. Record \
+         them in the task of the block with its cycle, or leave them out with --map NAME=-. A column of times that counts something else is \
+         left out the same way.";
+    SAMPLES_LOST = "AX481", "a recording in which samples are missing",
+        "The column of times does not go on by one cycle from row to row. The block's state after a gap is unknown, so that nothing after it can \
+         be compared. Record again, or cut the file before the gap.";
+    PROVES_NOTHING = "AX482", "a recording that proves nothing",
+        "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with mode ON, from a \
+         cycle on in which the block is at rest, with the outputs that the move changes.";
 }

@@ -1,37 +1,34 @@
 //! A run that was recorded on a controller, and how far what an engine gives agrees with it.
 
-use crate::csv::{Mistake, samples, signals};
+use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
-use crate::table::Table;
-use compiler::program::Type;
-use portable::{Literal, RealKind};
+use crate::series;
+use crate::signals::{self, Map};
+use crate::table::{Column, Table};
+use crate::written::Precision;
+use portable::Literal;
 
 /// What went into the block, and what came out as far as it was recorded.
 #[derive(Clone, Debug)]
 pub struct Recording {
     /// all inputs
     pub inputs: Samples,
+    /// the positions of those that have a column
+    pub given: Vec<usize>,
     /// the outputs that have a column
     pub outputs: Samples,
     /// their positions among the outputs of the block
     pub recorded: Vec<usize>,
     /// the columns that are no signal of the block
     pub left_out: Vec<String>,
+    /// the columns whose first samples were left out, because another one begins later, and how many
+    pub skipped: Vec<(String, usize)>,
     /// the line of each sample, counted from 1
     pub lines: Vec<usize>,
     /// how the inputs were written, in their order
     pub input_precision: Vec<Precision>,
     /// how the outputs were written that have a column
     pub output_precision: Vec<Precision>,
-}
-
-/// How many digits of the values of a column were written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Precision {
-    /// the most significant digits of a value; 0: all are there, or there is no column
-    pub digits: usize,
-    /// the most digits behind the point
-    decimals: i32,
 }
 
 /// How the values of one signal differ.
@@ -46,107 +43,67 @@ pub struct Error {
 }
 
 /// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do not.
-/// An input without a column keeps its start.
+/// An input without a column keeps its start. Without a shape of inputs only the outputs are read.
 ///
 /// # Errors
 /// All mistakes; that there is no column of an output is one, another sample time than the cycle time is one.
 pub fn read(
-    text: &str,
+    table: &Table<'_>,
     [inputs, outputs]: [&Shape; 2],
-    map: &[(String, String)],
+    is_alone: bool,
+    map: &Map,
     cycle_time_ns: u32,
 ) -> Result<Recording, Vec<Mistake>> {
-    let both = Shape { real: inputs.real, signals: [inputs.signals.as_slice(), &outputs.signals].concat() };
-    let table = Table::read(text);
-    let found = signals(&table, &both, map)?;
-    let first_output = inputs.signals.len();
-    let mut recorded: Vec<usize> =
-        found.iter().flatten().filter_map(|signal| signal.checked_sub(first_output)).collect();
-    recorded.sort_unstable();
-    if recorded.is_empty() {
-        let allowed = outputs.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
-        let found = "no column of an output, so that there is nothing to compare".to_owned();
-        return Err(vec![Mistake { line: 1, column: 1, found, allowed }]);
+    let names = |shape: &Shape| shape.signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>();
+    let first_output = if is_alone { inputs.signals.len() } else { 0 };
+    let both =
+        Shape { real: inputs.real, signals: [&inputs.signals[..first_output], outputs.signals.as_slice()].concat() };
+    let all = names(inputs);
+    let other: Vec<&str> = all.iter().filter(|_| !is_alone).map(String::as_str).collect();
+    let found = signals::of_columns(table, &both, &other, map)?;
+    let mut columns: Vec<usize> = found.iter().flatten().copied().collect();
+    columns.sort_unstable();
+    let (given, of_outputs): (Vec<usize>, Vec<usize>) = columns.iter().partition(|signal| **signal < first_output);
+    if of_outputs.is_empty() {
+        let found = "no column of an output, so that there is nothing to compare";
+        let columns = table.columns.first().map_or("NAME", Column::called);
+        let mistake = Mistake::new([1, 1], found, names(outputs).join(", "));
+        return Err(vec![mistake.instead(format!("--map \"{columns}=SIGNAL\" for the columns of other names"))]);
     }
-    sample_times(&table, &found, cycle_time_ns)?;
-    let all = samples(&table, &found, &both)?;
-    let precision = precisions(&table, &found, &both);
-    let of_outputs: Vec<usize> = recorded.iter().map(|signal| first_output + signal).collect();
+    let read = series::read(table, &found, &both, Some(cycle_time_ns))?;
     let left_out = table.columns.iter().zip(&found).filter(|(_, signal)| signal.is_none());
+    let name = |(signal, count): &(usize, usize)| (both.signals[*signal].name.clone(), *count);
     Ok(Recording {
-        inputs: all.only(&(0..first_output).collect::<Vec<_>>()),
-        outputs: all.only(&of_outputs),
-        left_out: left_out.map(|(column, _)| column.name.to_owned()).collect(),
-        lines: table.rows.iter().map(|row| row.line).collect(),
-        input_precision: precision[..first_output].to_vec(),
-        output_precision: of_outputs.iter().map(|signal| precision[*signal]).collect(),
-        recorded,
+        inputs: read.samples.only(&(0..first_output).collect::<Vec<_>>()),
+        given,
+        outputs: read.samples.only(&of_outputs),
+        left_out: left_out.map(|(column, _)| column.called().to_owned()).collect(),
+        skipped: read.skipped.iter().map(name).collect(),
+        lines: read.lines,
+        input_precision: read.precision[..first_output].to_vec(),
+        output_precision: of_outputs.iter().map(|signal| read.precision[*signal]).collect(),
+        recorded: of_outputs.iter().map(|signal| signal - first_output).collect(),
     })
 }
 
-/// A sample is one cycle of the block.
-fn sample_times(table: &Table<'_>, signals: &[Option<usize>], cycle_time_ns: u32) -> Result<(), Vec<Mistake>> {
-    let cycle = f64::from(cycle_time_ns) / 1e6;
-    let recorded = table.columns.iter().zip(signals).filter(|(_, signal)| signal.is_some());
-    let wrong = recorded.filter_map(|(column, _)| column.sample_time).filter(|(text, _)| {
-        let time = text.replace(',', ".").parse::<f64>();
-        time.is_ok_and(|time| (time - cycle).abs() > 1e-6 * cycle)
-    });
-    let mistakes: Vec<Mistake> = wrong
-        .map(|(text, [line, column])| Mistake {
-            line,
-            column,
-            found: format!("a sample every {text} ms, the block runs every {cycle} ms"),
-            allowed: "a recording of every cycle of the block".to_owned(),
-        })
-        .collect();
-    if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
-}
-
-/// How the values of each signal were written.
-fn precisions(table: &Table<'_>, signals: &[Option<usize>], shape: &Shape) -> Vec<Precision> {
-    let mut all = vec![Precision::default(); shape.signals.len()];
-    for row in &table.rows {
-        for ((_, cell), signal) in table.cells(row).into_iter().flatten().zip(signals) {
-            if let Some(signal) = signal.filter(|signal| shape.signals[*signal].ty == Type::Real) {
-                let (digits, decimals) = written(&cell);
-                let precision = &mut all[signal];
-                precision.digits = precision.digits.max(digits);
-                precision.decimals = precision.decimals.max(decimals);
-            }
-        }
-    }
-    let full = match shape.real {
-        RealKind::F64 => 16,
-        RealKind::F32 => 8,
-    };
-    all.into_iter().map(|precision| if precision.digits > full { Precision::default() } else { precision }).collect()
-}
-
-/// Significant digits and digits behind the point of a number as it was written; all of them if it is written in bits.
-fn written(cell: &str) -> (usize, i32) {
-    if cell.starts_with("0x") {
-        return (usize::MAX, 0);
-    }
-    let (mantissa, exponent) = cell.split_once(['e', 'E']).unwrap_or((cell, "0"));
-    let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count();
-    let behind = mantissa.split_once('.').map_or(0, |(_, behind)| behind.len());
-    (digits, i32::try_from(behind).unwrap_or(0) - exponent.parse::<i32>().unwrap_or(0))
-}
-
-impl Precision {
-    /// What the last digit of a value was worth when it was written.
-    fn unit(self, value: f64) -> f64 {
-        let digits = i32::try_from(self.digits).unwrap_or(0);
-        match self.digits {
-            0 => 0.0,
-            _ if value == 0.0 || !value.is_finite() => libm::pow(10.0, f64::from(-self.decimals)),
-            _ => {
-                let first = libm::floor(libm::log10(value.abs()));
-                libm::pow(10.0, (first + f64::from(1 - digits)).max(f64::from(-self.decimals)))
-            }
-        }
-    }
+/// The inputs of a stimulus, and the positions of those that have a column; columns of `outputs` are left out where the map or an
+/// export names them.
+///
+/// # Errors
+/// All mistakes: unknown and repeated columns, another sample time than the cycle time, bad cells.
+pub fn stimulus(
+    table: &Table<'_>,
+    [inputs, outputs]: [&Shape; 2],
+    map: &Map,
+    cycle_time_ns: u32,
+) -> Result<(Samples, Vec<usize>), Vec<Mistake>> {
+    let other: Vec<&str> = outputs.signals.iter().map(|signal| signal.name.as_str()).collect();
+    let is_mapped = |name: &&str| map.iter().any(|(_, signal)| signal == name);
+    let other: Vec<&str> = other.into_iter().filter(is_mapped).collect();
+    let found = signals::of_columns(table, inputs, &other, map)?;
+    let mut given: Vec<usize> = found.iter().flatten().copied().collect();
+    given.sort_unstable();
+    series::read(table, &found, inputs, Some(cycle_time_ns)).map(|read| (read.samples, given))
 }
 
 impl Recording {

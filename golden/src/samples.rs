@@ -173,6 +173,13 @@ impl Samples {
         Self { shape: shape.clone(), bytes }
     }
 
+    /// Whether two samples differ in a bit.
+    #[must_use]
+    pub fn differs(&self, one: usize, other: usize) -> bool {
+        let frame = self.shape.frame();
+        self.bytes[one * frame..][..frame] != self.bytes[other * frame..][..frame]
+    }
+
     /// The samples' bytes.
     fn frames(&self) -> std::slice::Chunks<'_, u8> {
         self.bytes.chunks(self.shape.frame().max(1))

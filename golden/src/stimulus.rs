@@ -2,7 +2,7 @@
 //!
 //! Everything comes from integers and `libm`, so that every host makes the same bits.
 
-use crate::csv::parse;
+use crate::value::parse;
 use crate::samples::{Samples, Shape};
 use crate::waveform::{Form, Waveform};
 use compiler::program::Type;
