@@ -139,9 +139,15 @@ fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usi
     Mistake::new(place, format!("{found}; the block runs every {cycle} ms"), "a sample of every cycle of the block")
         .coded(codes::OTHER_INTERVAL)
         .instead(format!(
-            "record these columns every {cycle} ms, or leave them out: --map {}=-",
-            wrong.first().map_or("NAME", |(name, ..)| name)
+            "record these columns every {cycle} ms, or leave them out:{}",
+            wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
         ))
+}
+
+/// The option that leaves a column out, as a shell takes it.
+fn option(name: &str) -> String {
+    let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte));
+    if is_plain { format!(" --map {name}=-") } else { format!(" --map \"{name}=-\"") }
 }
 
 /// Where a column of times does not go on by one cycle.

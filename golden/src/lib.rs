@@ -7,7 +7,7 @@
 //!            columns, when they were taken, how many digits they have; mistake: what is wrong with them
 //! engine     the ways to run a block: reference, program, c, rust, and the emitted Structured Text
 //! recording  what a controller recorded, and how far it agrees
-//! evidence   what a recording can prove
+//! evidence   what a recording can prove; explain: which of the commonest mistakes explains that it differs
 //! compare    how many bits of two runs differ, and where first
 //! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
@@ -25,6 +25,7 @@ pub mod csv;
 pub mod engine;
 pub mod evidence;
 pub mod exercise;
+pub mod explain;
 mod instants;
 pub mod mistake;
 pub mod recording;

@@ -6,6 +6,7 @@ use crate::series;
 use crate::signals::{self, Map};
 use crate::table::{Column, Table};
 use crate::written::Precision;
+use compiler::program::Type;
 use portable::Literal;
 
 /// What went into the block, and what came out as far as it was recorded.
@@ -38,8 +39,16 @@ pub struct Error {
     pub largest: f64,
     /// the sample in which it is
     pub sample: usize,
-    /// whether the digits that were written explain all differences
-    pub is_explained: bool,
+    /// the first and the last sample whose difference the digits that were written do not explain
+    pub unexplained: Option<[usize; 2]>,
+}
+
+impl Error {
+    /// Whether the digits that were written explain all differences.
+    #[must_use]
+    pub fn is_explained(&self) -> bool {
+        self.unexplained.is_none()
+    }
 }
 
 /// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do not.
@@ -107,6 +116,42 @@ pub fn stimulus(
 }
 
 impl Recording {
+    /// The same with the first samples only.
+    #[must_use]
+    pub fn first(&self, count: usize) -> Self {
+        Self { inputs: self.inputs.first(count), outputs: self.outputs.first(count), ..self.clone() }
+    }
+
+    /// The same with the inputs of a stimulus, where it has none of its own: every bit of them was given.
+    #[must_use]
+    pub fn with_inputs(self, inputs: &Samples) -> Self {
+        if self.inputs.shape == inputs.shape {
+            return self;
+        }
+        let signals = inputs.shape.signals.len();
+        Self {
+            inputs: inputs.clone(),
+            given: (0..signals).collect(),
+            input_precision: vec![Precision::default(); signals],
+            ..self
+        }
+    }
+
+    /// The same of values that were rounded once more, when all were multiplied by a factor, or when they are not the bits of the
+    /// block: then not every bit must agree.
+    pub(crate) fn inexact(mut self, factor: Option<f64>) -> Self {
+        let (real, factor) = (self.outputs.shape.real, factor.unwrap_or(1.0));
+        for given in &self.given {
+            self.input_precision[*given] = self.input_precision[*given].inexact(real, factor);
+        }
+        for (precision, signal) in self.output_precision.iter_mut().zip(&self.outputs.shape.signals) {
+            if signal.ty == Type::Real {
+                *precision = precision.inexact(real, factor);
+            }
+        }
+        self
+    }
+
     /// Inputs that would have been written the same: each real is moved by half of what its last digit was worth, up or down.
     /// `None`: the inputs are exact, or all outputs are, so that nothing excuses an error of theirs.
     #[must_use]
@@ -143,14 +188,16 @@ impl Recording {
             moved.map(|moved| signals.clone().map(|signal| changes(computed, moved, signal)).collect::<Vec<_>>());
         let of = |signal: usize| {
             let allowance = change.as_ref().map_or(0.0, |change| 2.0 * change[signal]);
-            let mut error = Error { largest: 0.0, sample: 0, is_explained: true };
+            let mut error = Error { largest: 0.0, sample: 0, unexplained: None };
             for (sample, [recorded, computed]) in pairs(&self.outputs, computed, signal) {
                 let difference = apart(recorded, computed);
                 let unit = number(recorded).map_or(0.0, |value| self.output_precision[signal].unit(value));
                 // Of a real whose bits were recorded nothing explains a difference.
                 let is_written_so = unit > 0.0 || matches!(recorded, Literal::I32(_));
                 let is_near = difference <= (0.5 * unit + allowance) * (1.0 + 1e-12);
-                error.is_explained &= recorded == computed || is_written_so && is_near;
+                if recorded != computed && !(is_written_so && is_near) {
+                    error.unexplained = Some([error.unexplained.map_or(sample, |[first, _]| first), sample]);
+                }
                 if difference > error.largest {
                     error = Error { largest: difference, sample, ..error };
                 }

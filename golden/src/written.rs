@@ -52,6 +52,20 @@ fn written(cell: &str) -> (usize, i32) {
 }
 
 impl Precision {
+    /// The same of a value that was rounded once more, when it was multiplied by a factor.
+    pub(crate) fn inexact(self, real: RealKind, factor: f64) -> Self {
+        let full = match real {
+            RealKind::F64 => 15,
+            RealKind::F32 => 7,
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "a few decades")]
+        let decades = libm::floor(-libm::log10(factor)) as i32;
+        match self.digits {
+            0 => Self { digits: full, decimals: 320 },
+            _ => Self { digits: self.digits.min(full), decimals: self.decimals - decades },
+        }
+    }
+
     /// What the last digit of a value was worth when it was written.
     pub(crate) fn unit(self, value: f64) -> f64 {
         let digits = i32::try_from(self.digits).unwrap_or(0);

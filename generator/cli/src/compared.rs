@@ -11,6 +11,7 @@ use golden::compare::{self, Difference, compare};
 use golden::csv::{self, Reals};
 use golden::engine::{self, Engine};
 use golden::evidence::{Evidence, Lack, Mode};
+use golden::explain::{self, Agreement, Case, Explanation};
 use golden::recording::{self, Recording};
 use golden::samples::Samples;
 use golden::written::Precision;
@@ -21,6 +22,8 @@ pub struct Subject<'s> {
     pub designed: &'s Designed,
     pub block: &'s Block,
     pub engine: Engine,
+    /// the other axes of the set
+    pub others: Vec<&'s Designed>,
 }
 
 /// What moved, how much of it with mode ON, and what was taken for granted.
@@ -72,7 +75,7 @@ pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
 
 /// Says how a recording differs from what an engine gave for these inputs; gives whether it agrees.
 pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subject: &Subject<'_>) -> Result<bool, Exit> {
-    let Subject { designed, block, engine } = subject;
+    let Subject { designed, block, engine, .. } = subject;
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
     let outputs = found.only(&recording.recorded);
     let Difference { bits, first } = compare(&outputs, &recording.outputs);
@@ -88,7 +91,7 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
     let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
     let moved = moved.map(|moved| moved.only(&recording.recorded));
     let errors = recording.errors(&outputs, moved.as_ref());
-    let agrees = errors.iter().all(|error| error.is_explained) && outputs.len() == recording.outputs.len();
+    let agrees = errors.iter().all(recording::Error::is_explained) && outputs.len() == recording.outputs.len();
     if let Some(first) = first.filter(|_| !agrees) {
         first_difference(&first, recording)?;
     }
@@ -101,7 +104,33 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
             largest_error(error, name, *precision, recording, subject)?;
         }
     }
+    if let Some(first) = errors.iter().filter_map(|error| error.unexplained).map(|[first, _]| first).min() {
+        explanation(recording, inputs, first, subject)?;
+    }
     Ok(agrees)
+}
+
+/// Names the mistake that explains the difference, or says that none does.
+fn explanation(recording: &Recording, inputs: &Samples, first: usize, subject: &Subject<'_>) -> Result<(), Exit> {
+    let Subject { designed, block, others, .. } = subject;
+    let recording = recording.clone().with_inputs(inputs);
+    let (found, tried) = explain::explain(&Case { designed, block, recording, others: others.clone() }, first);
+    for (at, Explanation { said, agreement }) in found.iter().enumerate() {
+        let or = if at == 0 { "explained" } else { "or" };
+        let how = match agreement {
+            Agreement::EveryBit => "; with that undone every bit agrees",
+            Agreement::EveryDigit => "; with that undone every sample agrees within its digits",
+            Agreement::InPart => "",
+        };
+        output::line(format!("{or}: {said}{how}"))?;
+    }
+    if found.is_empty() {
+        output::line(format!(
+            "not explained by any of {tried} mistakes (sign, factor, swapped or late columns, sampling, start, lost samples, cycle time, real \
+             type, axis): the block on the machine probably has other parameters; compare with the set of that day, and the digest in its head"
+        ))?;
+    }
+    Ok(())
 }
 
 fn largest_error(
@@ -111,10 +140,10 @@ fn largest_error(
     recording: &Recording,
     subject: &Subject<'_>,
 ) -> Result<(), Exit> {
-    let recording::Error { largest, sample, is_explained } = *error;
+    let recording::Error { largest, sample, .. } = *error;
     let unit = subject.unit(name);
     let line = recording.lines.get(sample).copied().unwrap_or_default();
-    let verdict = match (precision.digits, is_explained) {
+    let verdict = match (precision.digits, error.is_explained()) {
         (0, true) => "; the digits recorded of the inputs explain it".to_owned(),
         (0, false) => String::new(),
         (digits, true) => format!("; agrees within the {} recorded", counted(digits, "digit")),

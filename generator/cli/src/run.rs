@@ -77,7 +77,8 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     }
     let (Some(recording), Some(file)) = (recording, request.compare.as_deref()) else { return Ok(Exit::Done) };
     let evidence = evidence::of(&inputs, &given, &recording);
-    let subject = compared::Subject { designed, block: &block, engine };
+    let others = set.axes.iter().filter(|other| other.axis.name != designed.axis.name).collect();
+    let subject = compared::Subject { designed, block: &block, engine, others };
     compared::evidence(&evidence, &recording, &subject)?;
     let agrees = compared::agreement(&recording, &inputs, found, &subject)?;
     let proves = compared::proof(&evidence, file, format);
