@@ -56,9 +56,9 @@ impl<'t> Instants<'t> {
         }
     }
 
-    /// The usual step: the one in the middle.
+    /// The usual step: the one in the middle of those that go on.
     fn step(&self) -> Option<i64> {
-        let mut steps: Vec<i64> = self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).collect();
+        let mut steps: Vec<i64> = self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).filter(|step| *step > 0).collect();
         let middle = steps.len() / 2;
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }

@@ -152,6 +152,14 @@ impl Recording {
         self
     }
 
+    /// The same with so many digits at the most.
+    pub(crate) fn up_to(mut self, digits: usize) -> Self {
+        for precision in self.input_precision.iter_mut().chain(&mut self.output_precision) {
+            precision.digits = precision.digits.min(digits);
+        }
+        self
+    }
+
     /// Inputs that would have been written the same: each real is moved by half of what its last digit was worth, up or down.
     /// `None`: the inputs are exact, or all outputs are, so that nothing excuses an error of theirs.
     #[must_use]

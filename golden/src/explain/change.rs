@@ -163,7 +163,7 @@ impl Change {
             }
             Self::Axis(at) => format!("it is the block of the axis {}", case.others[*at].axis.name),
             Self::StageOff(stage) => {
-                format!("the block has other parameters: stage[{stage}] is not active in it, or its weight is 0")
+                format!("the block has other parameters: stage[{stage}] is not active in it")
             }
         }
     }

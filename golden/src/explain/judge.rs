@@ -8,9 +8,9 @@ use crate::samples::Samples;
 
 /// How all samples agree without this mistake, if they do.
 pub(super) fn agrees(case: &Case<'_>, change: &Change) -> Option<Agreement> {
-    let Undone { recording, block, skip } = undo(case, change)?;
+    let Undone { recording, block } = undo(case, change)?;
     let (designed, block) = block.as_ref().map_or((case.designed, case.block), |(designed, block)| (designed, block));
-    let run = |inputs: &Samples| answers(designed, block, inputs).only(&recording.recorded).after(skip);
+    let run = |inputs: &Samples| answers(designed, block, inputs).only(&recording.recorded);
     let found = run(&recording.inputs).first(recording.outputs.len());
     if found.bytes == recording.outputs.bytes {
         return Some(Agreement::EveryBit);

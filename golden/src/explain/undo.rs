@@ -14,19 +14,17 @@ pub(super) struct Undone {
     pub recording: Recording,
     /// the block, where it is another one
     pub block: Option<(Designed, Block)>,
-    /// answers before the first that was recorded
-    pub skip: usize,
 }
 
 /// None: the recording cannot have this mistake.
 pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
-    let of = |recording: Recording| Some(Undone { recording, block: None, skip: 0 });
+    let of = |recording: Recording| Some(Undone { recording, block: None });
     let recording = &case.recording;
     match change {
         Change::Sign(columns) => of(scaled(recording, columns, -1.0)),
         Change::Factor(columns, factor) => of(scaled(recording, columns, 1.0 / factor).inexact(Some(*factor))),
         Change::Swapped(one, other) => of(swapped(recording, *one, *other)),
-        Change::OutputsLate(cycles) => outputs_late(recording, *cycles),
+        Change::OutputsLate(cycles) => of(outputs_late(recording, *cycles)?),
         Change::InputLate(at, cycles) => of(input_late(recording, *at, *cycles)?),
         Change::Repeated(times, first) => of(every(recording, *times, *first)?),
         Change::Constant(at, value) => of(each(recording, |inputs, _| inputs[*at] = *value)),
@@ -108,17 +106,15 @@ fn swapped(recording: &Recording, one: At, other: At) -> Recording {
 }
 
 /// The outputs against inputs of other samples; what has no partner is left out.
-fn outputs_late(recording: &Recording, cycles: i32) -> Option<Undone> {
+fn outputs_late(recording: &Recording, cycles: i32) -> Option<Recording> {
     let count = usize::try_from(cycles.unsigned_abs()).ok()?;
     let rest = recording.outputs.len().checked_sub(count).filter(|rest| *rest > 0)?;
-    let mut recording = recording.clone();
-    if cycles > 0 {
-        recording.inputs = recording.inputs.first(rest);
-        recording.outputs = recording.outputs.after(count);
-        return Some(Undone { recording, block: None, skip: 0 });
-    }
-    recording.outputs = recording.outputs.first(rest);
-    Some(Undone { recording, block: None, skip: count })
+    let Recording { inputs, outputs, .. } = recording;
+    let (inputs, outputs) = match cycles > 0 {
+        true => (inputs.first(rest), outputs.after(count)),
+        false => (inputs.after(count), outputs.first(rest)),
+    };
+    Some(Recording { inputs, outputs, ..recording.clone() })
 }
 
 /// One input with the values of other samples; where they lie beyond the first sample, the first one stands.
@@ -181,7 +177,7 @@ fn other_block(case: &Case<'_>, designed: Designed) -> Option<Undone> {
     // What was read as single precision has lost the digits of a double.
     let is_longer = old.inputs.shape.real == RealKind::F32 && designed.axis.real == RealKind::F64;
     let recording = if is_longer { recording.inexact(None) } else { recording };
-    Some(Undone { recording, block: Some((designed, block)), skip: 0 })
+    Some(Undone { recording, block: Some((designed, block)) })
 }
 
 /// The same values in another real type.

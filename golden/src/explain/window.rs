@@ -12,6 +12,10 @@ use portable::Literal;
 pub(super) const TRIED: usize = 2;
 /// A recording that starts in the middle differs at once.
 const AT_ONCE: usize = 5;
+/// A state decays, and its last bits need longer than a recording is: so many digits must agree again.
+const DIGITS: usize = 9;
+/// The part of the recording that must agree again.
+const AGREEING: usize = 4;
 /// More lost samples are not counted.
 const MOST_LOST: usize = 20;
 /// How many times smaller the error is with the lost samples put back.
@@ -19,7 +23,7 @@ const SMALLER: f64 = 5.0;
 
 /// Whether the recording starts in the middle, or lacks samples at one place.
 pub(super) fn explain(case: &Case<'_>) -> Option<Explanation> {
-    let recording = case.recording.clone().inexact(None);
+    let recording = case.recording.clone().inexact(None).up_to(DIGITS);
     let samples = recording.outputs.len();
     let found = case.answers(&recording.inputs).first(samples);
     let errors = errors(&recording, &found, |inputs| case.answers(inputs));
@@ -28,7 +32,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Explanation> {
     // Enough must agree afterwards, while something moves.
     let agreeing = last + 1..samples;
     let moves = agreeing.clone().skip(1).any(|sample| recording.outputs.differs(sample - 1, sample));
-    if !moves || 2 * agreeing.len() < samples || last - first < AT_ONCE {
+    if !moves || AGREEING * agreeing.len() < samples || last - first < AT_ONCE {
         return None;
     }
     let line = |sample: usize| recording.lines.get(sample).copied().unwrap_or_default();

@@ -9,10 +9,10 @@ fn what_moves_and_what_was_taken_is_said_first() {
     let lines: Vec<&str> = run.out.lines().collect();
     assert!(lines[0].starts_with("moved: v_motor 0 to "), "{}", run.out);
     assert!(lines[0].contains(" um/s, v_add -"), "{}", run.out);
-    assert!(lines[0].ends_with("; in 1499 of 1500 samples, 1499 of them with mode ON"), "{}", run.out);
+    assert!(lines[0].ends_with("; in 2999 of 3000 samples, 2999 of them with mode ON"), "{}", run.out);
     assert!(lines[1].starts_with("no column, taken at the start value: v_command 0, v_direct 0, "), "{}", run.out);
     assert!(lines[1].contains(", mode 1, position_controlled 1, reset 0, "), "{}", run.out);
-    assert!(lines[2].starts_with("v_add against engine reference, 1500 samples: "), "{}", run.out);
+    assert!(lines[2].starts_with("v_add against engine reference, 3000 samples: "), "{}", run.out);
 }
 
 /// A recording with a column `mode`, and what is said of it on standard error.

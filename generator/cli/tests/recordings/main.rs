@@ -75,7 +75,7 @@ impl Recording {
     fn of(folder: &Path, set: &str, axis: &str, decimals: Option<usize>) -> Self {
         let time = |cycle: u32| f64::from(cycle) / 1000.0;
         let rounded = |value: f64| decimals.map_or(value, |decimals| format!("{value:.decimals$}").parse().unwrap());
-        let inputs = (0..1500).map(|cycle| {
+        let inputs = (0..3000).map(|cycle| {
             let ramp = 40_000.0 * (time(cycle) * 4.0).min(1.0);
             let motor = ramp + 300.0 * (time(cycle) * 333.0).sin() + f64::from(cycle * 37 % 11) * time(cycle);
             vec![rounded(ramp + 90.0 * (time(cycle) * 107.0).sin()), rounded(motor)]
