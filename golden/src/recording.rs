@@ -187,6 +187,14 @@ impl Recording {
         Some(moved)
     }
 
+    /// The largest magnitude of a recorded output.
+    #[must_use]
+    pub fn largest(&self, signal: usize) -> f64 {
+        pairs(&self.outputs, &self.outputs, signal)
+            .filter_map(|(_, [value, _])| number(value))
+            .fold(0.0, |largest, value| if value.abs() > largest { value.abs() } else { largest })
+    }
+
     /// How the recorded outputs differ from those that an engine gives; `moved` are those for moved inputs. An error is explained
     /// by half of what the last digit was worth, together with twice what the moved inputs change at the most.
     #[must_use]

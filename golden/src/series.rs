@@ -28,8 +28,9 @@ struct Series<'t> {
     lines: Vec<usize>,
     written: Written,
     wrong: Wrong,
-    /// a cell without a value, after which one came: where; and how many
-    blank: Option<Row<'t>>,
+    /// cells without a value since the last one: where, and how many
+    blank: Option<([usize; 2], usize)>,
+    /// those after which a value came
     missing: Option<([usize; 2], usize)>,
 }
 
@@ -158,13 +159,12 @@ impl<'t> Series<'t> {
         let has_time = self.column.time.is_none_or(|time| cells.get(time.cell).is_some_and(|time| !time.is_empty()));
         if cell.is_empty() && table.is_export {
             if has_time {
-                self.blank.get_or_insert(*row);
+                self.blank.get_or_insert(([row.line, 1], 0)).1 += 1;
             }
             return;
         }
-        if let Some(blank) = self.blank.take() {
-            let (first, count) = self.missing.unwrap_or(([blank.line, 1], 0));
-            self.missing = Some((first, count + 1));
+        if let Some((place, count)) = self.blank.take() {
+            self.missing.get_or_insert((place, 0)).1 += count;
         }
         let content = table.number(cell);
         let signal = &self.values.shape.signals[0];
