@@ -41,9 +41,22 @@ pub struct Error {
     pub sample: usize,
     /// the first and the last sample whose difference the digits that were written do not explain
     pub unexplained: Option<[usize; 2]>,
+    /// the largest difference that those digits would explain
+    pub allowance: f64,
+    /// the largest magnitude that was recorded
+    pub scale: f64,
 }
 
+/// Digits that explain more than this part of a signal prove nothing.
+const VAGUE: f64 = 0.05;
+
 impl Error {
+    /// Whether the digits that were written explain differences as large as the signal nearly is.
+    #[must_use]
+    pub fn is_vague(&self) -> bool {
+        self.largest > 0.0 && self.allowance > VAGUE * self.scale
+    }
+
     /// Whether the digits that were written explain all differences.
     #[must_use]
     pub fn is_explained(&self) -> bool {
@@ -188,8 +201,7 @@ impl Recording {
     }
 
     /// The largest magnitude of a recorded output.
-    #[must_use]
-    pub fn largest(&self, signal: usize) -> f64 {
+    fn largest(&self, signal: usize) -> f64 {
         pairs(&self.outputs, &self.outputs, signal)
             .filter_map(|(_, [value, _])| number(value))
             .fold(0.0, |largest, value| if value.abs() > largest { value.abs() } else { largest })
@@ -204,13 +216,16 @@ impl Recording {
             moved.map(|moved| signals.clone().map(|signal| changes(computed, moved, signal)).collect::<Vec<_>>());
         let of = |signal: usize| {
             let allowance = change.as_ref().map_or(0.0, |change| 2.0 * change[signal]);
-            let mut error = Error { largest: 0.0, sample: 0, unexplained: None };
+            let mut error =
+                Error { largest: 0.0, sample: 0, unexplained: None, allowance, scale: self.largest(signal) };
             for (sample, [recorded, computed]) in pairs(&self.outputs, computed, signal) {
                 let difference = apart(recorded, computed);
                 let unit = number(recorded).map_or(0.0, |value| self.output_precision[signal].unit(value));
+                let half = 0.5 * unit + allowance;
+                error.allowance = if half > error.allowance { half } else { error.allowance };
                 // Of a real whose bits were recorded nothing explains a difference.
                 let is_written_so = unit > 0.0 || matches!(recorded, Literal::I32(_));
-                let is_near = difference <= (0.5 * unit + allowance) * (1.0 + 1e-12);
+                let is_near = difference <= half * (1.0 + 1e-12);
                 if recorded != computed && !(is_written_so && is_near) {
                     error.unexplained = Some([error.unexplained.map_or(sample, |[first, _]| first), sample]);
                 }

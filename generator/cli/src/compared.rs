@@ -91,7 +91,8 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
     let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
     let moved = moved.map(|moved| moved.only(&recording.recorded));
     let errors = recording.errors(&outputs, moved.as_ref());
-    let agrees = errors.iter().all(recording::Error::is_explained) && outputs.len() == recording.outputs.len();
+    let is_explained = |error: &recording::Error| error.is_explained() && !error.is_vague();
+    let agrees = errors.iter().all(is_explained) && outputs.len() == recording.outputs.len();
     if let Some(first) = first.filter(|_| !agrees) {
         first_difference(&first, recording)?;
     }
@@ -105,7 +106,7 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
         }
     }
     if let Some(first) = errors.iter().filter_map(|error| error.unexplained).map(|[first, _]| first).min() {
-        let last_digits = only_last_digits(&errors, recording);
+        let last_digits = only_last_digits(&errors);
         explanation(recording, inputs, (first, last_digits), subject)?;
     }
     Ok(agrees)
@@ -148,8 +149,8 @@ const TRIED: &str =
     "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real type, axis";
 
 /// Whether no output differs by more than a millionth of its largest value, and no BOOL and no integer at all.
-fn only_last_digits(errors: &[recording::Error], recording: &Recording) -> bool {
-    errors.iter().enumerate().all(|(signal, error)| error.largest <= 1e-6 * recording.largest(signal))
+fn only_last_digits(errors: &[recording::Error]) -> bool {
+    errors.iter().all(|error| error.largest <= 1e-6 * error.scale)
 }
 
 fn largest_error(
@@ -163,6 +164,9 @@ fn largest_error(
     let unit = subject.unit(name);
     let line = recording.lines.get(sample).copied().unwrap_or_default();
     let verdict = match (precision.digits, error.is_explained()) {
+        (_, true) if error.is_vague() => {
+            format!("; the digits recorded would explain {:.2e}{unit}: too few to prove anything", error.allowance)
+        }
         (0, true) => "; the digits recorded of the inputs explain it".to_owned(),
         (0, false) => String::new(),
         (digits, true) => format!("; agrees within the {} recorded", counted(digits, "digit")),

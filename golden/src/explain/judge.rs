@@ -15,7 +15,8 @@ pub(super) fn agrees(case: &Case<'_>, change: &Change) -> Option<Agreement> {
     if found.bytes == recording.outputs.bytes {
         return Some(Agreement::EveryBit);
     }
-    let agrees = found.len() == recording.outputs.len() && errors(&recording, &found, run).iter().all(Error::is_explained);
+    let is_explained = |error: &Error| error.is_explained() && !error.is_vague();
+    let agrees = found.len() == recording.outputs.len() && errors(&recording, &found, run).iter().all(is_explained);
     agrees.then_some(Agreement::EveryDigit)
 }
 

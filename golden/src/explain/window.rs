@@ -2,7 +2,7 @@
 
 use super::judge::errors;
 use super::{Agreement, Case, Explanation};
-use crate::recording::Recording;
+use crate::recording::{Error, Recording};
 use crate::samples::{Samples, Signal};
 use crate::subject::{literal, number};
 use compiler::program::Type;
@@ -27,6 +27,9 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Explanation> {
     let samples = recording.outputs.len();
     let found = case.answers(&recording.inputs).first(samples);
     let errors = errors(&recording, &found, |inputs| case.answers(inputs));
+    if errors.iter().any(Error::is_vague) {
+        return None;
+    }
     let ranges = errors.iter().filter_map(|error| error.unexplained);
     let [first, last] = ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
     // Enough must agree afterwards, while something moves.

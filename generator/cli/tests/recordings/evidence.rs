@@ -59,3 +59,16 @@ fn nothing_that_moves() {
     assert!(err.contains("error[AX482]: proves nothing: no input of the block moves\n"), "{err}");
     assert!(err.contains("error[AX482]: proves nothing: no output that was recorded moves\n"), "{err}");
 }
+
+/// Digits so few that any block would agree.
+#[test]
+fn too_few_digits() {
+    let folder = folder();
+    let mut recording = good(folder.path()).only(&["v_command", "v_motor", "v_add"]);
+    recording.rows.iter_mut().flatten().for_each(|value| *value = (*value / 10_000.0).round() * 10_000.0);
+    let text = recording.csv().replace("0000", "E4");
+    let run = compare(folder.path(), text, &[]);
+    assert_eq!(run.code, 1, "{}", run.out);
+    assert!(run.out.contains("; the digits recorded would explain "), "{}", run.out);
+    assert!(run.out.contains(" um/s: too few to prove anything\n"), "{}", run.out);
+}
