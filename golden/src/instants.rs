@@ -58,7 +58,8 @@ impl<'t> Instants<'t> {
 
     /// The usual step: the one in the middle of those that go on.
     fn step(&self) -> Option<i64> {
-        let mut steps: Vec<i64> = self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).filter(|step| *step > 0).collect();
+        let mut steps: Vec<i64> =
+            self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).filter(|step| *step > 0).collect();
         let middle = steps.len() / 2;
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
@@ -108,8 +109,10 @@ pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_ti
             wrong_interval(times, cycle_time_ns).map(|text| (text, column.place))
         })
     };
-    let wrong: Vec<(&str, String, [usize; 2])> =
-        columns.iter().filter_map(|column| interval(column).map(|(text, place)| (column.called(), text, place))).collect();
+    let wrong: Vec<(&str, String, [usize; 2])> = columns
+        .iter()
+        .filter_map(|column| interval(column).map(|(text, place)| (column.called(), text, place)))
+        .collect();
     if let Some((_, first, place)) = wrong.first() {
         return vec![other_interval(&wrong, first, *place, cycle)];
     }
@@ -178,19 +181,27 @@ fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
     Some(
         Mistake::new([first, 1], found, "one sample in every cycle of the block, in their order")
             .coded(codes::SAMPLES_LOST)
-            .instead("record again with fewer channels or a larger buffer, or cut the file before the first of these lines"),
+            .instead(
+                "record again with fewer channels or a larger buffer, or cut the file before the first of these lines",
+            ),
     )
 }
 
 /// How many cycles a column begins before the latest one.
-pub(crate) fn cycles_between(column: &Column<'_>, first: i128, latest: i128, cycle_time_ns: u32) -> Result<usize, Mistake> {
+pub(crate) fn cycles_between(
+    column: &Column<'_>,
+    first: i128,
+    latest: i128,
+    cycle_time_ns: u32,
+) -> Result<usize, Mistake> {
     let cycle = i128::from(cycle_time_ns);
     let cycles = (latest - first + cycle / 2) / cycle;
     let rest = (latest - first - cycles * cycle).abs();
     if 4 * rest > cycle {
         #[expect(clippy::cast_precision_loss, reason = "for a message")]
         let apart = rest as f64 / 1e6;
-        let found = format!("the column `{}` was sampled {apart} ms beside the others", column.called().escape_default());
+        let found =
+            format!("the column `{}` was sampled {apart} ms beside the others", column.called().escape_default());
         return Err(Mistake::new(column.place, found, "columns that were sampled in the same cycles")
             .coded(codes::OTHER_INTERVAL)
             .instead("record all columns in the task of the block"));

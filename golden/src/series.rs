@@ -1,10 +1,10 @@
 //! The values of a table's columns, column by column, and how they were written; when they were taken says `instants.rs`.
 
-use crate::value::{allowed, parse};
 use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
 use crate::table::{Column, Row, Table, TimeColumn};
+use crate::value::{allowed, parse};
 use crate::written::{Precision, Written};
 use portable::{Literal, RealKind};
 
@@ -83,7 +83,8 @@ pub(crate) fn read(
         mistakes.extend(series.missing.map(|(place, count)| missing(place, series.column, count)));
     }
     if let Some(cycle_time_ns) = cycle_time_ns.filter(|_| mistakes.is_empty()) {
-        mistakes = instants::mistakes(&series.iter().map(|series| series.column).collect::<Vec<_>>(), &times, cycle_time_ns);
+        mistakes =
+            instants::mistakes(&series.iter().map(|series| series.column).collect::<Vec<_>>(), &times, cycle_time_ns);
     }
     let offsets = cycle_time_ns.map(|cycle| offsets(&series, &times, cycle));
     let offsets = match offsets {
@@ -102,12 +103,7 @@ pub(crate) fn read(
 }
 
 /// Reads all rows once; gives what is wrong with their lengths.
-fn read_rows<'t>(
-    table: &Table<'t>,
-    series: &mut [Series<'t>],
-    times: &mut [Instants<'t>],
-    real: RealKind,
-) -> Wrong {
+fn read_rows<'t>(table: &Table<'t>, series: &mut [Series<'t>], times: &mut [Instants<'t>], real: RealKind) -> Wrong {
     let (mut cells, mut rows) = (Vec::new(), Wrong::default());
     for row in &table.rows {
         if let Err([found, right]) = table.cells(row, &mut cells) {

@@ -99,7 +99,8 @@ pub fn unknown(map: &Map, tables: &[&Table<'_>]) -> Vec<Mistake> {
         let found = format!("no column `{}`, which --map names", name.escape_default());
         let mistake = Mistake::new(place, found, listed(table.columns.iter().map(Column::called)));
         let is_named = table.columns.iter().all(|column| !column.name.is_empty());
-        let remedy = "the names have blanks, which separate them too: give the channel's SymbolName, or export with tabs";
+        let remedy =
+            "the names have blanks, which separate them too: give the channel's SymbolName, or export with tabs";
         if is_named { mistake } else { mistake.instead(remedy) }
     };
     map.iter().map(|(name, _)| name.as_str()).filter(is_unknown).map(mistake).collect()

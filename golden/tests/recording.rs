@@ -38,7 +38,9 @@ fn errors(y: f64, bits: f64, change: f64) -> Vec<Error> {
 /// Half of the last digit, and twice what the inputs' rounding changes: not three times, not twenty times.
 #[test]
 fn the_allowance_is_twice_the_change_and_half_a_digit() {
-    for (error, is_explained) in [(0.0204, true), (0.0206, false), (0.031, false), (0.2, false), (-0.0204, true), (-0.0206, false)] {
+    for (error, is_explained) in
+        [(0.0204, true), (0.0206, false), (0.031, false), (0.2, false), (-0.0204, true), (-0.0206, false)]
+    {
         let [y, _] = &errors(error, 0.0, 0.01)[..] else { panic!() };
         assert_eq!(y.is_explained(), is_explained, "{error}");
         assert_eq!(y.unexplained, (!is_explained).then_some([1, 1]), "{error}");

@@ -80,7 +80,8 @@ fn written(form: Form) -> String {
     let mut lines = vec![
         ["Name", &quoted("A project")].join(&separator),
         ["File", &quoted("C:\\data\\x.csv")].join(&separator),
-        [&quoted("Starttime of export"), "133000000000000000", &quoted("Montag, 2. M\u{e4}rz"), "15:56:24.376"].join(&separator),
+        [&quoted("Starttime of export"), "133000000000000000", &quoted("Montag, 2. M\u{e4}rz"), "15:56:24.376"]
+            .join(&separator),
         String::new(),
         String::new(),
     ];
@@ -205,8 +206,15 @@ fn decimal_commas_between_commas_are_refused() {
     }
 }
 
-const FORM: Form =
-    Form { separator: '\t', mark: '.', times: Times::PerRate, is_sorted: true, is_full: false, has_end: false, line_end: "\n" };
+const FORM: Form = Form {
+    separator: '\t',
+    mark: '.',
+    times: Times::PerRate,
+    is_sorted: true,
+    is_full: false,
+    has_end: false,
+    line_end: "\n",
+};
 
 /// All channels of other sampling times are named at once.
 #[test]
@@ -217,10 +225,7 @@ fn channels_of_other_sampling_times_are_named_at_once() {
         let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
         assert_eq!(mistake.code, "AX480");
         assert_eq!(mistake.found, "samples every 0.2 ms of fast, every 5 ms of slow; the block runs every 1 ms");
-        assert_eq!(
-            mistake.instead,
-            "record these columns every 1 ms, or leave them out: --map fast=- --map slow=-"
-        );
+        assert_eq!(mistake.instead, "record these columns every 1 ms, or leave them out: --map fast=- --map slow=-");
     }
 }
 
@@ -279,7 +284,10 @@ fn values_that_are_missing_in_the_middle() {
     let text = table.lines().enumerate().map(without).collect::<Vec<_>>().join("\n");
     let mistakes = read(&text, &MAP).unwrap_err();
     let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
-    assert_eq!((mistake.line, mistake.found.as_str()), (31, "3 values are missing in the middle of the column `Motor speed`"));
+    assert_eq!(
+        (mistake.line, mistake.found.as_str()),
+        (31, "3 values are missing in the middle of the column `Motor speed`")
+    );
 }
 
 /// Names with blanks between blanks, which neither the user nor a second channel of the name tells apart.

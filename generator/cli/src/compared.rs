@@ -34,7 +34,8 @@ pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_
         let unit = subject.unit(&span.name);
         format!("{} {} to {}{unit}", span.name, shown(span.least), shown(span.greatest))
     });
-    let of_mode = evidence.mode.map_or_else(String::new, |Mode { moving_on, .. }| format!(", {moving_on} of them with mode ON"));
+    let of_mode =
+        evidence.mode.map_or_else(String::new, |Mode { moving_on, .. }| format!(", {moving_on} of them with mode ON"));
     let count = format!("{} of {}", evidence.moving, counted(evidence.samples, "sample"));
     output::line(format!("moved: {}; in {count}{of_mode}", list(moves.collect())))?;
     if !still.is_empty() && evidence.samples > 0 {
@@ -133,7 +134,9 @@ fn explanation(
     }
     if found.is_empty() {
         let cause = match last_digits {
-            true => "only the last digits differ: other options of the compiler (fused multiply-add, fast math), or another version of the block",
+            true => {
+                "only the last digits differ: other options of the compiler (fused multiply-add, fast math), or another version of the block"
+            }
             false => {
                 "the block on the machine probably has other parameters: compare with the set of that day, and its digest with that in the \
                  head of the generated file"
@@ -145,8 +148,7 @@ fn explanation(
 }
 
 /// What is tried, in words.
-const TRIED: &str =
-    "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real type, axis";
+const TRIED: &str = "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real type, axis";
 
 /// Whether no output differs by more than a millionth of its largest value, and no BOOL and no integer at all.
 fn only_last_digits(errors: &[recording::Error]) -> bool {

@@ -49,7 +49,8 @@ pub enum Change {
 const FACTORS: [f64; 8] = [1e3, 1e-3, 60.0, 1.0 / 60.0, 1e6, 1e-6, 360.0, 1.0 / 360.0];
 const CYCLES_LATE: [i32; 20] = [1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8, 9, -9, 10, -10];
 const CYCLE_TIMES: [u32; 12] = [
-    62_500, 125_000, 200_000, 250_000, 400_000, 500_000, 1_000_000, 2_000_000, 4_000_000, 5_000_000, 8_000_000, 10_000_000,
+    62_500, 125_000, 200_000, 250_000, 400_000, 500_000, 1_000_000, 2_000_000, 4_000_000, 5_000_000, 8_000_000,
+    10_000_000,
 ];
 
 /// All that the recording can have.
@@ -74,7 +75,9 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Change> {
     changes.extend(groups.iter().flat_map(factors));
     let all = [given, recorded].concat();
     for (at, (one, ty)) in all.iter().enumerate() {
-        changes.extend(all[at + 1..].iter().filter(|(_, other)| other == ty).map(|(other, _)| Change::Swapped(*one, *other)));
+        changes.extend(
+            all[at + 1..].iter().filter(|(_, other)| other == ty).map(|(other, _)| Change::Swapped(*one, *other)),
+        );
     }
     changes.extend(CYCLES_LATE.map(Change::OutputsLate));
     let moving = reals(&all).into_iter().filter(|(side, _)| *side == Side::Input);

@@ -141,9 +141,8 @@ fn input_late(recording: &Recording, at: usize, cycles: i32) -> Option<Recording
 fn every(recording: &Recording, times: usize, first: usize) -> Option<Recording> {
     let is_new = |sample: usize| sample == 0 || sample % times == first % times;
     let samples = recording.outputs.len();
-    let is_same = |sample: usize| {
-        [&recording.inputs, &recording.outputs].iter().all(|run| !run.differs(sample - 1, sample))
-    };
+    let is_same =
+        |sample: usize| [&recording.inputs, &recording.outputs].iter().all(|run| !run.differs(sample - 1, sample));
     if (1..samples).any(|sample| !is_new(sample) && !is_same(sample)) {
         return None;
     }

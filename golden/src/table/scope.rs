@@ -84,7 +84,8 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
             time = has_times.then_some(TimeColumn { name: "", cell, unit: Unit::OfExport, place });
             continue;
         }
-        let of_names = split_names.as_ref().map(|(row, names)| (names[columns.len()], place(row, names[columns.len()])));
+        let of_names =
+            split_names.as_ref().map(|(row, names)| (names[columns.len()], place(row, names[columns.len()])));
         let name = same(&channels, cell).or(of_names);
         let symbol = same(&symbols, cell);
         columns.push(Column {

@@ -53,11 +53,7 @@ fn samples_are_read_from_regular_files_and_from_standard_input() {
     File::create(path.join("large.csv")).unwrap().set_len((256 << 20) + 1).unwrap();
     let large = "error[AX002]: is too large\n    allowed: 256 MiB\n";
     for option in ["--stimulus", "--compare"] {
-        for (file, said) in [
-            ("pipe.csv", NO_FILE),
-            ("/dev/zero", NO_FILE),
-            ("large.csv", large),
-        ] {
+        for (file, said) in [("pipe.csv", NO_FILE), ("/dev/zero", NO_FILE), ("large.csv", large)] {
             let found = bounded(path, &format!("run axes.toml {option} {file}"), Stdio::null());
             assert_eq!(found, (2, format!("{file}: {said}")));
         }

@@ -80,7 +80,8 @@ impl Recording {
             let motor = ramp + 300.0 * (time(cycle) * 333.0).sin() + f64::from(cycle * 37 % 11) * time(cycle);
             vec![rounded(ramp + 90.0 * (time(cycle) * 107.0).sin()), rounded(motor)]
         });
-        let mut recording = Self { names: ["v_command", "v_motor"].map(str::to_owned).to_vec(), rows: inputs.collect() };
+        let mut recording =
+            Self { names: ["v_command", "v_motor"].map(str::to_owned).to_vec(), rows: inputs.collect() };
         fs::write(folder.join("inputs.csv"), recording.csv()).unwrap();
         let run = axgen(folder, &["run", set, "--axis", axis, "--stimulus", "inputs.csv"]);
         assert_eq!(run.code, 0, "{}", run.err);

@@ -8,7 +8,8 @@ use std::path::Path;
 fn explained(folder: &Path, recording: &Recording) -> String {
     let run = compare(folder, recording.csv(), &[]);
     assert_eq!(run.code, 1, "{}{}", run.out, run.err);
-    let is_verdict = |line: &&str| ["explained: ", "or: ", "not explained "].iter().any(|start| line.starts_with(start));
+    let is_verdict =
+        |line: &&str| ["explained: ", "or: ", "not explained "].iter().any(|start| line.starts_with(start));
     run.out.lines().filter(is_verdict).map(|line| line.to_owned() + "\n").collect()
 }
 
@@ -97,7 +98,10 @@ fn samples_lost() {
     let mut recording = good(folder.path());
     recording.rows.drain(200..203);
     let said = explained(folder.path(), &recording);
-    assert!(said.starts_with("explained: about 3 samples are lost before sample 200 (line 202); from sample "), "{said}");
+    assert!(
+        said.starts_with("explained: about 3 samples are lost before sample 200 (line 202); from sample "),
+        "{said}"
+    );
     assert!(said.ends_with(" on every sample agrees\n"), "{said}");
 }
 
@@ -107,7 +111,8 @@ fn started_in_the_middle() {
     let mut recording = good(folder.path());
     recording.rows.drain(..150);
     let said = explained(folder.path(), &recording);
-    let start = "explained: the recording starts in the middle, the block was not at rest at its first sample; from sample ";
+    let start =
+        "explained: the recording starts in the middle, the block was not at rest at its first sample; from sample ";
     assert!(said.starts_with(start), "{said}");
 }
 
@@ -154,7 +159,8 @@ fn another_axis() {
 #[test]
 fn other_parameters() {
     let folder = folder();
-    let said = explained(folder.path(), &of_another(folder.path(), "mode = \"SET_POINT\"", "mode = \"NOT_ACTIVE\"", "X"));
+    let said =
+        explained(folder.path(), &of_another(folder.path(), "mode = \"SET_POINT\"", "mode = \"NOT_ACTIVE\"", "X"));
     let expected = "explained: the block has other parameters: stage[1] is not active in it";
     assert_eq!(said, format!("{expected}; {EVERY_BIT}"));
     let said = explained(folder.path(), &of_another(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0", "X"));

@@ -25,7 +25,9 @@ fn number(sample: usize) -> f64 {
 
 #[test]
 fn times_of_the_cycle_are_taken_in_any_unit() {
-    for (name, step) in [("time [s]", 0.001), ("t", 0.001), ("Zeit(ms)", 1.0), ("time", 1.0), ("time_us", 1000.0), ("t", 1e6)] {
+    for (name, step) in
+        [("time [s]", 0.001), ("t", 0.001), ("Zeit(ms)", 1.0), ("time", 1.0), ("time_us", 1000.0), ("t", 1e6)]
+    {
         let (folder, text) = with_times(name, |sample| 5.0 + number(sample) * step);
         let run = compare(folder.path(), text, &[]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{name} {step}: {}", run.out);
@@ -44,7 +46,11 @@ fn times_of_another_interval() {
     // What the times count is not known: then it is the user who says that they are none.
     let (folder, text) = with_times("time", |sample| 2.0 * number(sample));
     let run = compare(folder.path(), &text, &[]);
-    assert!(run.err.contains("error[AX480]: a sample every 2 of `time`, which has no unit, of v_command"), "{}", run.err);
+    assert!(
+        run.err.contains("error[AX480]: a sample every 2 of `time`, which has no unit, of v_command"),
+        "{}",
+        run.err
+    );
     let run = compare(folder.path(), &text, &["--map", "time=-"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
 }
@@ -55,7 +61,11 @@ fn times_with_a_gap() {
     let (folder, text) = with_times("time[ms]", time);
     let run = compare(folder.path(), &text, &[]);
     assert_eq!(run.code, 2);
-    assert!(run.err.starts_with("recorded.csv:702:1: error[AX481]: 4 samples are missing: before line 702\n"), "{}", run.err);
+    assert!(
+        run.err.starts_with("recorded.csv:702:1: error[AX481]: 4 samples are missing: before line 702\n"),
+        "{}",
+        run.err
+    );
     assert!(run.err.contains("write instead: record again"), "{}", run.err);
     // A scope that fills gaps with the previous value.
     let (folder, text) = with_times("time[ms]", |sample| number(sample / 2));

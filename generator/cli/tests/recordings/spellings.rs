@@ -10,7 +10,9 @@ fn export(recording: &Recording) -> String {
         let own: String = cells.iter().map(|cell| format!("{key};{cell};")).collect();
         format!("{own}{key};{last}\n")
     };
-    let mut text = "Name;Scope Project;\nFile;C:\\x.svdx;\nStarttime of export;133000000000000000;1. M\u{e4}rz;15:56:24.376\n\n".to_owned();
+    let mut text =
+        "Name;Scope Project;\nFile;C:\\x.svdx;\nStarttime of export;133000000000000000;1. M\u{e4}rz;15:56:24.376\n\n"
+            .to_owned();
     text += &head("Name", names, "Temperatur");
     text += &head("SampleTime[ms]", ["1"; 4], "5");
     text += &head("SymbolName", ["MAIN.a", "MAIN.b", "MAIN.c", "MAIN.d"], "MAIN.t");
@@ -37,7 +39,11 @@ fn an_export_in_latin_1_is_compared() {
     for bytes in [latin_1(&text), text.into_bytes()] {
         let run = compare(folder.path(), bytes, &[INPUTS, OUTPUTS].concat());
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
-        assert!(run.out.contains(", 3000 samples: 0 differing bits\nleft out, no signal of ipc: Temperatur\n"), "{}", run.out);
+        assert!(
+            run.out.contains(", 3000 samples: 0 differing bits\nleft out, no signal of ipc: Temperatur\n"),
+            "{}",
+            run.out
+        );
     }
 }
 
