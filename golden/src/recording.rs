@@ -132,7 +132,22 @@ impl Recording {
     /// The same with the first samples only.
     #[must_use]
     pub fn first(&self, count: usize) -> Self {
-        Self { inputs: self.inputs.first(count), outputs: self.outputs.first(count), ..self.clone() }
+        self.with_samples(self.inputs.first(count), self.outputs.first(count))
+    }
+
+    /// The same with other samples.
+    pub(crate) fn with_samples(&self, inputs: Samples, outputs: Samples) -> Self {
+        Self {
+            inputs,
+            outputs,
+            given: self.given.clone(),
+            recorded: self.recorded.clone(),
+            left_out: self.left_out.clone(),
+            skipped: self.skipped.clone(),
+            lines: self.lines.clone(),
+            input_precision: self.input_precision.clone(),
+            output_precision: self.output_precision.clone(),
+        }
     }
 
     /// The same with the inputs of a stimulus, where it has none of its own: every bit of them was given.

@@ -52,8 +52,7 @@ pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
 
 /// With other values in each sample: all inputs, and the outputs that were recorded.
 fn each(recording: &Recording, mut change: impl FnMut(&mut [Literal], &mut [Literal])) -> Recording {
-    let mut changed = recording.clone();
-    (changed.inputs.bytes.clear(), changed.outputs.bytes.clear());
+    let mut changed = recording.first(0);
     let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
     for sample in 0..recording.inputs.len().min(recording.outputs.len()) {
         recording.inputs.read(sample, &mut inputs);
@@ -114,7 +113,7 @@ fn outputs_late(recording: &Recording, cycles: i32) -> Option<Recording> {
         true => (inputs.first(rest), outputs.after(count)),
         false => (inputs.after(count), outputs.first(rest)),
     };
-    Some(Recording { inputs, outputs, ..recording.clone() })
+    Some(recording.with_samples(inputs, outputs))
 }
 
 /// One input with the values of other samples; where they lie beyond the first sample, the first one stands.
@@ -146,11 +145,8 @@ fn every(recording: &Recording, times: usize, first: usize) -> Option<Recording>
     if (1..samples).any(|sample| !is_new(sample) && !is_same(sample)) {
         return None;
     }
-    let mut kept = recording.clone();
     let chosen: Vec<usize> = (0..samples).filter(|sample| is_new(*sample)).collect();
-    kept.inputs = recording.inputs.samples(&chosen);
-    kept.outputs = recording.outputs.samples(&chosen);
-    Some(kept)
+    Some(recording.with_samples(recording.inputs.samples(&chosen), recording.outputs.samples(&chosen)))
 }
 
 /// The recording as that of the same block of another axis.

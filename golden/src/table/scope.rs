@@ -42,62 +42,96 @@ struct Row<'t> {
     cells: Vec<&'t str>,
 }
 
+/// The rows about the channels.
+struct Rows<'t> {
+    names: Option<Row<'t>>,
+    symbols: Option<Row<'t>>,
+    types: Option<Row<'t>>,
+    sample_times: Option<Row<'t>>,
+}
+
+/// The row that says which cell is a channel and which is a time.
+struct Layout<'r, 't> {
+    row: &'r Row<'t>,
+    /// whether samples have times
+    has_times: bool,
+}
+
 /// Reads the head; `wanted` are the channels that the user names.
 pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> Head<'t> {
     let mut cells = Vec::new();
-    let mut is_sample = |line: &&'t str| {
+    let is_sample = |line: &&'t str| {
         cells::split_samples(line, separator, &mut cells);
         cells.iter().find(|cell| !cell.is_empty()).is_some_and(|cell| cells::is_number(cell))
     };
-    let start = lines.iter().position(|line| is_sample(line)).unwrap_or(lines.len());
+    let start = lines.iter().position(is_sample).unwrap_or(lines.len());
     let row = |key: &str| row(&lines[..start], separator, key);
-    let [symbols, types, channels, times] = [SYMBOL, DATA_TYPE, NAME, SAMPLE_TIME].map(row);
-    let rows: Vec<&Row<'_>> = [&symbols, &types, &channels].into_iter().flatten().collect();
-    // The first line of samples decides: a row about the channels has as many cells, or one more if there are no times.
+    let rows = Rows { names: row(NAME), symbols: row(SYMBOL), types: row(DATA_TYPE), sample_times: row(SAMPLE_TIME) };
     let samples = lines.get(start).map(|line| {
         cells::split_samples(line, separator, &mut cells);
         cells.pop_if(|cell| cell.is_empty());
         cells.len()
     });
-    let with = |more: usize| {
-        let is_it = |row: &&&Row<'_>| samples.is_some_and(|samples| row.cells.len() == samples + more);
-        rows.iter().find(is_it).copied()
-    };
-    let timeless = with(1).filter(|row| with(0).is_none() && !row.cells[1..].contains(&row.cells[0]));
-    let has_times = timeless.is_none();
-    let Some(layout) = with(0).or(timeless).or(rows.first().copied()) else {
-        return Head { columns: Vec::new(), cells: 0, start };
-    };
-    let (key, count) = (layout.cells[0], layout.cells.len());
-    let same = |row: &Option<Row<'t>>, cell: usize| {
-        row.as_ref().filter(|row| row.cells.len() == count).map(|row| (row.cells[cell], place(row, row.cells[cell])))
-    };
-    let split_names = channels.as_ref().filter(|row| row.cells.len() != count).and_then(|row| {
-        let group = |group: &[&str]| group.len();
-        let counts: Vec<usize> = layout.cells.split(|cell| *cell == key).skip(1).map(group).collect();
-        Some((row, names::of_groups(row.text, NAME, &counts, wanted)?))
-    });
-    let (mut columns, mut time) = (Vec::new(), None);
-    for cell in 0..count {
-        if layout.cells[cell] == key {
-            let place = place(layout, layout.cells[cell]);
-            time = has_times.then_some(TimeColumn { name: "", cell, unit: Unit::OfExport, place });
-            continue;
-        }
-        let of_names =
-            split_names.as_ref().map(|(row, names)| (names[columns.len()], place(row, names[columns.len()])));
-        let name = same(&channels, cell).or(of_names);
-        let symbol = same(&symbols, cell);
-        columns.push(Column {
-            name: name.map_or("", |(name, _)| name),
-            symbol: symbol.map_or("", |(symbol, _)| symbol),
-            place: name.or(symbol).map_or([layout.line, 1], |(_, place)| place),
-            sample_time: same(&times, cell),
-            cell: if has_times { cell } else { cell - 1 },
-            time,
-        });
+    match rows.layout(samples) {
+        Some(layout) => Head {
+            columns: rows.columns(&layout, wanted),
+            cells: layout.row.cells.len() - usize::from(!layout.has_times),
+            start,
+        },
+        None => Head { columns: Vec::new(), cells: 0, start },
     }
-    Head { columns, cells: if has_times { count } else { count - 1 }, start }
+}
+
+impl<'t> Rows<'t> {
+    /// The first line of samples decides: a row about the channels has as many cells, or one more if there are no times.
+    fn layout(&self, samples: Option<usize>) -> Option<Layout<'_, 't>> {
+        let rows: Vec<&Row<'_>> = [&self.symbols, &self.types, &self.names].into_iter().flatten().collect();
+        let with = |more: usize| {
+            let is_it = |row: &&&Row<'_>| samples.is_some_and(|samples| row.cells.len() == samples + more);
+            rows.iter().find(is_it).copied()
+        };
+        let timeless = with(1).filter(|row| with(0).is_none() && !row.cells[1..].contains(&row.cells[0]));
+        let row = with(0).or(timeless).or(rows.first().copied())?;
+        Some(Layout { row, has_times: timeless.is_none() })
+    }
+
+    /// The channels.
+    fn columns(&self, layout: &Layout<'_, 't>, wanted: &[&str]) -> Vec<Column<'t>> {
+        let Layout { row: Row { line, cells, .. }, has_times } = *layout;
+        let (key, names) = (cells[0], self.split_names(layout.row, wanted));
+        let same = |row: &Option<Row<'t>>, cell: usize| {
+            let row = row.as_ref().filter(|row| row.cells.len() == cells.len())?;
+            Some((row.cells[cell], place(row, row.cells[cell])))
+        };
+        let (mut columns, mut time) = (Vec::new(), None);
+        for (cell, text) in cells.iter().enumerate() {
+            if *text == key {
+                let place = place(layout.row, text);
+                time = has_times.then_some(TimeColumn { name: "", cell, unit: Unit::OfExport, place });
+                continue;
+            }
+            let of_names = names.get(columns.len()).zip(self.names.as_ref());
+            let name = same(&self.names, cell).or(of_names.map(|(name, row)| (*name, place(row, name))));
+            let symbol = same(&self.symbols, cell);
+            columns.push(Column {
+                name: name.map_or("", |(name, _)| name),
+                symbol: symbol.map_or("", |(symbol, _)| symbol),
+                place: name.or(symbol).map_or([*line, 1], |(_, place)| place),
+                sample_time: same(&self.sample_times, cell),
+                cell: if has_times { cell } else { cell - 1 },
+                time,
+            });
+        }
+        columns
+    }
+
+    /// The names where their row has another number of cells, as far as they can be told apart.
+    fn split_names(&self, layout: &Row<'t>, wanted: &[&str]) -> Vec<&'t str> {
+        let names = self.names.as_ref().filter(|row| row.cells.len() != layout.cells.len());
+        let counts: Vec<usize> =
+            layout.cells.split(|cell| *cell == layout.cells[0]).skip(1).map(|group: &[&str]| group.len()).collect();
+        names.and_then(|row| names::of_groups(row.text, NAME, &counts, wanted)).unwrap_or_default()
+    }
 }
 
 /// The row of a key; the first line of the file is about the recording.
