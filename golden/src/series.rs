@@ -4,7 +4,7 @@ use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
 use crate::table::{Column, Row, Table, TimeColumn};
-use crate::value::{allowed, parse};
+use crate::value::{allowed, instead, parse};
 use crate::written::{Precision, Written};
 use portable::{Literal, RealKind};
 
@@ -166,7 +166,10 @@ impl<'t> Series<'t> {
         let signal = &self.values.shape.signals[0];
         let Some(value) = parse(&content, signal, real) else {
             let found = || format!("`{}` for {}", content.escape_default(), signal.name);
-            self.wrong.add(|| Mistake::new(row.place(cell), found(), allowed(signal.ty, real)));
+            self.wrong.add(|| {
+                Mistake::new(row.place(cell), found(), allowed(signal.ty, real))
+                    .instead(instead(&content, signal.ty, real))
+            });
             return;
         };
         self.written.add(&content, value);

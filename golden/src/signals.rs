@@ -41,14 +41,18 @@ pub(crate) fn of_columns(
     }
     for (at, column) in table.columns.iter().enumerate().filter(|_| table.is_export) {
         let by_name = signals[at].is_some() || mapped(table, column, map).is_some();
-        let signal = named(column.symbol, shape, true).filter(|_| !by_name);
-        let same = |other: &Column<'_>| other.symbol == column.symbol;
-        let is_taken = signals.contains(&signal) && !table.columns[..at].iter().any(same);
-        if let Some(signal) = signal.filter(|_| !is_taken) {
-            if signals.contains(&Some(signal)) {
-                mistakes.push(wrong(column, None, true, shape));
+        let Some(signal) = named(column.symbol, shape, true).filter(|_| !by_name) else { continue };
+        let by_symbol = |holder: usize| {
+            let holder = &table.columns[holder];
+            named(holder.name, shape, true) != Some(signal) && mapped(table, holder, map).is_none()
+        };
+        match signals.iter().position(|other| *other == Some(signal)) {
+            None => signals[at] = Some(signal),
+            Some(holder) if by_symbol(holder) => {
+                let remedy = format!("--map \"{}=-\", or another channel of this symbol", column.called());
+                mistakes.push(wrong(column, None, true, shape).instead(remedy));
             }
-            signals[at] = Some(signal);
+            Some(_) => {}
         }
     }
     for (name, _) in map {
@@ -66,10 +70,8 @@ pub(crate) fn of_columns(
 /// What the map says of a column, by its name, or by its symbol where no other channel shows it.
 fn mapped<'m>(table: &Table<'_>, column: &Column<'_>, map: &'m Map) -> Option<&'m str> {
     let of = |name: &str| map.iter().find(|(key, _)| key == name).map(|(_, signal)| signal.as_str());
-    of(column.name).or_else(|| {
-        let is_alone = table.columns.iter().filter(|other| other.symbol == column.symbol).count() == 1;
-        of(column.symbol).filter(|_| is_alone)
-    })
+    let is_alone = |_: &&str| table.columns.iter().filter(|other| other.symbol == column.symbol).count() == 1;
+    of(column.name).or_else(|| of(column.symbol).filter(is_alone))
 }
 
 /// The signal of that name, in an export also of its last part.

@@ -41,3 +41,12 @@ pub(crate) fn allowed(ty: Type, real: RealKind) -> &'static str {
         (Type::Real, RealKind::F32) => "a decimal number, or 0x and 8 hexadecimal digits",
     }
 }
+
+/// What to do about such a cell; empty: what is allowed says it.
+pub(crate) fn instead(cell: &str, ty: Type, real: RealKind) -> &'static str {
+    match (ty, real, cell.strip_prefix("0x").map(str::len)) {
+        (Type::Real, RealKind::F64, Some(8)) => "real = \"f32\" in the set: 8 digits are those of REAL",
+        (Type::Real, RealKind::F32, Some(16)) => "real = \"f64\" in the set: 16 digits are those of LREAL",
+        _ => "",
+    }
+}

@@ -300,3 +300,17 @@ fn names_that_are_not_told_apart_are_replaced_by_symbols() {
     let by_name = [("Motor speed", "v_motor"), ("Command speed", "v_command"), MAP[2]];
     assert_eq!(read(&text, &by_name).unwrap().given, [0, 1]);
 }
+
+/// Two channels of a symbol that is a signal: one of them is chosen, by its name or by the map.
+#[test]
+fn two_channels_of_a_signal() {
+    let both = written(FORM).replace("MAIN.fbX.fVelo", "MAIN.fbX.v_motor");
+    let slow = [("slow", "-"), MAP[2]];
+    let mistakes = read(&both, &slow).unwrap_err();
+    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
+    assert_eq!(mistake.found, "the column `Motor speed (1)` a second time");
+    assert_eq!(mistake.instead, "--map \"Motor speed (1)=-\", or another channel of this symbol");
+    assert_eq!(read(&both, &[("Motor speed (1)", "-"), slow[0], slow[1]]).unwrap().given, [0]);
+    let named = both.replace("\tMotor speed\t", "\tv_motor\t");
+    assert_eq!(read(&named, &slow).unwrap().given, [0]);
+}

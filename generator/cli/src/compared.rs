@@ -4,9 +4,10 @@ use crate::exit::Exit;
 use crate::input::counted;
 use crate::messages::{self, Format};
 use crate::output;
+use crate::recorded::name_of;
 use generator::blocks::{Block, Designed};
 use generator::codes;
-use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
+use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::compare::{self, Difference, compare};
 use golden::csv::{self, Reals};
 use golden::engine::{self, Engine};
@@ -68,7 +69,7 @@ pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
             ),
             Lack::ModeOff => ("proves nothing: mode is OFF throughout", "record a move with mode ON (1)"),
         };
-        report.push(Diagnostic::error(codes::PROVES_NOTHING, Place::whole(file.slashes()), found).instead(instead));
+        report.push(Diagnostic::error(codes::PROVES_NOTHING, Place::whole(name_of(file)), found).instead(instead));
     }
     output::say(&messages::text(&report, format));
     report.diagnostics.is_empty()

@@ -36,6 +36,10 @@ pub fn read(request: &Request, designed: &Designed, block: &Block) -> Result<Giv
         texts.each_ref().map(|text| text.as_deref().map(|text| Table::read(text, &wanted).without(&request.map)));
     let read: Vec<&Table<'_>> = tables.iter().flatten().collect();
     let unknown = signals::unknown(&request.map, &read);
+    if read.is_empty() && !request.map.is_empty() {
+        let found = "names columns of a CSV file: give --stimulus or --compare with it";
+        return Err(Exit::input(codes::USAGE, "--map", found));
+    }
     let is_alone = request.stimulus.is_none() && request.scenario.is_none();
     let recording = tables[1].as_ref().zip(compare).map(|(table, file)| {
         let recording = recording::read(table, [&inputs, &outputs], is_alone, &request.map, cycle);
@@ -94,6 +98,7 @@ fn text(path: &Path) -> Result<String, Exit> {
     })
 }
 
-fn name_of(input: &Path) -> String {
+/// What messages call it.
+pub fn name_of(input: &Path) -> String {
     if is_standard(input) { "standard input".to_owned() } else { input.slashes() }
 }

@@ -1,6 +1,10 @@
 //! The names of channels in a row whose cells are separated by blanks, where names have blanks themselves and no quotation marks.
 
 use super::cells;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A name that stands there a second time has not more words.
+const LONGEST: usize = 8;
 
 /// The names of so many channels, of each group of them: what stands between two keys. None: the row does not tell them apart.
 ///
@@ -9,10 +13,9 @@ pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: 
     let mut words = Vec::new();
     cells::split(line, ' ', &mut words);
     words.retain(|word| !word.is_empty());
-    let mut phrases: Vec<Vec<&str>> = wanted.iter().map(|name| name.split(' ').collect()).collect();
+    let mut phrases: BTreeSet<Vec<&str>> = wanted.iter().map(|name| name.split(' ').collect()).collect();
     phrases.extend(repeated(&words));
-    phrases.retain(|phrase| phrase.len() > 1);
-    phrases.sort_by_key(|phrase| std::cmp::Reverse(phrase.len()));
+    let longest = phrases.iter().map(Vec::len).max().unwrap_or(1);
     let groups: Vec<&[&str]> = words.split(|word| *word == key).skip(1).collect();
     if groups.len() != counts.len() {
         return None;
@@ -22,8 +25,9 @@ pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: 
         let before = names.len();
         let mut rest = group;
         while !rest.is_empty() {
-            let is_next = |phrase: &&Vec<&str>| rest.starts_with(phrase);
-            let length = if group.len() == *count { 1 } else { phrases.iter().find(is_next).map_or(1, Vec::len) };
+            let is_next = |length: &usize| rest.get(..*length).is_some_and(|words| phrases.contains(words));
+            let is_clear = group.len() == *count;
+            let length = if is_clear { 1 } else { (2..=longest).rev().find(is_next).unwrap_or(1) };
             names.push(joined(line, rest[0], rest[length - 1]));
             rest = &rest[length..];
         }
@@ -40,13 +44,14 @@ fn repeated<'t>(words: &[&'t str]) -> Vec<Vec<&'t str>> {
         let digits = word.strip_prefix('(').and_then(|word| word.strip_suffix(')'));
         digits.is_some_and(|digits| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()))
     };
+    let mut counts: BTreeMap<&[&str], usize> = BTreeMap::new();
+    for length in 1..=LONGEST {
+        words.windows(length).for_each(|name| *counts.entry(name).or_default() += 1);
+    }
     let mut phrases = Vec::new();
     for end in (1..words.len()).filter(|at| is_number(words[*at])) {
-        let stands_elsewhere = |from: usize| {
-            let name = &words[from..end];
-            words.windows(name.len()).enumerate().any(|(at, other)| at != from && other == name)
-        };
-        if let Some(from) = (0..end).find(|from| stands_elsewhere(*from)) {
+        let stands_elsewhere = |from: &usize| counts.get(&words[*from..end]).is_some_and(|count| *count > 1);
+        if let Some(from) = (end.saturating_sub(LONGEST)..end).find(stands_elsewhere) {
             phrases.extend([words[from..end].to_vec(), words[from..=end].to_vec()]);
         }
     }

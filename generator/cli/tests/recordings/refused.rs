@@ -89,3 +89,23 @@ fn a_column_of_text() {
     assert!(run.err.starts_with("recorded.csv:2:1: error[AX015]: 3 cells, and 1000 more rows\n"), "{}", run.err);
     assert!(run.err.contains("write instead: export with a decimal point, or with semicolons or tabs"), "{}", run.err);
 }
+
+#[test]
+fn bits_of_the_other_real_type() {
+    let folder = folder();
+    let run = compare(folder.path(), "v_motor,v_add\n0x3f800000,0x3f800000\n", &[]);
+    assert_eq!((run.code, run.err.matches("error[").count()), (2, 2), "{}", run.err);
+    assert!(run.err.contains("write instead: real = \"f32\" in the set: 8 digits are those of REAL\n"), "{}", run.err);
+}
+
+/// A map needs a file whose columns it names.
+#[test]
+fn a_map_without_a_file() {
+    let folder = folder();
+    std::fs::write(folder.path().join("move.nc"), "X1\n").unwrap();
+    let command = ["run", "axes.toml", "--axis", "X", "--scenario", "move.nc", "--map", "a=v_motor"];
+    let run = super::axgen(folder.path(), &command);
+    assert_eq!(run.code, 2);
+    let said = "--map: error[AX011]: names columns of a CSV file: give --stimulus or --compare with it\n";
+    assert_eq!(run.err, said);
+}
