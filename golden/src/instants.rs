@@ -201,7 +201,7 @@ pub(crate) fn cycles_between(
         #[expect(clippy::cast_precision_loss, reason = "for a message")]
         let apart = rest as f64 / 1e6;
         let found =
-            format!("the column `{}` was sampled {apart} ms beside the others", column.called().escape_default());
+            format!("the column `{}` was sampled {apart} ms apart from the others", column.called().escape_default());
         return Err(Mistake::new(column.place, found, "columns that were sampled in the same cycles")
             .coded(codes::OTHER_INTERVAL)
             .instead("record all columns in the task of the block"));

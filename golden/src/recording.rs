@@ -180,7 +180,7 @@ impl Recording {
         self
     }
 
-    /// The same with so many digits at the most.
+    /// The same with a number of digits at the most.
     pub(crate) fn up_to(mut self, digits: usize) -> Self {
         for precision in self.input_precision.iter_mut().chain(&mut self.output_precision) {
             precision.digits = precision.digits.min(digits);

@@ -267,7 +267,7 @@ fn channels_begin_together() {
     assert_eq!(values[0], Literal::F64(value(2, 0).parse().unwrap()));
     let mistakes = read(&later("0.4"), &MAP).unwrap_err();
     assert_eq!(mistakes.len(), 1);
-    assert!(mistakes[0].found.contains(" was sampled 0.4 ms beside the others"), "{mistakes:?}");
+    assert!(mistakes[0].found.contains(" was sampled 0.4 ms apart from the others"), "{mistakes:?}");
 }
 
 /// A value that is missing between others is a mistake; one message says how many are.

@@ -136,11 +136,12 @@ fn explanation(
     if found.is_empty() {
         let cause = match last_digits {
             true => {
-                "only the last digits differ: other options of the compiler (fused multiply-add, fast math), or another version of the block"
+                "only the last digits differ: other options of the compiler (fused multiply-add, fast math), or another version \
+                 of the block"
             }
             false => {
-                "the block on the machine probably has other parameters: compare with the set of that day, and its digest with that in the \
-                 head of the generated file"
+                "the block on the machine probably has other parameters: compare with the set of that day, and \
+                 its digest with that in the head of the generated file"
             }
         };
         output::line(format!("not explained by any of {tried} mistakes ({TRIED}); {cause}"))?;
@@ -149,7 +150,8 @@ fn explanation(
 }
 
 /// What is tried, in words.
-const TRIED: &str = "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real type, axis";
+const TRIED: &str = "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real \
+     type, axis";
 
 /// Whether no output differs by more than a millionth of its largest value, and no BOOL and no integer at all.
 fn only_last_digits(errors: &[recording::Error]) -> bool {

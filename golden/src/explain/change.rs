@@ -21,15 +21,15 @@ pub type At = (Side, usize);
 pub enum Change {
     /// these columns have the other sign
     Sign(Vec<At>),
-    /// these columns are so many times too large
+    /// these columns are too large by a factor
     Factor(Vec<At>, f64),
     /// two columns stand for each other
     Swapped(At, At),
-    /// all outputs were recorded so many cycles late, or early where it is negative
+    /// all outputs were recorded a number of cycles late, or early where it is negative
     OutputsLate(i32),
-    /// one input was recorded so many cycles later than the others, or earlier where it is negative
+    /// one input was recorded a number of cycles later than the others, or earlier where it is negative
     InputLate(usize, i32),
-    /// every cycle was recorded so many times; the first one ends after so many samples
+    /// every cycle was recorded a number of times; and after how many samples the first one ends
     Repeated(usize, usize),
     /// an input without a column was this
     Constant(usize, Literal),

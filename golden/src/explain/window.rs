@@ -12,7 +12,7 @@ use portable::Literal;
 pub(super) const TRIED: usize = 2;
 /// A recording that starts in the middle differs at once.
 const AT_ONCE: usize = 5;
-/// A state decays, and its last bits need longer than a recording is: so many digits must agree again.
+/// A state decays, and its last bits need longer than a recording is: this number of digits must agree again.
 const DIGITS: usize = 9;
 /// The part of the recording that must agree again.
 const AGREEING: usize = 4;

@@ -31,7 +31,7 @@ pub(crate) struct TimeColumn<'t> {
 /// What a time counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
-    /// so many nanoseconds
+    /// units of this number of nanoseconds
     Nanoseconds(i64),
     /// an export's: milliseconds, or if they are large, 100 ns since 1601
     OfExport,

@@ -57,7 +57,7 @@ impl<'t> Table<'t> {
     /// The cells of a row.
     ///
     /// # Errors
-    /// The row has so many cells, and another number of them is right.
+    /// The number of cells that the row has, and the number that is right.
     pub(crate) fn cells(&self, row: &Row<'t>, cells: &mut Vec<&'t str>) -> Result<(), [usize; 2]> {
         match self.is_export {
             true => cells::split_samples(row.text, self.separator, cells),

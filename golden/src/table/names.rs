@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// A name that stands there a second time has not more words.
 const LONGEST: usize = 8;
 
-/// The names of so many channels, of each group of them: what stands between two keys. None: the row does not tell them apart.
+/// The names of these numbers of channels, group by group, each between two keys. None: the row is ambiguous.
 ///
 /// Two things do: a channel that the user names, and that a scope calls a second channel of one name `NAME (1)`.
 pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: &[&str]) -> Option<Vec<&'t str>> {
@@ -38,7 +38,7 @@ pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: 
     Some(names)
 }
 
-/// The names that stand there a second time, with `(1)` behind: both forms of each.
+/// The names that stand there a second time, followed by `(1)`: both forms of each.
 fn repeated<'t>(words: &[&'t str]) -> Vec<Vec<&'t str>> {
     let is_number = |word: &str| {
         let digits = word.strip_prefix('(').and_then(|word| word.strip_suffix(')'));

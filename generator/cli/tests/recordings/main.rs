@@ -71,7 +71,7 @@ struct Recording {
 }
 
 impl Recording {
-    /// What an axis of a set answers to a move that begins at rest; with so many digits after the point, if any.
+    /// What an axis of a set answers to a move that begins at rest; rounded to a number of decimals, if any.
     fn of(folder: &Path, set: &str, axis: &str, decimals: Option<usize>) -> Self {
         let time = |cycle: u32| f64::from(cycle) / 1000.0;
         let rounded = |value: f64| decimals.map_or(value, |decimals| format!("{value:.decimals$}").parse().unwrap());

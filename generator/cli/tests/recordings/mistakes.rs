@@ -69,7 +69,7 @@ fn two_columns_swapped() {
     assert_eq!(said, format!("explained: the columns v_motor and v_add are swapped; {EVERY_BIT}"));
 }
 
-/// A column as it was so many cycles before.
+/// A column as it was a number of cycles before.
 fn late(recording: &Recording, columns: &[&str], cycles: usize) -> Recording {
     let mut changed = recording.clone();
     for at in columns.iter().map(|column| recording.at(column)) {
