@@ -526,6 +526,16 @@ codes! {
          00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen does not know it, so that the value must \
          be written. The cycle time is that of the SAF task, which a file of one axis does not hold. Stages of improved position control do not exist \
          in the NC: write them in the set.";
+    OTHER_INTERVAL = "AX480", "a recording of another interval than the block's cycle",
+        "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other times. Record \
+         them in the task of the block with its cycle, or leave them out with --map NAME=-. A column of times that counts something else is \
+         left out the same way.";
+    SAMPLES_LOST = "AX481", "a recording in which samples are missing",
+        "The column of times does not go on by one cycle from row to row. The block's state after a gap is unknown, so that nothing after it can \
+         be compared. Record again, or cut the file before the gap.";
+    PROVES_NOTHING = "AX482", "a recording that proves nothing",
+        "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with mode ON, from a \
+         cycle on in which the block is at rest, with the outputs that the move changes.";
 
     LEFT_OVER = "AX490", "a file that is no longer generated, and not as it was generated",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have removed it; but \

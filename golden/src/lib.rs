@@ -2,9 +2,12 @@
 //!
 //! ```text
 //! stimulus   what the inputs do, sample by sample; waveform: the forms that it is made of, from integers and libm
-//! samples    the values of all signals of a run, packed; csv: the same as text; table: the forms that recorders give it
+//! samples    the values of all signals of a run, packed; csv: the same as text; value: a cell of it
+//! table      the forms that recorders give it; signals: which column is which; series, instants, written: the values of the
+//!            columns, when they were taken, how many digits they have; mistake: what is wrong with them
 //! engine     the ways to run a block: reference, program, c, rust, and the emitted Structured Text
 //! recording  what a controller recorded, and how far it agrees
+//! evidence   what a recording can prove; explain: which of the commonest mistakes explains that it differs
 //! compare    how many bits of two runs differ, and where first
 //! exercise   what a user's own blocks are run with, and what it reached
 //! subject    the reference of a block in a loop, signal by signal, and its record
@@ -24,15 +27,23 @@ pub mod compare;
 pub mod csv;
 pub mod drive;
 pub mod engine;
+pub mod evidence;
 pub mod exercise;
+pub mod explain;
+mod instants;
+pub mod mistake;
 pub mod recording;
 pub mod samples;
 pub mod scenario;
+mod series;
 pub mod shows;
+pub mod signals;
 pub mod simulate;
 pub mod source;
 pub mod stimulus;
 pub mod subject;
 pub mod svg;
 pub mod table;
+pub mod value;
 pub mod waveform;
+pub mod written;

@@ -1,37 +1,35 @@
 //! A run that was recorded on a controller, and how far what an engine gives agrees with it.
 
-use crate::csv::{Mistake, samples, signals};
+use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
-use crate::table::Table;
+use crate::series;
+use crate::signals::{self, Map};
+use crate::table::{Column, Table};
+use crate::written::Precision;
 use compiler::program::Type;
-use portable::{Literal, RealKind};
+use portable::Literal;
 
 /// What went into the block, and what came out as far as it was recorded.
 #[derive(Clone, Debug)]
 pub struct Recording {
     /// all inputs
     pub inputs: Samples,
+    /// the positions of those that have a column
+    pub given: Vec<usize>,
     /// the outputs that have a column
     pub outputs: Samples,
     /// their positions among the outputs of the block
     pub recorded: Vec<usize>,
     /// the columns that are no signal of the block
     pub left_out: Vec<String>,
+    /// the columns whose first samples were left out, because another one begins later, and how many
+    pub skipped: Vec<(String, usize)>,
     /// the line of each sample, counted from 1
     pub lines: Vec<usize>,
     /// how the inputs were written, in their order
     pub input_precision: Vec<Precision>,
     /// how the outputs were written that have a column
     pub output_precision: Vec<Precision>,
-}
-
-/// How many digits of the values of a column were written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Precision {
-    /// the most significant digits of a value; 0: all are there, or there is no column
-    pub digits: usize,
-    /// the most digits behind the point
-    decimals: i32,
 }
 
 /// How the values of one signal differ.
@@ -41,115 +39,155 @@ pub struct Error {
     pub largest: f64,
     /// the sample in which it is
     pub sample: usize,
-    /// whether the digits that were written explain all differences
-    pub is_explained: bool,
+    /// the first and the last sample whose difference the digits that were written do not explain
+    pub unexplained: Option<[usize; 2]>,
+    /// the largest difference that those digits would explain
+    pub allowance: f64,
+    /// the largest magnitude that was recorded
+    pub scale: f64,
+}
+
+/// Digits that explain more than this part of a signal prove nothing.
+const VAGUE: f64 = 0.05;
+
+impl Error {
+    /// Whether the digits that were written explain differences as large as the signal nearly is.
+    #[must_use]
+    pub fn is_vague(&self) -> bool {
+        self.largest > 0.0 && self.allowance > VAGUE * self.scale
+    }
+
+    /// Whether the digits that were written explain all differences.
+    #[must_use]
+    pub fn is_explained(&self) -> bool {
+        self.unexplained.is_none()
+    }
 }
 
 /// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do not.
-/// An input without a column keeps its start.
+/// An input without a column keeps its start. Without a shape of inputs only the outputs are read.
 ///
 /// # Errors
 /// All mistakes; that there is no column of an output is one, another sample time than the cycle time is one.
 pub fn read(
-    text: &str,
+    table: &Table<'_>,
     [inputs, outputs]: [&Shape; 2],
-    map: &[(String, String)],
+    is_alone: bool,
+    map: &Map,
     cycle_time_ns: u32,
 ) -> Result<Recording, Vec<Mistake>> {
-    let both = Shape { real: inputs.real, signals: [inputs.signals.as_slice(), &outputs.signals].concat() };
-    let table = Table::read(text);
-    let found = signals(&table, &both, map)?;
-    let first_output = inputs.signals.len();
-    let mut recorded: Vec<usize> =
-        found.iter().flatten().filter_map(|signal| signal.checked_sub(first_output)).collect();
-    recorded.sort_unstable();
-    if recorded.is_empty() {
-        let allowed = outputs.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
-        let found = "no column of an output, so that there is nothing to compare".to_owned();
-        return Err(vec![Mistake { line: 1, column: 1, found, allowed }]);
+    let names = |shape: &Shape| shape.signals.iter().map(|signal| signal.name.clone()).collect::<Vec<_>>();
+    let first_output = if is_alone { inputs.signals.len() } else { 0 };
+    let both =
+        Shape { real: inputs.real, signals: [&inputs.signals[..first_output], outputs.signals.as_slice()].concat() };
+    let all = names(inputs);
+    let other: Vec<&str> = all.iter().filter(|_| !is_alone).map(String::as_str).collect();
+    let found = signals::of_columns(table, &both, &other, map)?;
+    let mut columns: Vec<usize> = found.iter().flatten().copied().collect();
+    columns.sort_unstable();
+    let (given, of_outputs): (Vec<usize>, Vec<usize>) = columns.iter().partition(|signal| **signal < first_output);
+    if of_outputs.is_empty() {
+        let found = "no column of an output, so that there is nothing to compare";
+        let columns = table.columns.first().map_or("NAME", Column::called);
+        let mistake = Mistake::new([1, 1], found, names(outputs).join(", "));
+        return Err(vec![mistake.instead(format!("--map \"{columns}=SIGNAL\" for the columns of other names"))]);
     }
-    sample_times(&table, &found, cycle_time_ns)?;
-    let all = samples(&table, &found, &both)?;
-    let precision = precisions(&table, &found, &both);
-    let of_outputs: Vec<usize> = recorded.iter().map(|signal| first_output + signal).collect();
+    let read = series::read(table, &found, &both, Some(cycle_time_ns))?;
     let left_out = table.columns.iter().zip(&found).filter(|(_, signal)| signal.is_none());
+    let name = |(signal, count): &(usize, usize)| (both.signals[*signal].name.clone(), *count);
     Ok(Recording {
-        inputs: all.only(&(0..first_output).collect::<Vec<_>>()),
-        outputs: all.only(&of_outputs),
-        left_out: left_out.map(|(column, _)| column.name.to_owned()).collect(),
-        lines: table.rows.iter().map(|row| row.line).collect(),
-        input_precision: precision[..first_output].to_vec(),
-        output_precision: of_outputs.iter().map(|signal| precision[*signal]).collect(),
-        recorded,
+        inputs: read.samples.only(&(0..first_output).collect::<Vec<_>>()),
+        given,
+        outputs: read.samples.only(&of_outputs),
+        left_out: left_out.map(|(column, _)| column.called().to_owned()).collect(),
+        skipped: read.skipped.iter().map(name).collect(),
+        lines: read.lines,
+        input_precision: read.precision[..first_output].to_vec(),
+        output_precision: of_outputs.iter().map(|signal| read.precision[*signal]).collect(),
+        recorded: of_outputs.iter().map(|signal| signal - first_output).collect(),
     })
 }
 
-/// A sample is one cycle of the block.
-fn sample_times(table: &Table<'_>, signals: &[Option<usize>], cycle_time_ns: u32) -> Result<(), Vec<Mistake>> {
-    let cycle = f64::from(cycle_time_ns) / 1e6;
-    let recorded = table.columns.iter().zip(signals).filter(|(_, signal)| signal.is_some());
-    let wrong = recorded.filter_map(|(column, _)| column.sample_time).filter(|(text, _)| {
-        let time = text.replace(',', ".").parse::<f64>();
-        time.is_ok_and(|time| (time - cycle).abs() > 1e-6 * cycle)
-    });
-    let mistakes: Vec<Mistake> = wrong
-        .map(|(text, [line, column])| Mistake {
-            line,
-            column,
-            found: format!("a sample every {text} ms, the block runs every {cycle} ms"),
-            allowed: "a recording of every cycle of the block".to_owned(),
-        })
-        .collect();
-    if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
-}
-
-/// How the values of each signal were written.
-fn precisions(table: &Table<'_>, signals: &[Option<usize>], shape: &Shape) -> Vec<Precision> {
-    let mut all = vec![Precision::default(); shape.signals.len()];
-    for row in &table.rows {
-        for ((_, cell), signal) in table.cells(row).into_iter().flatten().zip(signals) {
-            if let Some(signal) = signal.filter(|signal| shape.signals[*signal].ty == Type::Real) {
-                let (digits, decimals) = written(&cell);
-                let precision = &mut all[signal];
-                precision.digits = precision.digits.max(digits);
-                precision.decimals = precision.decimals.max(decimals);
-            }
-        }
-    }
-    let full = match shape.real {
-        RealKind::F64 => 16,
-        RealKind::F32 => 8,
-    };
-    all.into_iter().map(|precision| if precision.digits > full { Precision::default() } else { precision }).collect()
-}
-
-/// Significant digits and digits behind the point of a number as it was written; all of them if it is written in bits.
-fn written(cell: &str) -> (usize, i32) {
-    if cell.starts_with("0x") {
-        return (usize::MAX, 0);
-    }
-    let (mantissa, exponent) = cell.split_once(['e', 'E']).unwrap_or((cell, "0"));
-    let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count();
-    let behind = mantissa.split_once('.').map_or(0, |(_, behind)| behind.len());
-    (digits, i32::try_from(behind).unwrap_or(0) - exponent.parse::<i32>().unwrap_or(0))
-}
-
-impl Precision {
-    /// What the last digit of a value was worth when it was written.
-    fn unit(self, value: f64) -> f64 {
-        let digits = i32::try_from(self.digits).unwrap_or(0);
-        match self.digits {
-            0 => 0.0,
-            _ if value == 0.0 || !value.is_finite() => libm::pow(10.0, f64::from(-self.decimals)),
-            _ => {
-                let first = libm::floor(libm::log10(value.abs()));
-                libm::pow(10.0, (first + f64::from(1 - digits)).max(f64::from(-self.decimals)))
-            }
-        }
-    }
+/// The inputs of a stimulus, and the positions of those that have a column; columns of `outputs` are left out where the map or an
+/// export names them.
+///
+/// # Errors
+/// All mistakes: unknown and repeated columns, another sample time than the cycle time, bad cells.
+pub fn stimulus(
+    table: &Table<'_>,
+    [inputs, outputs]: [&Shape; 2],
+    map: &Map,
+    cycle_time_ns: u32,
+) -> Result<(Samples, Vec<usize>), Vec<Mistake>> {
+    let other: Vec<&str> = outputs.signals.iter().map(|signal| signal.name.as_str()).collect();
+    let is_mapped = |name: &&str| map.iter().any(|(_, signal)| signal == name);
+    let other: Vec<&str> = other.into_iter().filter(is_mapped).collect();
+    let found = signals::of_columns(table, inputs, &other, map)?;
+    let mut given: Vec<usize> = found.iter().flatten().copied().collect();
+    given.sort_unstable();
+    series::read(table, &found, inputs, Some(cycle_time_ns)).map(|read| (read.samples, given))
 }
 
 impl Recording {
+    /// The same with the first samples only.
+    #[must_use]
+    pub fn first(&self, count: usize) -> Self {
+        self.with_samples(self.inputs.first(count), self.outputs.first(count))
+    }
+
+    /// The same with other samples.
+    pub(crate) fn with_samples(&self, inputs: Samples, outputs: Samples) -> Self {
+        Self {
+            inputs,
+            outputs,
+            given: self.given.clone(),
+            recorded: self.recorded.clone(),
+            left_out: self.left_out.clone(),
+            skipped: self.skipped.clone(),
+            lines: self.lines.clone(),
+            input_precision: self.input_precision.clone(),
+            output_precision: self.output_precision.clone(),
+        }
+    }
+
+    /// The same with the inputs of a stimulus, where it has none of its own: every bit of them was given.
+    #[must_use]
+    pub fn with_inputs(self, inputs: &Samples) -> Self {
+        if self.inputs.shape == inputs.shape {
+            return self;
+        }
+        let signals = inputs.shape.signals.len();
+        Self {
+            inputs: inputs.clone(),
+            given: (0..signals).collect(),
+            input_precision: vec![Precision::default(); signals],
+            ..self
+        }
+    }
+
+    /// The same of values that were rounded once more, when all were multiplied by a factor, or when they are not the bits of the
+    /// block: then not every bit must agree.
+    pub(crate) fn inexact(mut self, factor: Option<f64>) -> Self {
+        let (real, factor) = (self.outputs.shape.real, factor.unwrap_or(1.0));
+        for given in &self.given {
+            self.input_precision[*given] = self.input_precision[*given].inexact(real, factor);
+        }
+        for (precision, signal) in self.output_precision.iter_mut().zip(&self.outputs.shape.signals) {
+            if signal.ty == Type::Real {
+                *precision = precision.inexact(real, factor);
+            }
+        }
+        self
+    }
+
+    /// The same with a number of digits at the most.
+    pub(crate) fn up_to(mut self, digits: usize) -> Self {
+        for precision in self.input_precision.iter_mut().chain(&mut self.output_precision) {
+            precision.digits = precision.digits.min(digits);
+        }
+        self
+    }
+
     /// Inputs that would have been written the same: each real is moved by half of what its last digit was worth, up or down.
     /// `None`: the inputs are exact, or all outputs are, so that nothing excuses an error of theirs.
     #[must_use]
@@ -177,6 +215,13 @@ impl Recording {
         Some(moved)
     }
 
+    /// The largest magnitude of a recorded output.
+    fn largest(&self, signal: usize) -> f64 {
+        pairs(&self.outputs, &self.outputs, signal)
+            .filter_map(|(_, [value, _])| number(value))
+            .fold(0.0, |largest, value| if value.abs() > largest { value.abs() } else { largest })
+    }
+
     /// How the recorded outputs differ from those that an engine gives; `moved` are those for moved inputs. An error is explained
     /// by half of what the last digit was worth, together with twice what the moved inputs change at the most.
     #[must_use]
@@ -186,14 +231,19 @@ impl Recording {
             moved.map(|moved| signals.clone().map(|signal| changes(computed, moved, signal)).collect::<Vec<_>>());
         let of = |signal: usize| {
             let allowance = change.as_ref().map_or(0.0, |change| 2.0 * change[signal]);
-            let mut error = Error { largest: 0.0, sample: 0, is_explained: true };
+            let mut error =
+                Error { largest: 0.0, sample: 0, unexplained: None, allowance, scale: self.largest(signal) };
             for (sample, [recorded, computed]) in pairs(&self.outputs, computed, signal) {
                 let difference = apart(recorded, computed);
                 let unit = number(recorded).map_or(0.0, |value| self.output_precision[signal].unit(value));
+                let half = 0.5 * unit + allowance;
+                error.allowance = if half > error.allowance { half } else { error.allowance };
                 // Of a real whose bits were recorded nothing explains a difference.
                 let is_written_so = unit > 0.0 || matches!(recorded, Literal::I32(_));
-                let is_near = difference <= (0.5 * unit + allowance) * (1.0 + 1e-12);
-                error.is_explained &= recorded == computed || is_written_so && is_near;
+                let is_near = difference <= half * (1.0 + 1e-12);
+                if recorded != computed && !(is_written_so && is_near) {
+                    error.unexplained = Some([error.unexplained.map_or(sample, |[first, _]| first), sample]);
+                }
                 if difference > error.largest {
                     error = Error { largest: difference, sample, ..error };
                 }

@@ -173,9 +173,44 @@ impl Samples {
         Self { shape: shape.clone(), bytes }
     }
 
+    /// Whether two samples differ in a bit.
+    #[must_use]
+    pub fn differs(&self, one: usize, other: usize) -> bool {
+        let frame = self.shape.frame();
+        self.bytes[one * frame..][..frame] != self.bytes[other * frame..][..frame]
+    }
+
     /// The samples' bytes.
     fn frames(&self) -> std::slice::Chunks<'_, u8> {
         self.bytes.chunks(self.shape.frame().max(1))
+    }
+
+    /// The run without its first samples.
+    #[must_use]
+    pub fn after(&self, count: usize) -> Self {
+        let bytes = self.bytes[self.shape.frame() * count.min(self.len())..].to_vec();
+        Self { shape: self.shape.clone(), bytes }
+    }
+
+    /// From one sample to another, both included.
+    #[must_use]
+    pub fn between(&self, first: usize, last: usize) -> Self {
+        self.first(last + 1).after(first)
+    }
+
+    /// The run, and then another one.
+    #[must_use]
+    pub fn joined(mut self, other: &Self) -> Self {
+        self.bytes.extend_from_slice(&other.bytes);
+        self
+    }
+
+    /// These samples.
+    #[must_use]
+    pub fn samples(&self, chosen: &[usize]) -> Self {
+        let frame = self.shape.frame();
+        let bytes = chosen.iter().flat_map(|sample| &self.bytes[sample * frame..][..frame]).copied().collect();
+        Self { shape: self.shape.clone(), bytes }
     }
 
     /// The first samples of the run.

@@ -2,6 +2,7 @@
 //! somebody asks for it. Not what the block answers.
 
 use crate::csv;
+use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
 use crate::scenario;
 use crate::stimulus::Stimulus;
@@ -69,7 +70,7 @@ pub(crate) fn same_program(program: &Path, folder: &Path) -> Result<(), String> 
 pub(crate) fn recorded(folder: &Path, shape: &Shape) -> Result<Samples, String> {
     let path = folder.join(INPUTS);
     csv::read(&text(&path)?, shape).map_err(|mistakes| {
-        let line = |csv::Mistake { line, column, found, allowed }: &csv::Mistake| {
+        let line = |Mistake { line, column, found, allowed, .. }: &Mistake| {
             format!("{}:{line}:{column}: {found}; allowed: {allowed}", path.slashes())
         };
         mistakes.iter().map(line).collect::<Vec<_>>().join("\n")

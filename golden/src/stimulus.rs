@@ -2,8 +2,8 @@
 //!
 //! Everything comes from integers and `libm`, so that every host makes the same bits.
 
-use crate::csv::parse;
 use crate::samples::{Samples, Shape};
+use crate::value::parse;
 use crate::waveform::{Form, Waveform};
 use compiler::program::Type;
 use portable::{Literal, RealKind};

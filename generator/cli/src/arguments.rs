@@ -91,8 +91,8 @@ pub enum Command {
         /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
         #[arg(long, value_name = "FILE")]
         compare: Option<PathBuf>,
-        /// Which column of the recording is which signal, where the names differ; `SCOPE=-` leaves a column out
-        #[arg(long, value_name = "SCOPE=SIGNAL", requires = "compare", value_parser = run::mapping)]
+        /// Which column of the CSV file is which signal, where the names differ; `SCOPE=-` leaves a column out
+        #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
         map: Vec<(String, String)>,
         /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
         #[arg(long, value_name = "FILE")]

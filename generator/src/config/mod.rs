@@ -46,3 +46,8 @@ pub(crate) use values::{Key, Setting, Values, key};
 pub fn text(bytes: Vec<u8>) -> Vec<u8> {
     encoding::decoded(bytes).0
 }
+
+/// The same as characters: what is neither UTF-8 nor UTF-16 is Latin-1.
+pub fn characters(bytes: Vec<u8>) -> String {
+    String::from_utf8(text(bytes)).unwrap_or_else(|error| latin_1(error.as_bytes()))
+}

@@ -1,0 +1,74 @@
+//! What a recording moves is said first; one that proves nothing ends with 1.
+
+use super::{compare, folder, good};
+
+#[test]
+fn what_moves_and_what_was_taken_is_said_first() {
+    let folder = folder();
+    let run = compare(folder.path(), good(folder.path()).only(&["v_motor", "v_add"]).csv(), &[]);
+    let lines: Vec<&str> = run.out.lines().collect();
+    assert!(lines[0].starts_with("moved: v_motor 0 to "), "{}", run.out);
+    assert!(lines[0].contains(" um/s, v_add -"), "{}", run.out);
+    assert!(lines[0].ends_with("; in 2999 of 3000 samples, 2999 of them with mode ON"), "{}", run.out);
+    assert!(lines[1].starts_with("no column, taken at the start value: v_command 0, v_direct 0, "), "{}", run.out);
+    assert!(lines[1].contains(", mode 1, position_controlled 1, reset 0, "), "{}", run.out);
+    assert!(lines[2].starts_with("v_add against engine reference, 3000 samples: "), "{}", run.out);
+}
+
+/// A recording with a column `mode`, and what is said of it on standard error.
+fn said(header: &str, row: impl Fn(usize) -> String, samples: usize) -> (i32, String, String) {
+    let folder = folder();
+    let rows: String = (0..samples).map(|sample| row(sample) + "\n").collect();
+    let run = compare(folder.path(), format!("{header}\n{rows}"), &[]);
+    (run.code, run.out, run.err)
+}
+
+const ALLOWED: &str = "\n    write instead: ";
+
+#[test]
+fn no_sample() {
+    let (code, out, err) = said("v_motor,v_add", |_| String::new(), 0);
+    assert_eq!(code, 1, "{out}");
+    assert!(out.starts_with("moved: nothing; in 0 of 0 samples, 0 of them with mode ON\n"), "{out}");
+    let expected = "recorded.csv: error[AX482]: proves nothing: there is no sample";
+    assert_eq!(err, format!("{expected}{ALLOWED}record a move with mode ON\n"));
+}
+
+#[test]
+fn mode_off_throughout() {
+    let (code, out, err) = said("v_motor,mode,v_add", |sample| format!("{sample},0,0"), 100);
+    assert_eq!(code, 1, "{out}");
+    assert!(out.contains("; in 99 of 100 samples, 0 of them with mode ON\nconstant: mode 0, v_add 0\n"), "{out}");
+    assert!(out.contains(": 0 differing bits\n"), "{out}");
+    let still = "recorded.csv: error[AX482]: proves nothing: no output that was recorded moves";
+    let off = "recorded.csv: error[AX482]: proves nothing: mode is OFF throughout";
+    assert_eq!(
+        err,
+        format!(
+            "{still}{ALLOWED}record the outputs that the move changes: v_add, or v_add_calculated with mode DRYRUN\n\
+             {off}{ALLOWED}record a move with mode ON (1)\n"
+        )
+    );
+}
+
+#[test]
+fn nothing_that_moves() {
+    let (code, out, err) = said("v_motor,mode,v_add", |_| "0,1,0".to_owned(), 100);
+    assert_eq!(code, 1, "{out}");
+    assert!(out.starts_with("moved: nothing; in 0 of 100 samples"), "{out}");
+    assert!(err.contains("error[AX482]: proves nothing: no input of the block moves\n"), "{err}");
+    assert!(err.contains("error[AX482]: proves nothing: no output that was recorded moves\n"), "{err}");
+}
+
+/// Digits so few that any block would agree.
+#[test]
+fn too_few_digits() {
+    let folder = folder();
+    let recording = good(folder.path()).only(&["v_command", "v_motor", "v_add"]);
+    let row = |row: &Vec<f64>| format!("{:.0}E3,{:.0}E3,{:.0}E1\n", row[0] / 1e3, row[1] / 1e3, row[2] / 10.0);
+    let text = "v_command,v_motor,v_add\n".to_owned() + &recording.rows.iter().map(row).collect::<String>();
+    let run = compare(folder.path(), text, &[]);
+    assert_eq!(run.code, 1, "{}", run.out);
+    assert!(run.out.contains("; the digits recorded would explain "), "{}", run.out);
+    assert!(run.out.contains(" um/s: too few to prove anything\n"), "{}", run.out);
+}

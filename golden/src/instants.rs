@@ -1,0 +1,210 @@
+//! When the samples of a recording were taken, against the cycle of the block: a sample is one cycle.
+
+use crate::mistake::Mistake;
+use crate::table::{Column, TimeColumn, Unit, listed};
+use generator::codes;
+
+/// The times of one column, from the first one on.
+pub(crate) struct Instants<'t> {
+    pub column: TimeColumn<'t>,
+    /// the first, in units of 10^-9 of what the column counts
+    first: Option<i128>,
+    /// since the first, the same
+    since: Vec<i64>,
+    /// the line of each
+    lines: Vec<usize>,
+    /// whether a cell was no number: then nothing is known
+    is_text: bool,
+}
+
+/// Milliseconds are never as large as 100 ns since 1601.
+const LEAST_FILE_TIME: i128 = 1_000_000_000_000_000;
+/// Units of a time whose name has none.
+const UNSAID: [(i64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us"), (1, "ns")];
+
+impl<'t> Instants<'t> {
+    pub(crate) fn of(column: TimeColumn<'t>) -> Self {
+        Self { column, first: None, since: Vec::new(), lines: Vec::new(), is_text: false }
+    }
+
+    /// One cell of the column; an empty one is no time.
+    pub(crate) fn read(&mut self, cell: &str, line: usize) {
+        if cell.is_empty() || self.is_text {
+            return;
+        }
+        match billionths(cell) {
+            Some(time) => {
+                let first = *self.first.get_or_insert(time);
+                self.since.push(i64::try_from(time - first).unwrap_or(i64::MAX));
+                self.lines.push(line);
+            }
+            None => self.is_text = true,
+        }
+    }
+
+    /// Nanoseconds of what the column counts; of a time without a unit the one in which the block's cycle is the step.
+    fn unit(&self, cycle_time_ns: u32) -> Option<i64> {
+        match self.column.unit {
+            Unit::Nanoseconds(unit) => Some(unit),
+            Unit::OfExport if self.first? / 1_000_000_000 >= LEAST_FILE_TIME => Some(100),
+            Unit::OfExport => Some(1_000_000),
+            Unit::Unsaid => {
+                let step = self.step()?;
+                let is_cycle = |unit: i64| is_near(nanoseconds(step, unit), f64::from(cycle_time_ns));
+                UNSAID.iter().map(|(unit, _)| *unit).find(|unit| is_cycle(*unit))
+            }
+        }
+    }
+
+    /// The usual step: the one in the middle of those that go on.
+    fn step(&self) -> Option<i64> {
+        let mut steps: Vec<i64> =
+            self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).filter(|step| *step > 0).collect();
+        let middle = steps.len() / 2;
+        (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
+    }
+
+    /// When the first sample was taken [ns].
+    pub(crate) fn first(&self) -> Option<i128> {
+        let unit = match self.column.unit {
+            Unit::Nanoseconds(unit) => unit,
+            Unit::OfExport if self.first? / 1_000_000_000 >= LEAST_FILE_TIME => 100,
+            Unit::OfExport => 1_000_000,
+            Unit::Unsaid => return None,
+        };
+        Some(self.first? * i128::from(unit) / 1_000_000_000)
+    }
+}
+
+/// A number in units of 10^-9, exactly if it is an integer.
+fn billionths(cell: &str) -> Option<i128> {
+    if let Ok(whole) = cell.parse::<i64>() {
+        return Some(i128::from(whole) * 1_000_000_000);
+    }
+    let value = cell.parse::<f64>().ok().filter(|value| value.is_finite() && value.abs() < 1e18)?;
+    #[expect(clippy::cast_possible_truncation, reason = "below 1e27")]
+    Some(libm::round(value * 1e9) as i128)
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a step is compared with a tolerance")]
+fn nanoseconds(step: i64, unit: i64) -> f64 {
+    step as f64 * unit as f64 / 1e9
+}
+
+/// Times are rounded to few digits: 0.063 ms for 0.0625 ms.
+fn is_near(found: f64, right: f64) -> bool {
+    (found - right).abs() <= 0.03 * right
+}
+
+/// What is wrong with when the columns were taken: one message about the intervals, one about each column of times with gaps.
+pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_time_ns: u32) -> Vec<Mistake> {
+    let cycle = f64::from(cycle_time_ns) / 1e6;
+    let interval = |column: &&Column<'_>| -> Option<(String, [usize; 2])> {
+        let said = column.sample_time.and_then(|(text, place)| {
+            let time = text.replace(',', ".").parse::<f64>().ok()?;
+            (!is_near(time, cycle)).then(|| (format!("{time} ms"), place))
+        });
+        said.or_else(|| {
+            let times = times.iter().find(|times| Some(times.column) == column.time)?;
+            wrong_interval(times, cycle_time_ns).map(|text| (text, column.place))
+        })
+    };
+    let wrong: Vec<(&str, String, [usize; 2])> = columns
+        .iter()
+        .filter_map(|column| interval(column).map(|(text, place)| (column.called(), text, place)))
+        .collect();
+    if let Some((_, first, place)) = wrong.first() {
+        return vec![other_interval(&wrong, first, *place, cycle)];
+    }
+    times.iter().filter_map(|times| gaps(times, cycle_time_ns)).collect()
+}
+
+/// The interval of a column of times, if it is not the cycle.
+fn wrong_interval(times: &Instants<'_>, cycle_time_ns: u32) -> Option<String> {
+    let step = times.step().filter(|_| !times.is_text)?;
+    let Some(unit) = times.unit(cycle_time_ns) else {
+        #[expect(clippy::cast_precision_loss, reason = "for a message")]
+        let step = step as f64 / 1e9;
+        return Some(format!("{step} of `{}`, which has no unit,", times.column.name.escape_default()));
+    };
+    let found = nanoseconds(step, unit);
+    (!is_near(found, f64::from(cycle_time_ns))).then(|| format!("{} ms", found / 1e6))
+}
+
+fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usize; 2], cycle: f64) -> Mistake {
+    let same = wrong.iter().all(|(_, interval, _)| interval == first);
+    let found = if same {
+        format!("a sample every {first} of {}", listed(wrong.iter().map(|(name, ..)| *name)))
+    } else {
+        let each = wrong.iter().map(|(name, interval, _)| format!("every {interval} of {name}"));
+        format!("samples {}", each.collect::<Vec<_>>().join(", "))
+    };
+    Mistake::new(place, format!("{found}; the block runs every {cycle} ms"), "a sample of every cycle of the block")
+        .coded(codes::OTHER_INTERVAL)
+        .instead(format!(
+            "record these columns every {cycle} ms, or leave them out:{}",
+            wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
+        ))
+}
+
+/// The option that leaves a column out, as a shell takes it.
+fn option(name: &str) -> String {
+    let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte));
+    if is_plain { format!(" --map {name}=-") } else { format!(" --map \"{name}=-\"") }
+}
+
+/// Where a column of times does not go on by one cycle.
+fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
+    const MOST: usize = 5;
+    let unit = times.unit(cycle_time_ns).filter(|_| !times.is_text)?;
+    let cycles = |step: i64| nanoseconds(step, unit) / f64::from(cycle_time_ns);
+    let (mut lost, mut places, mut repeated) = (0.0, Vec::new(), 0);
+    for (pair, line) in times.since.windows(2).zip(&times.lines[1..]) {
+        let step = cycles(pair[1].saturating_sub(pair[0]));
+        if step >= 1.5 {
+            lost += libm::round(step) - 1.0;
+            places.push(*line);
+        } else if step < 0.5 {
+            repeated += 1;
+            places.push(*line);
+        }
+    }
+    let first = *places.first()?;
+    let shown: Vec<String> = places.iter().take(MOST).map(usize::to_string).collect();
+    let more = if places.len() > MOST { ", ..." } else { "" };
+    let found = match (lost > 0.0, repeated > 0) {
+        (true, false) => format!("{lost} samples are missing"),
+        (false, _) => "the time does not go on".to_owned(),
+        (true, true) => format!("{lost} samples are missing, and the time does not always go on"),
+    };
+    let found = format!("{found}: before line {}{more}", shown.join(", "));
+    Some(
+        Mistake::new([first, 1], found, "one sample in every cycle of the block, in their order")
+            .coded(codes::SAMPLES_LOST)
+            .instead(
+                "record again with fewer channels or a larger buffer, or cut the file before the first of these lines",
+            ),
+    )
+}
+
+/// How many cycles a column begins before the latest one.
+pub(crate) fn cycles_between(
+    column: &Column<'_>,
+    first: i128,
+    latest: i128,
+    cycle_time_ns: u32,
+) -> Result<usize, Mistake> {
+    let cycle = i128::from(cycle_time_ns);
+    let cycles = (latest - first + cycle / 2) / cycle;
+    let rest = (latest - first - cycles * cycle).abs();
+    if 4 * rest > cycle {
+        #[expect(clippy::cast_precision_loss, reason = "for a message")]
+        let apart = rest as f64 / 1e6;
+        let found =
+            format!("the column `{}` was sampled {apart} ms apart from the others", column.called().escape_default());
+        return Err(Mistake::new(column.place, found, "columns that were sampled in the same cycles")
+            .coded(codes::OTHER_INTERVAL)
+            .instead("record all columns in the task of the block"));
+    }
+    Ok(usize::try_from(cycles).unwrap_or(usize::MAX))
+}

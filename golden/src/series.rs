@@ -1,0 +1,210 @@
+//! The values of a table's columns, column by column, and how they were written; when they were taken says `instants.rs`.
+
+use crate::instants::{self, Instants};
+use crate::mistake::Mistake;
+use crate::samples::{Samples, Shape};
+use crate::table::{Column, Row, Table, TimeColumn};
+use crate::value::{allowed, instead, parse};
+use crate::written::{Precision, Written};
+use portable::{Literal, RealKind};
+
+/// What the columns of a table hold.
+pub(crate) struct Columns {
+    /// all signals of the shape; those without a column keep their start
+    pub samples: Samples,
+    /// how the values of each signal were written
+    pub precision: Vec<Precision>,
+    /// the line of each sample, counted from 1
+    pub lines: Vec<usize>,
+    /// the signals whose first samples were left out, because another channel begins later, and how many of them
+    pub skipped: Vec<(usize, usize)>,
+}
+
+/// The values of one column.
+struct Series<'t> {
+    signal: usize,
+    column: &'t Column<'t>,
+    values: Samples,
+    lines: Vec<usize>,
+    written: Written,
+    wrong: Wrong,
+    /// cells without a value since the last one: where, and how many
+    blank: Option<([usize; 2], usize)>,
+    /// those after which a value came
+    missing: Option<([usize; 2], usize)>,
+}
+
+/// What is wrong in the same way, where first, and how often.
+#[derive(Default)]
+struct Wrong {
+    first: Option<Mistake>,
+    count: usize,
+}
+
+impl Wrong {
+    fn add(&mut self, mistake: impl FnOnce() -> Mistake) {
+        self.count += 1;
+        self.first.get_or_insert_with(mistake);
+    }
+
+    /// One message, whatever the number.
+    fn said(self, what: &str) -> Option<Mistake> {
+        let mut first = self.first?;
+        if self.count > 1 {
+            first.found += &format!(", and {} more {what}", self.count - 1);
+        }
+        Some(first)
+    }
+}
+
+/// Reads the columns that are signals. Without a cycle time nothing is asked of the times.
+///
+/// # Errors
+/// All mistakes, in the order of the lines: short or long rows, bad cells, missing values, wrong times.
+pub(crate) fn read(
+    table: &Table<'_>,
+    signals: &[Option<usize>],
+    shape: &Shape,
+    cycle_time_ns: Option<u32>,
+) -> Result<Columns, Vec<Mistake>> {
+    let columns = table.columns.iter().zip(signals).filter_map(|(column, signal)| Some((column, (*signal)?)));
+    let mut series: Vec<Series<'_>> = columns.map(|(column, signal)| Series::new(column, signal, shape)).collect();
+    let mut times: Vec<Instants<'_>> = Vec::new();
+    for time in series.iter().filter_map(|series| series.column.time).filter(|_| cycle_time_ns.is_some()) {
+        if times.iter().all(|known| known.column != time) {
+            times.push(Instants::of(time));
+        }
+    }
+    let rows = read_rows(table, &mut series, &mut times, shape.real);
+    let lines = table.rows.iter().map(|row| row.line);
+    let mut mistakes: Vec<Mistake> = rows.said("rows").into_iter().collect();
+    for series in &mut series {
+        mistakes.extend(std::mem::take(&mut series.wrong).said("cells of the column"));
+        mistakes.extend(series.missing.map(|(place, count)| missing(place, series.column, count)));
+    }
+    if let Some(cycle_time_ns) = cycle_time_ns.filter(|_| mistakes.is_empty()) {
+        mistakes =
+            instants::mistakes(&series.iter().map(|series| series.column).collect::<Vec<_>>(), &times, cycle_time_ns);
+    }
+    let offsets = cycle_time_ns.map(|cycle| offsets(&series, &times, cycle));
+    let offsets = match offsets {
+        Some(Ok(offsets)) => offsets,
+        Some(Err(mistake)) if mistakes.is_empty() => {
+            mistakes.push(mistake);
+            Vec::new()
+        }
+        Some(Err(_)) | None => vec![0; series.len()],
+    };
+    if !mistakes.is_empty() {
+        mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
+        return Err(mistakes);
+    }
+    Ok(together(&series, &offsets, shape, lines.collect()))
+}
+
+/// Reads all rows once; gives what is wrong with their lengths.
+fn read_rows<'t>(table: &Table<'t>, series: &mut [Series<'t>], times: &mut [Instants<'t>], real: RealKind) -> Wrong {
+    let (mut cells, mut rows) = (Vec::new(), Wrong::default());
+    for row in &table.rows {
+        if let Err([found, right]) = table.cells(row, &mut cells) {
+            rows.add(|| wrong_row(table, row, found, right));
+            continue;
+        }
+        for times in &mut *times {
+            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
+        }
+        for series in &mut *series {
+            series.read(table, row, &cells, real);
+        }
+    }
+    rows
+}
+
+fn wrong_row(table: &Table<'_>, row: &Row<'_>, found: usize, right: usize) -> Mistake {
+    let mistake = Mistake::new([row.line, 1], format!("{found} cells"), right_cells(right));
+    let is_of_commas = table.has_commas() && found > right;
+    let remedy = "export with a decimal point, or with semicolons or tabs between the cells";
+    if is_of_commas { mistake.instead(remedy) } else { mistake }
+}
+
+fn right_cells(right: usize) -> String {
+    format!("{right} cells, as many as the header has columns")
+}
+
+fn missing(place: [usize; 2], column: &Column<'_>, count: usize) -> Mistake {
+    let values = if count == 1 { "a value is".to_owned() } else { format!("{count} values are") };
+    Mistake::new(
+        place,
+        format!("{values} missing in the middle of the column `{}`", column.called().escape_default()),
+        "a value in every cycle",
+    )
+    .instead("record it with the cycle of the block, or leave the column out")
+}
+
+impl<'t> Series<'t> {
+    fn new(column: &'t Column<'t>, signal: usize, shape: &Shape) -> Self {
+        let own = Shape { real: shape.real, signals: vec![shape.signals[signal].clone()] };
+        let values = Samples::with_capacity(own, 0);
+        let (written, wrong) = (Written::default(), Wrong::default());
+        Self { signal, column, values, lines: Vec::new(), written, wrong, blank: None, missing: None }
+    }
+
+    /// Its cell of a row. An export has none where the channel has no sample.
+    fn read(&mut self, table: &Table<'t>, row: &Row<'t>, cells: &[&'t str], real: RealKind) {
+        let cell = cells.get(self.column.cell).copied().unwrap_or_default();
+        let has_time = self.column.time.is_none_or(|time| cells.get(time.cell).is_some_and(|time| !time.is_empty()));
+        if cell.is_empty() && table.is_export {
+            if has_time {
+                self.blank.get_or_insert(([row.line, 1], 0)).1 += 1;
+            }
+            return;
+        }
+        if let Some((place, count)) = self.blank.take() {
+            self.missing.get_or_insert((place, 0)).1 += count;
+        }
+        let content = table.number(cell);
+        let signal = &self.values.shape.signals[0];
+        let Some(value) = parse(&content, signal, real) else {
+            let found = || format!("`{}` for {}", content.escape_default(), signal.name);
+            self.wrong.add(|| {
+                Mistake::new(row.place(cell), found(), allowed(signal.ty, real))
+                    .instead(instead(&content, signal.ty, real))
+            });
+            return;
+        };
+        self.written.add(&content, value);
+        self.values.push(&[value]);
+        self.lines.push(row.line);
+    }
+}
+
+/// How many samples of each column lie before the first one that all of them have.
+fn offsets(series: &[Series<'_>], times: &[Instants<'_>], cycle_time_ns: u32) -> Result<Vec<usize>, Mistake> {
+    let of = |time: TimeColumn<'_>| times.iter().find(|known| known.column == time);
+    let first = |series: &Series<'_>| series.column.time.and_then(of).and_then(Instants::first);
+    let Some(latest) = series.iter().filter_map(first).max() else { return Ok(vec![0; series.len()]) };
+    let columns = series.iter().map(|series| (series.column, first(series).unwrap_or(latest)));
+    columns.map(|(column, first)| instants::cycles_between(column, first, latest, cycle_time_ns)).collect()
+}
+
+/// The samples that all columns have; without a column each row is one.
+fn together(series: &[Series<'_>], offsets: &[usize], shape: &Shape, rows: Vec<usize>) -> Columns {
+    let with = || series.iter().zip(offsets);
+    let count = with().map(|(series, offset)| series.values.len().saturating_sub(*offset)).min().unwrap_or(rows.len());
+    let mut start = Samples::with_capacity(shape.clone(), 1);
+    start.push(&shape.signals.iter().map(|signal| signal.start).collect::<Vec<Literal>>());
+    let mut bytes = start.bytes.repeat(count);
+    let (frame, ranges) = (shape.frame(), shape.ranges());
+    let mut precision = vec![Precision::default(); shape.signals.len()];
+    for (series, offset) in with() {
+        let range = &ranges[series.signal];
+        let values = series.values.bytes.chunks_exact(range.len().max(1)).skip(*offset);
+        for (sample, value) in bytes.chunks_exact_mut(frame).zip(values) {
+            sample[range.clone()].copy_from_slice(value);
+        }
+        precision[series.signal] = series.written.precision(shape.real);
+    }
+    let lines = with().next().map_or(rows, |(series, offset)| series.lines[*offset..].to_vec());
+    let skipped = with().filter(|(_, offset)| **offset > 0).map(|(series, offset)| (series.signal, *offset));
+    Columns { samples: Samples { shape: shape.clone(), bytes }, precision, lines, skipped: skipped.collect() }
+}

@@ -1,0 +1,109 @@
+//! Which column of a table is which signal of a block.
+
+use crate::mistake::Mistake;
+use crate::samples::Shape;
+use crate::table::{Column, Table, listed};
+
+/// Names of columns and of signals, as the user maps them.
+pub type Map = [(String, String)];
+
+/// The signal that leaves a column out.
+const LEFT_OUT: &str = "-";
+
+/// The signal of each column: as the map says, which has names of columns and of signals, else that of the same name; in an
+/// export the name is the channel's or its symbol's, as a whole or after its last point. `None`: the column is left out, because
+/// the map gives it `-` or a signal of the `other` side of the block, or because it is an export's and no signal.
+///
+/// # Errors
+/// All mistakes: unknown and repeated columns.
+pub(crate) fn of_columns(
+    table: &Table<'_>,
+    shape: &Shape,
+    other: &[&str],
+    map: &Map,
+) -> Result<Vec<Option<usize>>, Vec<Mistake>> {
+    let mut mistakes = Vec::new();
+    let mut signals: Vec<Option<usize>> = Vec::new();
+    for column in &table.columns {
+        let mapped = mapped(table, column, map);
+        let signal = match mapped {
+            Some(signal) => shape.place(signal),
+            None => named(column.name, shape, table.is_export),
+        };
+        let is_left_out = match mapped {
+            Some(signal) => signal == LEFT_OUT || other.contains(&signal),
+            None => table.is_export || other.contains(&column.name),
+        };
+        if signal.is_some() && signals.contains(&signal) || signal.is_none() && !is_left_out {
+            mistakes.push(wrong(column, mapped, signal.is_some(), shape));
+        }
+        signals.push(signal);
+    }
+    for (at, column) in table.columns.iter().enumerate().filter(|_| table.is_export) {
+        let by_name = signals[at].is_some() || mapped(table, column, map).is_some();
+        let Some(signal) = named(column.symbol, shape, true).filter(|_| !by_name) else { continue };
+        let by_symbol = |holder: usize| {
+            let holder = &table.columns[holder];
+            named(holder.name, shape, true) != Some(signal) && mapped(table, holder, map).is_none()
+        };
+        match signals.iter().position(|other| *other == Some(signal)) {
+            None => signals[at] = Some(signal),
+            Some(holder) if by_symbol(holder) => {
+                let remedy = format!("--map \"{}=-\", or another channel of this symbol", column.called());
+                mistakes.push(wrong(column, None, true, shape).instead(remedy));
+            }
+            Some(_) => {}
+        }
+    }
+    for (name, _) in map {
+        let with = |column: &&Column<'_>| column.symbol == name;
+        let by_symbol: Vec<_> = table.columns.iter().filter(with).collect();
+        if by_symbol.len() > 1 && table.columns.iter().all(|column| column.name != name) {
+            let found = format!("{} channels show `{}`, which --map names", by_symbol.len(), name.escape_default());
+            let names = listed(by_symbol.iter().map(|column| column.name));
+            mistakes.push(Mistake::new(by_symbol[0].place, found, names));
+        }
+    }
+    if mistakes.is_empty() { Ok(signals) } else { Err(mistakes) }
+}
+
+/// What the map says of a column, by its name, or by its symbol where no other channel shows it.
+fn mapped<'m>(table: &Table<'_>, column: &Column<'_>, map: &'m Map) -> Option<&'m str> {
+    let of = |name: &str| map.iter().find(|(key, _)| key == name).map(|(_, signal)| signal.as_str());
+    let is_alone = |_: &&str| table.columns.iter().filter(|other| other.symbol == column.symbol).count() == 1;
+    of(column.name).or_else(|| of(column.symbol).filter(is_alone))
+}
+
+/// The signal of that name, in an export also of its last part.
+fn named(name: &str, shape: &Shape, is_export: bool) -> Option<usize> {
+    let last = name.rsplit('.').next().filter(|_| is_export);
+    shape.place(name).or_else(|| last.and_then(|last| shape.place(last)))
+}
+
+fn wrong(column: &Column<'_>, mapped: Option<&str>, is_again: bool, shape: &Shape) -> Mistake {
+    let again = if is_again { " a second time" } else { "" };
+    let name = column.called().escape_default();
+    let found = match mapped {
+        Some(signal) => format!("the column `{name}` for `{signal}`{again}"),
+        None => format!("the column `{name}`{again}"),
+    };
+    let allowed = shape.signals.iter().map(|signal| signal.name.as_str()).collect::<Vec<_>>().join(", ");
+    Mistake::new(column.place, found, allowed)
+}
+
+/// What the map names and none of the tables has.
+#[must_use]
+pub fn unknown(map: &Map, tables: &[&Table<'_>]) -> Vec<Mistake> {
+    let Some(table) = tables.last() else { return Vec::new() };
+    let is_unknown = |name: &&str| tables.iter().all(|table| !table.has(name));
+    let mistake = |name: &str| {
+        let place = [table.columns.first().map_or(1, |column| column.place[0]), 1];
+        let found = format!("no column `{}`, which --map names", name.escape_default());
+        let mistake = Mistake::new(place, found, listed(table.columns.iter().map(Column::called)));
+        let is_named = table.columns.iter().all(|column| !column.name.is_empty());
+        let remedy =
+            "the names have blanks, which separate them too: give the channel's SymbolName, or export with tabs";
+        if is_named { mistake } else { mistake.instead(remedy) }
+    };
+    map.iter().map(|(name, _)| name.as_str()).filter(is_unknown).map(mistake).collect()
+}

@@ -1,0 +1,71 @@
+//! The columns of a table: their names, their times. Nothing of their values.
+
+use std::collections::BTreeSet;
+
+/// A column that is no time.
+#[derive(Clone, Debug)]
+pub struct Column<'t> {
+    /// its name, in an export the channel's; empty: it has none of its own
+    pub name: &'t str,
+    /// in an export, the symbol that it shows; several channels can show the same
+    pub symbol: &'t str,
+    /// where the name stands: line and column, both from 1
+    pub place: [usize; 2],
+    /// what an export says of the time between two samples [ms], and where: line and column
+    pub sample_time: Option<(&'t str, [usize; 2])>,
+    /// which cell of a row is its value
+    pub(crate) cell: usize,
+    /// its column of times
+    pub(crate) time: Option<TimeColumn<'t>>,
+}
+
+/// A column of times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct TimeColumn<'t> {
+    pub name: &'t str,
+    pub cell: usize,
+    pub unit: Unit,
+    pub place: [usize; 2],
+}
+
+/// What a time counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unit {
+    /// units of this number of nanoseconds
+    Nanoseconds(i64),
+    /// an export's: milliseconds, or if they are large, 100 ns since 1601
+    OfExport,
+    /// the name does not say it
+    Unsaid,
+}
+
+impl<'t> Column<'t> {
+    /// What the user calls it.
+    #[must_use]
+    pub fn called(&self) -> &'t str {
+        if self.name.is_empty() { self.symbol } else { self.name }
+    }
+}
+
+/// Whether a column is called a time: `time`, `Time [s]`, `t`, `Zeit(ms)`; then what it counts.
+pub(crate) fn time_unit(name: &str) -> Option<Unit> {
+    let name = name.to_lowercase();
+    let mut words = name.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());
+    let word = words.next().unwrap_or_default();
+    let is_time = word == "t" && (name == "t" || name.contains(['[', '('])) || TIMES.contains(&word);
+    let unit = words.find_map(|word| UNITS.iter().find(|(unit, _)| *unit == word));
+    is_time.then_some(unit.map_or(Unit::Unsaid, |(_, nanoseconds)| Unit::Nanoseconds(*nanoseconds)))
+}
+
+const TIMES: [&str; 4] = ["time", "timestamp", "zeit", "zeitstempel"];
+const UNITS: [(&str, i64); 6] =
+    [("s", 1_000_000_000), ("ms", 1_000_000), ("us", 1_000), ("\u{b5}s", 1_000), ("\u{3bc}s", 1_000), ("ns", 1)];
+
+/// The names of columns, for a message: not more than anybody reads.
+pub(crate) fn listed<'t>(names: impl Iterator<Item = &'t str>) -> String {
+    const MOST: usize = 12;
+    let mut seen = BTreeSet::new();
+    let names: Vec<&str> = names.filter(|name| seen.insert(*name)).collect();
+    let shown = names[..names.len().min(MOST)].join(", ");
+    if names.len() > MOST { format!("{shown} and {} more", names.len() - MOST) } else { shown }
+}

@@ -1,0 +1,131 @@
+//! What recorders write, as columns of cells: plain CSV, tables with `;` and a decimal comma, exports of TwinCAT Scope. No
+//! signal and no value is known here.
+
+mod cells;
+mod column;
+mod names;
+mod scope;
+
+pub use column::Column;
+pub(crate) use column::{TimeColumn, Unit, listed};
+
+use std::borrow::Cow;
+
+/// A table whose cells have not been read as values yet.
+#[derive(Clone, Debug)]
+pub struct Table<'t> {
+    pub columns: Vec<Column<'t>>,
+    pub rows: Vec<Row<'t>>,
+    /// whether it is an export, which has columns of signals that are not the block's, and rows that end early
+    pub is_export: bool,
+    /// the columns of times of a plain table
+    pub(crate) times: Vec<TimeColumn<'t>>,
+    separator: char,
+    cells: usize,
+}
+
+/// A line of samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Row<'t> {
+    /// the line, counted from 1
+    pub line: usize,
+    text: &'t str,
+}
+
+impl<'t> Table<'t> {
+    /// Reads the head; `wanted` are the columns that the user names.
+    #[must_use]
+    pub fn read(text: &'t str, wanted: &[&str]) -> Self {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let lines: Vec<&str> = text.lines().collect();
+        match scope::separator(lines.first().copied().unwrap_or_default()) {
+            Some(separator) => export(&lines, separator, wanted),
+            None => plain(&lines),
+        }
+    }
+
+    /// The same without the columns of times that the user leaves out.
+    #[must_use]
+    pub fn without(mut self, map: &[(String, String)]) -> Self {
+        let is_out = |time: &TimeColumn<'_>| map.iter().any(|(name, signal)| name == time.name && signal == "-");
+        for column in &mut self.columns {
+            column.time = column.time.filter(|time| !is_out(time));
+        }
+        self
+    }
+
+    /// The cells of a row.
+    ///
+    /// # Errors
+    /// The number of cells that the row has, and the number that is right.
+    pub(crate) fn cells(&self, row: &Row<'t>, cells: &mut Vec<&'t str>) -> Result<(), [usize; 2]> {
+        match self.is_export {
+            true => cells::split_samples(row.text, self.separator, cells),
+            false => cells::split(row.text, self.separator, cells),
+        }
+        while cells.len() > self.cells && cells.last().is_some_and(|cell| cell.is_empty()) {
+            cells.pop(); // after a separator at the end
+        }
+        let is_right = cells.len() == self.cells || self.is_export && cells.len() < self.cells;
+        if is_right { Ok(()) } else { Err([cells.len(), self.cells]) }
+    }
+
+    /// A cell with a decimal point.
+    pub(crate) fn number<'c>(&self, cell: &'c str) -> Cow<'c, str> {
+        cells::number(cell, self.separator)
+    }
+
+    /// Whether a comma separates cells, so that it is no decimal mark.
+    pub(crate) fn has_commas(&self) -> bool {
+        self.separator == ','
+    }
+
+    /// Whether a column of the table, or one of its times, has this name or shows this symbol.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        let is_time = self.times.iter().any(|time| time.name == name);
+        is_time || self.columns.iter().any(|column| column.name == name || column.symbol == name)
+    }
+}
+
+impl Row<'_> {
+    /// Where a cell of the row stands.
+    pub(crate) fn place(&self, cell: &str) -> [usize; 2] {
+        [self.line, cells::column_of(self.text, cell)]
+    }
+}
+
+/// A header, then samples.
+fn plain<'t>(lines: &[&'t str]) -> Table<'t> {
+    let first = lines.first().copied().unwrap_or_default();
+    let separator = ['\t', ';'].into_iter().find(|separator| first.contains(*separator)).unwrap_or(',');
+    let mut header = Vec::new();
+    cells::split(first, separator, &mut header);
+    let (mut columns, mut times) = (Vec::new(), Vec::new());
+    for (cell, name) in header.iter().copied().enumerate() {
+        let place = [1, cells::column_of(first, name)];
+        match column::time_unit(name) {
+            Some(unit) => times.push(TimeColumn { name, cell, unit, place }),
+            None => columns.push(Column { name, symbol: "", place, sample_time: None, cell, time: None }),
+        }
+    }
+    for column in &mut columns {
+        column.time = times.first().copied();
+    }
+    let rows = rows(lines, 1).collect();
+    Table { columns, rows, is_export: false, times, separator, cells: header.len() }
+}
+
+/// A head, then samples up to a line `EOF` or the end of the file.
+fn export<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> Table<'t> {
+    let scope::Head { columns, cells, start } = scope::head(lines, separator, wanted);
+    let is_end = |row: &Row<'_>| row.text.trim_matches(|letter| letter == '"' || letter == separator).trim() == "EOF";
+    let rows = rows(lines, start).take_while(|row| !is_end(row)).filter(|row| !row.text.trim().is_empty());
+    Table { columns, rows: rows.collect(), is_export: true, times: Vec::new(), separator, cells }
+}
+
+/// The lines from that index on.
+fn rows<'t>(lines: &[&'t str], start: usize) -> impl Iterator<Item = Row<'t>> {
+    let of = |(index, text): (usize, &&'t str)| Row { line: index + 1, text };
+    lines.iter().enumerate().skip(start).map(of)
+}

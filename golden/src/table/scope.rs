@@ -1,0 +1,155 @@
+//! The head of an export of TwinCAT Scope: where its channels stand, what they are called, where the samples begin.
+//!
+//! It begins with `Name` and lines about the recording. A block of rows about the channels follows, each a key and then a value
+//! for every channel. The key stands again before each channel that has a column of times of its own: what stands below a key
+//! is a time. The rows have as many cells as the samples, but for two kinds:
+//!
+//! ```text
+//! Name func_a Name test space func_b        between blanks, of names with blanks
+//! SampleTime[ms],0,2,SampleTime[ms],1,1     between commas, with the decimal comma of the PC
+//! Data-Type REAL64 Data-Type REAL64 BIT     what they are measured by
+//! ```
+
+use super::cells;
+use super::column::{Column, TimeColumn, Unit};
+use super::names;
+
+const NAME: &str = "Name";
+const SYMBOL: &str = "SymbolName";
+const DATA_TYPE: &str = "Data-Type";
+const SAMPLE_TIME: &str = "SampleTime[ms]";
+const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
+
+/// What stands above the samples.
+pub(super) struct Head<'t> {
+    pub columns: Vec<Column<'t>>,
+    /// how many cells a row has
+    pub cells: usize,
+    /// the index of the first line of samples
+    pub start: usize,
+}
+
+/// What separates the cells, if the file is an export.
+pub(super) fn separator(first_line: &str) -> Option<char> {
+    let rest = first_line.strip_prefix(NAME).or_else(|| first_line.strip_prefix("\"Name\""))?;
+    rest.chars().next().filter(|letter| SEPARATORS.contains(letter))
+}
+
+/// A row about all channels.
+struct Row<'t> {
+    line: usize,
+    text: &'t str,
+    cells: Vec<&'t str>,
+}
+
+/// The rows about the channels.
+struct Rows<'t> {
+    names: Option<Row<'t>>,
+    symbols: Option<Row<'t>>,
+    types: Option<Row<'t>>,
+    sample_times: Option<Row<'t>>,
+}
+
+/// The row that says which cell is a channel and which is a time.
+struct Layout<'r, 't> {
+    row: &'r Row<'t>,
+    /// whether samples have times
+    has_times: bool,
+}
+
+/// Reads the head; `wanted` are the channels that the user names.
+pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> Head<'t> {
+    let mut cells = Vec::new();
+    let is_sample = |line: &&'t str| {
+        cells::split_samples(line, separator, &mut cells);
+        cells.iter().find(|cell| !cell.is_empty()).is_some_and(|cell| cells::is_number(cell))
+    };
+    let start = lines.iter().position(is_sample).unwrap_or(lines.len());
+    let row = |key: &str| row(&lines[..start], separator, key);
+    let rows = Rows { names: row(NAME), symbols: row(SYMBOL), types: row(DATA_TYPE), sample_times: row(SAMPLE_TIME) };
+    let samples = lines.get(start).map(|line| {
+        cells::split_samples(line, separator, &mut cells);
+        cells.pop_if(|cell| cell.is_empty());
+        cells.len()
+    });
+    match rows.layout(samples) {
+        Some(layout) => Head {
+            columns: rows.columns(&layout, wanted),
+            cells: layout.row.cells.len() - usize::from(!layout.has_times),
+            start,
+        },
+        None => Head { columns: Vec::new(), cells: 0, start },
+    }
+}
+
+impl<'t> Rows<'t> {
+    /// The first line of samples decides: a row about the channels has as many cells, or one more if there are no times.
+    fn layout(&self, samples: Option<usize>) -> Option<Layout<'_, 't>> {
+        let rows: Vec<&Row<'_>> = [&self.symbols, &self.types, &self.names].into_iter().flatten().collect();
+        let with = |more: usize| {
+            let is_it = |row: &&&Row<'_>| samples.is_some_and(|samples| row.cells.len() == samples + more);
+            rows.iter().find(is_it).copied()
+        };
+        let timeless = with(1).filter(|row| with(0).is_none() && !row.cells[1..].contains(&row.cells[0]));
+        let row = with(0).or(timeless).or(rows.first().copied())?;
+        Some(Layout { row, has_times: timeless.is_none() })
+    }
+
+    /// The channels.
+    fn columns(&self, layout: &Layout<'_, 't>, wanted: &[&str]) -> Vec<Column<'t>> {
+        let Layout { row: Row { line, cells, .. }, has_times } = *layout;
+        let (key, names) = (cells[0], self.split_names(layout.row, wanted));
+        let same = |row: &Option<Row<'t>>, cell: usize| {
+            let row = row.as_ref().filter(|row| row.cells.len() == cells.len())?;
+            Some((row.cells[cell], place(row, row.cells[cell])))
+        };
+        let (mut columns, mut time) = (Vec::new(), None);
+        for (cell, text) in cells.iter().enumerate() {
+            if *text == key {
+                let place = place(layout.row, text);
+                time = has_times.then_some(TimeColumn { name: "", cell, unit: Unit::OfExport, place });
+                continue;
+            }
+            let of_names = names.get(columns.len()).zip(self.names.as_ref());
+            let name = same(&self.names, cell).or(of_names.map(|(name, row)| (*name, place(row, name))));
+            let symbol = same(&self.symbols, cell);
+            columns.push(Column {
+                name: name.map_or("", |(name, _)| name),
+                symbol: symbol.map_or("", |(symbol, _)| symbol),
+                place: name.or(symbol).map_or([*line, 1], |(_, place)| place),
+                sample_time: same(&self.sample_times, cell),
+                cell: if has_times { cell } else { cell - 1 },
+                time,
+            });
+        }
+        columns
+    }
+
+    /// The names where their row has another number of cells, as far as they can be told apart.
+    fn split_names(&self, layout: &Row<'t>, wanted: &[&str]) -> Vec<&'t str> {
+        let names = self.names.as_ref().filter(|row| row.cells.len() != layout.cells.len());
+        let counts: Vec<usize> =
+            layout.cells.split(|cell| *cell == layout.cells[0]).skip(1).map(|group: &[&str]| group.len()).collect();
+        names.and_then(|row| names::of_groups(row.text, NAME, &counts, wanted)).unwrap_or_default()
+    }
+}
+
+/// The row of a key; the first line of the file is about the recording.
+fn row<'t>(lines: &[&'t str], separator: char, key: &str) -> Option<Row<'t>> {
+    let mut cells = Vec::new();
+    let found = lines.iter().enumerate().skip(1).rfind(|(_, line)| {
+        cells::split(line, separator, &mut cells);
+        cells[0] == key
+    });
+    let (index, text) = found?;
+    cells::split(text, separator, &mut cells);
+    while cells.len() > 1 && cells.last().is_some_and(|cell| cell.is_empty()) {
+        cells.pop();
+    }
+    Some(Row { line: index + 1, text, cells })
+}
+
+/// Where a cell stands.
+fn place(row: &Row<'_>, cell: &str) -> [usize; 2] {
+    [row.line, cells::column_of(row.text, cell)]
+}

@@ -1,0 +1,81 @@
+//! How many digits of the values of a column were written, and what the last of them was worth.
+
+use portable::{Literal, RealKind};
+
+/// How many digits of the values of a column were written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Precision {
+    /// the most significant digits of a value; 0: all are there, or there is no column
+    pub digits: usize,
+    /// the most digits after the point
+    decimals: i32,
+}
+
+/// The same while the column is read.
+#[derive(Default)]
+pub(crate) struct Written {
+    digits: usize,
+    decimals: i32,
+}
+
+impl Written {
+    /// One value more; only reals have digits.
+    pub(crate) fn add(&mut self, cell: &str, value: Literal) {
+        if matches!(value, Literal::F64(_) | Literal::F32(_)) {
+            let (digits, decimals) = written(cell);
+            self.digits = self.digits.max(digits);
+            self.decimals = self.decimals.max(decimals);
+        }
+    }
+
+    pub(crate) fn precision(&self, real: RealKind) -> Precision {
+        let full = match real {
+            RealKind::F64 => 16,
+            RealKind::F32 => 8,
+        };
+        match self.digits > full {
+            true => Precision::default(),
+            false => Precision { digits: self.digits, decimals: self.decimals },
+        }
+    }
+}
+
+/// Significant digits and digits after the point of a number as it was written; all of them if it is written in bits.
+fn written(cell: &str) -> (usize, i32) {
+    if cell.starts_with("0x") {
+        return (usize::MAX, 0);
+    }
+    let (mantissa, exponent) = cell.split_once(['e', 'E']).unwrap_or((cell, "0"));
+    let digits = mantissa.bytes().filter(u8::is_ascii_digit).skip_while(|digit| *digit == b'0').count();
+    let after = mantissa.split_once('.').map_or(0, |(_, after)| after.len());
+    (digits, i32::try_from(after).unwrap_or(0) - exponent.parse::<i32>().unwrap_or(0))
+}
+
+impl Precision {
+    /// The same of a value that was rounded once more, when it was multiplied by a factor.
+    pub(crate) fn inexact(self, real: RealKind, factor: f64) -> Self {
+        let full = match real {
+            RealKind::F64 => 15,
+            RealKind::F32 => 7,
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "a few decades")]
+        let decades = libm::floor(-libm::log10(factor)) as i32;
+        match self.digits {
+            0 => Self { digits: full, decimals: 320 },
+            _ => Self { digits: self.digits.min(full), decimals: self.decimals - decades },
+        }
+    }
+
+    /// What the last digit of a value was worth when it was written.
+    pub(crate) fn unit(self, value: f64) -> f64 {
+        let digits = i32::try_from(self.digits).unwrap_or(0);
+        match self.digits {
+            0 => 0.0,
+            _ if value == 0.0 || !value.is_finite() => libm::pow(10.0, f64::from(-self.decimals)),
+            _ => {
+                let first = libm::floor(libm::log10(value.abs()));
+                libm::pow(10.0, (first + f64::from(1 - digits)).max(f64::from(-self.decimals)))
+            }
+        }
+    }
+}

@@ -1,0 +1,316 @@
+//! One recording in every form that TwinCAT Scope gives it: separator, decimal mark, columns of times, order of the channels, end,
+//! encoding, line ends. All of them are read as the same samples.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use compiler::program::Type;
+use golden::mistake::Mistake;
+use golden::recording::{self, Recording};
+use golden::samples::{Shape, Signal};
+use golden::table::Table;
+use portable::{Literal, RealKind};
+
+/// How a column of times belongs to channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Times {
+    PerChannel,
+    PerRate,
+    One,
+    None,
+}
+
+/// The form of a file.
+#[derive(Clone, Copy, Debug)]
+struct Form {
+    separator: char,
+    mark: char,
+    times: Times,
+    /// the fast channel stands first, so that rows end early; otherwise it stands in the middle, and blanks fill the rows
+    is_sorted: bool,
+    /// times as 100 ns since 1601
+    is_full: bool,
+    has_end: bool,
+    line_end: &'static str,
+}
+
+/// A channel: its name, its symbol, its type, its sampling time [us], when its first sample was taken [us].
+type Channel = (&'static str, &'static str, &'static str, u32, i32);
+
+/// Several channels show one symbol; names have blanks, brackets and umlauts.
+const CHANNELS: [Channel; 6] = [
+    ("Motor speed", "MAIN.fbX.fVelo", "REAL64", 1000, 0),
+    ("Motor speed (1)", "MAIN.fbX.fVelo", "REAL64", 1000, 0),
+    ("Dr\u{fc}cke[{\u{e4}\u{f6}\u{df}}]", "MAIN.fbX.fCorr", "REAL64", 1000, 0),
+    ("ready", "MAIN.fbX.bReady", "BIT", 1000, 0),
+    ("fast", "MAIN.fbX.fFast", "REAL32", 200, 0),
+    ("slow", "MAIN.fbX.fVelo", "REAL32", 5000, -3000),
+];
+const SAMPLES: u32 = 40;
+
+/// The value of a channel in its sample.
+fn value(channel: usize, sample: u32) -> String {
+    let sample = f64::from(sample);
+    match channel {
+        0 => format!("{:.3}", 12.5 * sample - 7.125),
+        1 => format!("{:.3}", 0.25 * sample),
+        2 => format!("{:.4}", -1.5 * sample),
+        3 => "1".to_owned(),
+        _ => format!("{sample}"),
+    }
+}
+
+/// The file.
+fn written(form: Form) -> String {
+    let has_rates = matches!(form.times, Times::PerChannel | Times::PerRate);
+    let order: &[usize] = match (has_rates, form.is_sorted) {
+        (true, true) => &[4, 0, 1, 2, 3, 5],
+        (true, false) => &[0, 1, 4, 2, 5, 3],
+        (false, _) => &[0, 1, 2, 3],
+    };
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for channel in order {
+        let is_same = |group: &Vec<usize>| CHANNELS[group[0]].3 == CHANNELS[*channel].3;
+        match groups.last_mut() {
+            Some(group) if form.times != Times::PerChannel && is_same(group) => group.push(*channel),
+            _ => groups.push(vec![*channel]),
+        }
+    }
+    let separator = form.separator.to_string();
+    let quoted = |text: &str| if form.separator == ' ' { format!("\"{text}\"") } else { text.to_owned() };
+    let mut lines = vec![
+        ["Name", &quoted("A project")].join(&separator),
+        ["File", &quoted("C:\\data\\x.csv")].join(&separator),
+        [&quoted("Starttime of export"), "133000000000000000", &quoted("Montag, 2. M\u{e4}rz"), "15:56:24.376"]
+            .join(&separator),
+        String::new(),
+        String::new(),
+    ];
+    let row = |key: &str, of: &dyn Fn(&Channel) -> String| {
+        let group = |group: &Vec<usize>| {
+            let values = group.iter().map(|channel| of(&CHANNELS[*channel]));
+            [key.to_owned()].into_iter().chain(values).collect::<Vec<_>>().join(&separator)
+        };
+        groups.iter().map(group).collect::<Vec<_>>().join(&separator)
+    };
+    let milliseconds = |micros: i64, mark: char| (micros as f64 / 1000.0).to_string().replace('.', &mark.to_string());
+    lines.push(row("Name", &|channel| channel.0.to_owned()));
+    lines.push(row("SymbolComment", &|_| String::new()));
+    lines.push(row("Data-Type", &|channel| channel.2.to_owned()));
+    // In the language of the PC, whatever the decimal mark of the samples is.
+    lines.push(row("SampleTime[ms]", &|channel| milliseconds(i64::from(channel.3), ',')));
+    lines.push(row("SymbolName", &|channel| channel.1.to_owned()));
+    lines.push(row("Unit", &|_| "dV (Voltage)".to_owned()));
+    lines.push(String::new());
+    let count = |channel: usize| SAMPLES * 1000 / CHANNELS[channel].3;
+    for sample in 0..order.iter().map(|channel| count(*channel)).max().unwrap() {
+        let mut cells = Vec::new();
+        for group in &groups {
+            let is_there = sample < count(group[0]);
+            let blank = || " ".to_owned();
+            let time = i64::from(CHANNELS[group[0]].4) + i64::from(sample) * i64::from(CHANNELS[group[0]].3);
+            let time = match form.is_full {
+                true => (133_000_000_000_000_000 + 10 * time).to_string(),
+                false => milliseconds(time, form.mark),
+            };
+            cells.extend((form.times != Times::None).then(|| if is_there { time } else { blank() }));
+            let of = |channel: &usize| value(*channel, sample).replace('.', &form.mark.to_string());
+            cells.extend(group.iter().map(|channel| if is_there { of(channel) } else { blank() }));
+        }
+        while cells.last().is_some_and(|cell| cell == " ") {
+            cells.pop();
+        }
+        lines.push(cells.join(&separator));
+    }
+    lines.extend(form.has_end.then(|| "EOF".to_owned()));
+    lines.join(form.line_end) + form.line_end
+}
+
+/// The bytes of a text, and what is written before them.
+const ENCODINGS: [fn(&str) -> Vec<u8>; 4] = [
+    |text| text.as_bytes().to_vec(),
+    |text| ["\u{feff}", text].concat().into_bytes(),
+    |text| text.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap()).collect(),
+    |text| [0xFEFF].into_iter().chain(text.encode_utf16()).flat_map(u16::to_le_bytes).collect(),
+];
+
+fn shapes() -> [Shape; 2] {
+    let real = |name: &str| Signal { name: name.to_owned(), ty: Type::Real, start: Literal::F64(0.0) };
+    let is_ready = Signal { name: "is_ready".to_owned(), ty: Type::Bool, start: Literal::Bool(false) };
+    let of = |signals: &[Signal]| Shape { real: RealKind::F64, signals: signals.to_vec() };
+    [of(&[real("v_motor"), real("v_command"), is_ready]), of(&[real("v_add")])]
+}
+
+fn read(text: &str, map: &[(&str, &str)]) -> Result<Recording, Vec<Mistake>> {
+    let map: Vec<(String, String)> = map.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect();
+    let wanted: Vec<&str> = map.iter().map(|(name, _)| name.as_str()).collect();
+    let [inputs, outputs] = shapes();
+    recording::read(&Table::read(text, &wanted), [&inputs, &outputs], true, &map, 1_000_000)
+}
+
+const MAP: [(&str, &str); 4] = [
+    ("Motor speed", "v_motor"),
+    ("Motor speed (1)", "v_command"),
+    ("Dr\u{fc}cke[{\u{e4}\u{f6}\u{df}}]", "v_add"),
+    ("MAIN.fbX.bReady", "is_ready"),
+];
+
+fn forms() -> impl Iterator<Item = Form> {
+    let separators = ['\t', ';', ' ', ':', ','].into_iter();
+    let separators = separators.flat_map(|separator| ['.', ','].map(|mark| (separator, mark)));
+    let times = [Times::PerChannel, Times::PerRate, Times::One, Times::None];
+    let layouts = separators.flat_map(move |form| times.map(|times| (form, times)));
+    let layouts = layouts.flat_map(|form| [true, false].map(|is_sorted| (form, is_sorted)));
+    let layouts = layouts.flat_map(|form| [true, false].map(|is_full| (form, is_full)));
+    let layouts = layouts.flat_map(|form| [true, false].map(|has_end| (form, has_end)));
+    let layouts = layouts.flat_map(|form| ["\n", "\r\n"].map(|line_end| (form, line_end)));
+    layouts.map(|(((((form, times), is_sorted), is_full), has_end), line_end)| {
+        let (separator, mark) = form;
+        Form { separator, mark, times, is_sorted, is_full, has_end, line_end }
+    })
+}
+
+#[test]
+fn every_form_is_read_as_the_same_samples() {
+    let mut count = 0;
+    for form in forms().filter(|form| (form.separator, form.mark) != (',', ',')) {
+        let text = written(form);
+        for encode in ENCODINGS {
+            let text = generator::config::characters(encode(&text));
+            let read = read(&text, &MAP).unwrap_or_else(|mistakes| panic!("{form:?}\n{mistakes:?}\n{text}"));
+            assert_eq!(read.inputs.len(), usize::try_from(SAMPLES).unwrap(), "{form:?}");
+            let mut values = Vec::new();
+            for sample in 0..SAMPLES {
+                let at = usize::try_from(sample).unwrap();
+                let number = |channel: usize| Literal::F64(value(channel, sample).parse().unwrap());
+                read.inputs.read(at, &mut values);
+                assert_eq!(values, [number(0), number(1), Literal::Bool(true)], "{form:?} {sample}");
+                read.outputs.read(at, &mut values);
+                assert_eq!(values, [number(2)], "{form:?} {sample}");
+            }
+            let line = text.lines().nth(read.lines[7] - 1).unwrap();
+            assert!(line.contains(&value(0, 7).replace('.', &form.mark.to_string())), "{form:?}: {line}");
+            count += 1;
+        }
+    }
+    assert_eq!(count, 9 * 4 * 2 * 2 * 2 * 2 * 4);
+}
+
+/// Between commas a decimal comma cannot be told from a separator: one message says what to do.
+#[test]
+fn decimal_commas_between_commas_are_refused() {
+    for form in forms().filter(|form| (form.separator, form.mark) == (',', ',')) {
+        let mistakes = read(&written(form), &MAP).unwrap_err();
+        let [mistake] = &mistakes[..] else { panic!("{form:?}: {mistakes:?}") };
+        assert!(mistake.found.contains(" cells, and ") && mistake.found.ends_with(" more rows"), "{mistake:?}");
+        assert_eq!(mistake.instead, "export with a decimal point, or with semicolons or tabs between the cells");
+    }
+}
+
+const FORM: Form = Form {
+    separator: '\t',
+    mark: '.',
+    times: Times::PerRate,
+    is_sorted: true,
+    is_full: false,
+    has_end: false,
+    line_end: "\n",
+};
+
+/// All channels of other sampling times are named at once.
+#[test]
+fn channels_of_other_sampling_times_are_named_at_once() {
+    let map = [("fast", "v_motor"), ("slow", "v_command"), MAP[2]];
+    for separator in ['\t', ';', ' ', ':', ','] {
+        let mistakes = read(&written(Form { separator, ..FORM }), &map).unwrap_err();
+        let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
+        assert_eq!(mistake.code, "AX480");
+        assert_eq!(mistake.found, "samples every 0.2 ms of fast, every 5 ms of slow; the block runs every 1 ms");
+        assert_eq!(mistake.instead, "record these columns every 1 ms, or leave them out: --map fast=- --map slow=-");
+    }
+}
+
+/// A symbol that several channels show does not name one of them.
+#[test]
+fn a_symbol_of_several_channels_is_refused() {
+    let mistakes = read(&written(FORM), &[("MAIN.fbX.fVelo", "v_motor"), MAP[2]]).unwrap_err();
+    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
+    assert_eq!(mistake.found, "3 channels show `MAIN.fbX.fVelo`, which --map names");
+    assert_eq!(mistake.allowed, "Motor speed, Motor speed (1), slow");
+}
+
+/// A channel that begins later decides where all begin; one that lies between the cycles of the others is refused.
+#[test]
+fn channels_begin_together() {
+    let form = Form { times: Times::PerChannel, ..FORM };
+    let later = |by: &str| {
+        let table = written(form);
+        let is_sample = |line: &&str| line.starts_with(|first: char| first.is_ascii_digit());
+        let first_at = 2 + 2 * 2; // after those of `fast` and of both speeds
+        let moved = |line: &str| {
+            let mut cells: Vec<String> = line.split('\t').map(str::to_owned).collect();
+            if let Some(cell) = cells.get_mut(first_at).filter(|cell| *cell != " ") {
+                *cell = (cell.parse::<f64>().unwrap() + by.parse::<f64>().unwrap()).to_string();
+            }
+            cells.join("\t")
+        };
+        let line = |line: &str| if is_sample(&line) { moved(line) } else { line.to_owned() };
+        table.lines().map(line).collect::<Vec<_>>().join("\n")
+    };
+    let recording = read(&later("2"), &MAP).unwrap();
+    let skipped = ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2));
+    assert_eq!(recording.skipped, skipped);
+    assert_eq!(recording.outputs.len(), 38);
+    let mut values = Vec::new();
+    recording.inputs.read(0, &mut values);
+    assert_eq!(values[0], Literal::F64(value(0, 2).parse().unwrap()));
+    recording.outputs.read(0, &mut values);
+    assert_eq!(values[0], Literal::F64(value(2, 0).parse().unwrap()));
+    let mistakes = read(&later("0.4"), &MAP).unwrap_err();
+    assert_eq!(mistakes.len(), 1);
+    assert!(mistakes[0].found.contains(" was sampled 0.4 ms apart from the others"), "{mistakes:?}");
+}
+
+/// A value that is missing between others is a mistake; one message says how many are.
+#[test]
+fn values_that_are_missing_in_the_middle() {
+    let table = written(FORM);
+    let without = |line: (usize, &str)| {
+        let mut cells: Vec<&str> = line.1.split('\t').collect();
+        if (30..33).contains(&line.0) {
+            cells[3] = " ";
+        }
+        cells.join("\t")
+    };
+    let text = table.lines().enumerate().map(without).collect::<Vec<_>>().join("\n");
+    let mistakes = read(&text, &MAP).unwrap_err();
+    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
+    assert_eq!(
+        (mistake.line, mistake.found.as_str()),
+        (31, "3 values are missing in the middle of the column `Motor speed`")
+    );
+}
+
+/// Names with blanks between blanks, which neither the user nor a second channel of the name tells apart.
+#[test]
+fn names_that_are_not_told_apart_are_replaced_by_symbols() {
+    let text = written(Form { separator: ' ', ..FORM }).replace("Motor speed (1)", "Command speed");
+    let by_symbol = [("MAIN.fbX.fCorr", "v_add"), ("MAIN.fbX.bReady", "is_ready")];
+    assert_eq!(read(&text, &by_symbol).unwrap().outputs.len(), 40);
+    // The user names them: that is enough.
+    let by_name = [("Motor speed", "v_motor"), ("Command speed", "v_command"), MAP[2]];
+    assert_eq!(read(&text, &by_name).unwrap().given, [0, 1]);
+}
+
+/// Two channels of a symbol that is a signal: one of them is chosen, by its name or by the map.
+#[test]
+fn two_channels_of_a_signal() {
+    let both = written(FORM).replace("MAIN.fbX.fVelo", "MAIN.fbX.v_motor");
+    let slow = [("slow", "-"), MAP[2]];
+    let mistakes = read(&both, &slow).unwrap_err();
+    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
+    assert_eq!(mistake.found, "the column `Motor speed (1)` a second time");
+    assert_eq!(mistake.instead, "--map \"Motor speed (1)=-\", or another channel of this symbol");
+    assert_eq!(read(&both, &[("Motor speed (1)", "-"), slow[0], slow[1]]).unwrap().given, [0]);
+    let named = both.replace("\tMotor speed\t", "\tv_motor\t");
+    assert_eq!(read(&named, &slow).unwrap().given, [0]);
+}
