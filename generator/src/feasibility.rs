@@ -4,7 +4,7 @@
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::spindle::advice as spindle;
 use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
-use crate::check::{assumed, gear, inert};
+use crate::check::{assumed, gear, inert, units};
 use crate::design::rounding::{largest, sample_limit};
 use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
 use crate::{parameters::Name, rules::effective::Effective};
@@ -19,6 +19,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     if !e.report.has_errors() {
         gear::advise(axis, e);
         assumed::advise(axis, gear, e);
+        units::advise(axis, gear, e);
         ipc::advise(designed, e);
         feedforward::inert(axis, gear, e);
         inert::advise(axis, gear, e);

@@ -69,7 +69,7 @@ pub enum Command {
         /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block: ipc, feedforward, position_control, spindle or axis
+        /// The block: ipc, feedforward, position_control, spindle, axis or spindle_axis
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
         /// The engine: reference, program, c, rust, st, twincat, codesys or scl
@@ -172,7 +172,7 @@ pub enum Command {
         old: PathBuf,
         /// The set (or list) after
         new: PathBuf,
-        /// Cycle time of the position controller, for axis lists: 1ms, 62.5us
+        /// Cycle time of the position controller, for axis lists: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of an axis list's axis [default: from the file's name]
@@ -183,7 +183,7 @@ pub enum Command {
     Import {
         /// The axis list
         list: PathBuf,
-        /// Cycle time of the position controller, which no list contains: 1ms, 62.5us
+        /// Cycle time of the position controller, which no list contains: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of the axis [default: from the file's name]
@@ -288,7 +288,7 @@ pub enum Golden {
 pub struct SetArguments {
     /// A TOML axis set (.toml), or one axis list (any other file)
     pub set: PathBuf,
-    /// Cycle time of the position controller, for an axis list: 1ms, 62.5us
+    /// Cycle time of the position controller, for an axis list: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
     #[arg(long, value_name = "TIME")]
     pub cycle_time: Option<String>,
     /// Name of an axis list's axis [default: from the file's name]

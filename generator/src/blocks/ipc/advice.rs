@@ -2,7 +2,7 @@
 //! stable.
 
 use super::check::{damping_given, master};
-use super::{filter as kinds, phase, stage::StageDesign, unstable};
+use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
 use crate::axis::{Axis, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
@@ -21,8 +21,10 @@ const NEAR_NYQUIST: f64 = 0.35;
 const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 /// Below 5 mm/s or 5 deg/s hardly an axis ends; above it hardly one is written in mm/s, m/min, deg/s or revolutions/min.
 const SLOW: f64 = 5000.0;
+/// 10 rpm: no spindle ends there, and most are faster than 10000 thousandths of a degree in a second.
+const SLOW_SPINDLE: f64 = 60_000.0;
 /// A limit of the whole of vb_max [0.1 %].
-const FULL: u32 = 1000;
+pub(super) const FULL: u32 = 1000;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
@@ -34,6 +36,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
             damping_generations(e, i, &design.stage);
             filter_without_type(e, i, &design.stage);
             capped(e, i, &design.stage);
+            no_denominator(e, i, &design.stage);
             weight(e, i, &design.stage);
             resonance(e, i, &design.stage);
             near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
@@ -41,6 +44,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
         }
     }
     overlaps(designed, e);
+    never_acts::advise(axis, e);
     unstable::advise(designed, e);
 }
 
@@ -99,7 +103,8 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
 fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear)).unwrap_or(0), 0]);
     let v_max = axis.ipc.v_max;
-    if v_max >= SLOW || e.given(key).is_none() {
+    let slow = if axis.control.is_spindle { SLOW_SPINDLE } else { SLOW };
+    if v_max >= slow || e.given(key).is_none() {
         return;
     }
     let (unit, per_second, per_minute, factor) = match axis.control.is_rotary {
@@ -165,6 +170,19 @@ fn capped(e: &mut Effective<'_>, i: u32, stage: &Stage) {
             Stage::MAX_WEIGHT
         );
         e.warn(codes::CAPPED, (Name::WeightFactNum, [i, 0]), found, Some(instead));
+    }
+}
+
+/// A numerator alone, which is mostly a percentage.
+fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let [num, denom] = [Name::WeightFactNum, Name::WeightFactDenom].map(|name| (name, [i, 0]));
+    let is_alone = e.given(num).is_some() && e.given(denom).is_none();
+    if is_alone && stage.weight_fact_num > 1 && stage.cap().is_empty() {
+        let number = stage.weight_fact_num;
+        let found = format!("{} is {number}, and without weight_fact_denom the weight is {number}: {number}00 %", e.title(num));
+        let path = path_with(denom.0.parameter().path, denom.1);
+        let instead = format!("{path} (P-AXIS-00755) with 100, if {number} % is meant, or with 1");
+        e.warn(codes::NO_DENOMINATOR, num, found, instead);
     }
 }
 
