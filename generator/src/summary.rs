@@ -21,7 +21,9 @@ pub fn verdict(designed: &Designed) -> String {
 fn drive(axis: &Axis) -> Vec<String> {
     let control = &axis.control;
     let drive_type = control.drive_type.map(|of| match of {
-        DriveType::Virtual => "drive: VIRTUAL, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned(),
+        DriveType::Virtual => {
+            "drive: VIRTUAL, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
+        }
         DriveType::Simulation => {
             "drive: SIMULATION, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
         }
@@ -38,7 +40,9 @@ fn drive(axis: &Axis) -> Vec<String> {
 fn keys(axis: &Axis) -> Vec<String> {
     let tunable = match axis.ipc.numbers {
         Numbers::Fixed => None,
-        Numbers::Weights(of) => Some(format!("tunable: the weights and the limit; the limit starts at {} of it", of.limit)),
+        Numbers::Weights(of) => {
+            Some(format!("tunable: the weights and the limit; the limit starts at {} of it", of.limit))
+        }
         Numbers::Sets => Some("tunable: all numbers, by parameter sets".to_owned()),
     };
     let watch = axis.ipc.watch.then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());

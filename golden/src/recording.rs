@@ -4,6 +4,7 @@ use crate::csv::{Mistake, samples, signals};
 use crate::samples::{Samples, Shape};
 use crate::table::Table;
 use compiler::program::Type;
+use portable::Extreme;
 use portable::{Literal, RealKind};
 
 /// What went into the block, and what came out as far as it was recorded.
@@ -143,7 +144,7 @@ impl Precision {
             _ if value == 0.0 || !value.is_finite() => libm::pow(10.0, f64::from(-self.decimals)),
             _ => {
                 let first = libm::floor(libm::log10(value.abs()));
-                libm::pow(10.0, (first + f64::from(1 - digits)).max(f64::from(-self.decimals)))
+                libm::pow(10.0, (first + f64::from(1 - digits)).larger(f64::from(-self.decimals)))
             }
         }
     }
@@ -206,7 +207,7 @@ impl Recording {
 
 /// The largest difference between two runs in a signal.
 fn changes(a: &Samples, b: &Samples, signal: usize) -> f64 {
-    pairs(a, b, signal).map(|(_, [a, b])| apart(a, b)).fold(0.0, f64::max)
+    pairs(a, b, signal).map(|(_, [a, b])| apart(a, b)).fold(0.0, f64::larger)
 }
 
 /// The values of a signal in the samples that both runs have.

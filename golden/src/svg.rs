@@ -3,6 +3,7 @@
 //! No font and no colour scheme is embedded; greys of middle lightness read on white and on dark. What is one of two is solid, the
 //! other one dashed: a picture reads without colours. Coordinates have one decimal.
 
+use portable::Extreme;
 use std::fmt::Write;
 
 /// Time [s] and value.
@@ -190,7 +191,7 @@ fn rows(panel: &Rows, until: f64, top: f64, lines: &mut Vec<String>) -> f64 {
         for [from, to] in times {
             let [from, to] = [from, to].map(|time| LEFT + time / until * (RIGHT - LEFT));
             // What is short must be seen.
-            let width = (to - from).max(1.0);
+            let width = (to - from).larger(1.0);
             lines.push(format!(
                 r#"<rect x="{from:.1}" y="{:.1}" width="{width:.1}" height="{:.1}" fill="{INK}"/>"#,
                 y + 3.0,
@@ -257,8 +258,9 @@ fn points(points: &[Point], scale: &Scale) -> String {
 /// Lowest and highest line, and the step, as the values of a panel need it; 0 is among them.
 fn scale(panel: &Curves) -> [f64; 3] {
     let values = panel.curves.iter().flat_map(|curve| curve.pieces.iter().flatten()).map(|point| point.1);
-    let (low, high) = values.fold((0.0, 0.0), |(low, high), value| (f64::min(low, value), f64::max(high, value)));
-    let step = step(f64::max(high - low, f64::MIN_POSITIVE), STEPS);
+    let (low, high) =
+        values.fold((0.0, 0.0), |(low, high), value| (f64::smaller(low, value), f64::larger(high, value)));
+    let step = step(f64::larger(high - low, f64::MIN_POSITIVE), STEPS);
     let (low, high) = ((low / step).floor() * step, (high / step).ceil() * step);
     if high > low { [low, high, step] } else { [0.0, 1.0, 1.0] }
 }

@@ -227,9 +227,10 @@ pub enum Command {
         #[command(flatten)]
         to: ToFile,
     },
-    /// Explains the code of a message, an error of the controller or an error_id of a block, and what to do
+    /// Explains the code of a message, an error of the controller, an error_id of a block, a signal or a word, and what to do
     Explain {
-        /// The code (AX304), the error (70350, P-ERR-70350) or the error_id (12) [default: all codes]
+        /// The code (AX304), the error (70350, P-ERR-70350), the error_id (12), a signal (limited), a parameter or a word of one
+        /// (DRYRUN) [default: all codes]
         code: Option<String>,
     },
     /// Writes a commented set to start from

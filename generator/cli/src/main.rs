@@ -1,4 +1,5 @@
 //! The command `axgen`: which file does what was asked for. No work is done here.
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 #![warn(clippy::print_stderr)] // `output` prints
 

@@ -75,7 +75,10 @@ pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exi
 }
 
 /// Refuses a file to write that the command reads itself.
-pub fn kept_apart<'p>(out: impl Into<Option<&'p Path>>, inputs: impl IntoIterator<Item = &'p Path>) -> Result<(), Exit> {
+pub fn kept_apart<'p>(
+    out: impl Into<Option<&'p Path>>,
+    inputs: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), Exit> {
     match out.into().filter(|out| inputs.into_iter().any(|input| is_same(input, out))) {
         Some(out) => Err(Exit::input(codes::NOT_OURS, out.slashes(), "is an input of this run; give another name")),
         None => Ok(()),

@@ -2,6 +2,7 @@
 
 use crate::number::digits;
 use crate::parameters::words::{DirectSource, Enable, FilterType, Prototype, StageMode, Words};
+use portable::Extreme;
 
 /// Improved position control (`lr_param.improved_position_control`).
 #[derive(Clone, Debug, PartialEq)]
@@ -56,7 +57,7 @@ impl Ipc {
     pub fn fade_time(&self) -> f64 {
         let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
-        lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
+        lowest.map_or(self.fade, |f0| self.fade.larger(1.0 / f0))
     }
 }
 
@@ -104,7 +105,7 @@ impl Stage {
 
     /// weight = min(num / denom, 7).
     pub fn weight(&self) -> f64 {
-        self.asked_weight().min(Self::MAX_WEIGHT)
+        self.asked_weight().smaller(Self::MAX_WEIGHT)
     }
 
     /// What stands behind a weight that is capped: ` (700 capped)`.

@@ -143,7 +143,9 @@ fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
         master.control.velocity_unit()
     );
     let said = Diagnostic::warning(codes::GANTRY_KV, place.clone(), found);
-    report.push(said.instead(format!("kv = {of_master} of {}, or equal values in both, and in their drives", slave.name)));
+    report.push(
+        said.instead(format!("kv = {of_master} of {}, or equal values in both, and in their drives", slave.name)),
+    );
 }
 
 /// A slave that cannot follow what its master adds would pull the gantry askew.

@@ -4,6 +4,7 @@ use crate::axis::{Axis, Spindle};
 use crate::config::values::{Key, key};
 use crate::parameters::Name;
 use crate::{codes, number::rounded, rules::effective::Effective};
+use portable::Extreme;
 
 /// 1 rpm [0.001 deg/s], and 1 rpm/s [0.001 deg/s^2].
 const RPM: f64 = 6000.0;
@@ -27,7 +28,8 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     ] {
         let given = [new, old].map(key).into_iter().find(|key| e.given(*key).is_some());
         let Some(at) = given else { continue };
-        let value = if new == Name::VVelocityControlOn { spindle.v_velocity_control_on } else { spindle.v_position_control_on };
+        let value =
+            if new == Name::VVelocityControlOn { spindle.v_velocity_control_on } else { spindle.v_position_control_on };
         let value = f64::from(value);
         // 0 has a meaning of its own. Of the largest velocity a threshold is more than a part in 6000.
         if value > 0.0 && (value < RPM || value * RPM <= largest) {
@@ -75,7 +77,7 @@ fn braking(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
 /// Windows in rpm and in degrees.
 fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
     let [window, takeover] = [Name::SpindleWindow, Name::SpindleTakeoverWindow].map(key);
-    let least = spindle.window.max(f64::from(spindle.v_position_control_on) / 100.0);
+    let least = spindle.window.larger(f64::from(spindle.v_position_control_on) / 100.0);
     if e.given(window).is_some() && least < SMALL_WINDOW {
         in_rpm(e, window, spindle.window, "rpm", "deg/s");
     }

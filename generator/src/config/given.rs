@@ -1,8 +1,8 @@
 //! What a set or a list gives: the values of its top and of each of its axes. Files are read here; nothing is validated.
 
 use super::list::{self, List};
-use super::project::{self, AxisList};
 use super::other_functions::{self, Found, OtherFunctions};
+use super::project::{self, AxisList};
 use super::set::{self, AxisTable};
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
@@ -94,7 +94,8 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
     let mut report = Report::default();
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
-    let mut given = GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: OtherFunctions::default(), report };
+    let mut given =
+        GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: OtherFunctions::default(), report };
     match list_of(&keys, axis.name, set, load) {
         None => given.values = Some(keys),
         Some(Err(unreadable)) => given.report.extend(unreadable),
@@ -119,7 +120,8 @@ fn other_axis(name: &str, list: &OtherFunctions) -> Option<Diagnostic> {
     let is_same = letters(in_list) == letters(name) || letters(in_list).is_empty();
     let found = format!("the list of the axis {name} has the name of another axis: {}", shown(in_list));
     let said = Diagnostic::warning(codes::OTHER_AXIS, place.clone(), found);
-    (!is_same).then(|| said.instead(format!("in [axis.{name}] the list of this axis, or the axis with the name in the list")))
+    (!is_same)
+        .then(|| said.instead(format!("in [axis.{name}] the list of this axis, or the axis with the name in the list")))
 }
 
 /// The list that an axis of a set names; none: it names none.

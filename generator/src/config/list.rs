@@ -26,7 +26,12 @@ const UNREADABLE_LINES: usize = 20;
 
 pub(crate) fn read(list: &AxisList) -> List {
     let mut reading = Reading {
-        list: List { values: Values::default(), foreign: OtherFunctions::default(), report: Report::default(), complete: true },
+        list: List {
+            values: Values::default(),
+            foreign: OtherFunctions::default(),
+            report: Report::default(),
+            complete: true,
+        },
         source: &list.source,
         commented: None,
         is_behind_end: false,

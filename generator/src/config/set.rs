@@ -204,7 +204,9 @@ fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
 fn no_element(path: &str, place: Place) -> Diagnostic {
     let found = format!("{} is an empty array: it gives nothing, and what a list has there stays", value::shown(path));
     let instead = match path.rsplit('.').next() {
-        Some("stage") => "stage = [{ mode = \"NOT_ACTIVE\" }, ...] for each stage of the list that is to go, or no line",
+        Some("stage") => {
+            "stage = [{ mode = \"NOT_ACTIVE\" }, ...] for each stage of the list that is to go, or no line"
+        }
         _ => "no line, or an element with its parameters",
     };
     Diagnostic::error(codes::TYPE, place, found).allowed("an array with an element at the least").instead(instead)

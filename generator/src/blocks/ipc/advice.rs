@@ -14,6 +14,7 @@ use crate::{
     diagnostics::Diagnostic,
     number::{digits, rounded},
 };
+use portable::Extreme;
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
@@ -179,7 +180,8 @@ fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let is_alone = e.given(num).is_some() && e.given(denom).is_none();
     if is_alone && stage.weight_fact_num > 1 && stage.cap().is_empty() {
         let number = stage.weight_fact_num;
-        let found = format!("{} is {number}, and without weight_fact_denom the weight is {number}: {number}00 %", e.title(num));
+        let found =
+            format!("{} is {number}, and without weight_fact_denom the weight is {number}: {number}00 %", e.title(num));
         let path = path_with(denom.0.parameter().path, denom.1);
         let instead = format!("{path} (P-AXIS-00755) with 100, if {number} % is meant, or with 1");
         e.warn(codes::NO_DENOMINATOR, num, found, instead);
@@ -254,7 +256,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
     for (n, (i, stage)) in bands.iter().enumerate() {
         for (j, other) in &bands[n + 1..] {
             let [[low, high], [other_low, other_high]] = [stage, other].map(|design| band_of(design));
-            if low.max(other_low) < high.min(other_high) {
+            if low.larger(other_low) < high.smaller(other_high) {
                 let found = format!(
                     "stage[{i}] ({} to {} Hz) and stage[{j}] ({} to {} Hz) overlap, and influence each other",
                     rounded(low),
@@ -272,5 +274,5 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
 pub(super) fn band_of(design: &StageDesign) -> [f64; 2] {
     let filters = design.filter.iter().flatten().filter(|of| kinds::is_selective(&of.filter));
-    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
+    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].larger(low), of.edges[1].smaller(high)])
 }
