@@ -8,6 +8,8 @@ use portable::Extreme;
 
 /// 1 rpm [0.001 deg/s], and 1 rpm/s [0.001 deg/s^2].
 const RPM: f64 = 6000.0;
+/// 10 rpm, which may be a threshold of a slow spindle [0.001 deg/s].
+const LOW: f64 = 60_000.0;
 /// No ramp of a spindle takes so long [s].
 const LONGEST_RAMP: f64 = 100.0;
 /// A window below this hardly any drive comes into [0.001 deg/s], and a takeover none [0.001 deg].
@@ -31,8 +33,8 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let value =
             if new == Name::VVelocityControlOn { spindle.v_velocity_control_on } else { spindle.v_position_control_on };
         let value = f64::from(value);
-        // 0 has a meaning of its own. Of the largest velocity a threshold is more than a part in 6000.
-        if value > 0.0 && (value < RPM || value * RPM <= largest) {
+        // 0 has a meaning of its own. A threshold is more than a part in 6000 of the largest velocity.
+        if value > 0.0 && (value < RPM || value < LOW && value * RPM <= largest) {
             in_rpm(e, at, value, "rpm", "deg/s");
         }
     }
@@ -100,10 +102,10 @@ fn kv(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         axis.ipc.v_max,
         rounded(axis.ipc.v_max / per_second / 1e3)
     );
-    let instead = format!(
-        "{}, if {kv}/s is meant, or {}, if {kv} (m/min)/mm is meant: the unit is 0.01/s",
-        kv * 100,
-        libm::round(f64::from(kv) * KV_PER_MINUTE)
-    );
+    let of_minute = match axis.control.is_rotary {
+        true => String::new(),
+        false => format!(", or {}, if {kv} (m/min)/mm is meant", libm::round(f64::from(kv) * KV_PER_MINUTE)),
+    };
+    let instead = format!("{}, if {kv}/s is meant{of_minute}: the unit is 0.01/s", kv * 100);
     e.warn(codes::KV_UNIT, at, found, instead);
 }

@@ -245,7 +245,7 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let said = Diagnostic::error(codes::TOO_LONG, place, found);
     let allowed = format!("{MOST_CYCLES} cycles: {} at a cycle time of {}", time_text(longest), time_text(cycle));
     let instead = if name == Name::SpindleBrakeTimeout {
-        "a shorter time, or a larger spindle.deceleration"
+        "a shorter time, or a larger spindle.deceleration: 6000 is 1 rpm/s"
     } else {
         "a shorter time"
     };
