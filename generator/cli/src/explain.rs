@@ -20,10 +20,14 @@ pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
         None => explain(wanted).map_or_else(|| of_word(wanted), |code| vec![text(code)]),
     };
     if found.is_empty() {
+        let is_code = wanted.chars().any(|letter| letter.is_ascii_digit());
         let wanted = wanted.escape_default();
-        let found = format!(
-            "no code, signal, parameter or word `{wanted}`; `axgen explain` lists all codes, from AX001 on, `axgen params` all parameters"
-        );
+        let found = match is_code {
+            true => format!("no code `{wanted}`; `axgen explain` lists all, from AX001 on"),
+            false => format!(
+                "no code, signal, parameter or word `{wanted}`; `axgen explain` lists all codes, and `axgen params` all parameters"
+            ),
+        };
         return Err(Exit::input(codes::NO_SUCH, "axgen explain", found));
     }
     output::line(found.join("\n\n"))?;
