@@ -47,7 +47,7 @@ impl<P: Part + Design> Kind for P {
     fn signals(&self) -> [&'static [Field]; 2] {
         [<P as Reference<f64>>::Inputs::TY, <P as Reference<f64>>::Outputs::TY].map(|ty| match ty {
             Ty::Struct { def } => def.fields,
-            _ => &[],
+            Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Array { .. } | Ty::Enum { .. } => &[],
         })
     }
 

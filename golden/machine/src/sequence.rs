@@ -69,7 +69,7 @@ impl Sequence {
         let length = self.speed / self.acceleration + self.rise;
         let sample = |n: u32| {
             let t = (f64::from(n) + 0.5) * cycle;
-            (t.smaller(length - t) / self.rise).min(1.0)
+            (t.smaller(length - t) / self.rise).smaller(1.0)
         };
         let shares: Vec<f64> = (0..).map(sample).take_while(|share| *share > 0.0).collect();
         let sum: f64 = shares.iter().sum();

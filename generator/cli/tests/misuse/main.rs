@@ -121,6 +121,7 @@ fn nothing_is_said_of_what_the_rows_change() {
 }
 
 #[test]
+#[expect(clippy::print_stdout, reason = "the figures")]
 fn every_misuse_is_said_and_nearly_each_with_a_remedy() {
     let (files, rows) = table();
     let further = rows.iter().filter(|row| row.kind == "further").count();
