@@ -29,6 +29,9 @@ pub struct Ipc {
 }
 
 impl Ipc {
+    /// A limit of the whole of vb_max [0.1 %].
+    pub(crate) const WHOLE: u32 = 1000;
+
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
     pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
 

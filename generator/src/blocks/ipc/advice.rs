@@ -3,7 +3,7 @@
 
 use super::check::{damping_given, master};
 use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
-use crate::axis::{Axis, Mode, Stage};
+use crate::axis::{Axis, Ipc, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
@@ -24,8 +24,6 @@ const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 const SLOW: f64 = 5000.0;
 /// 10 rpm: no spindle ends there, and most are faster than 10000 thousandths of a degree in a second.
 const SLOW_SPINDLE: f64 = 60_000.0;
-/// A limit of the whole of vb_max [0.1 %].
-pub(super) const FULL: u32 = 1000;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
@@ -55,7 +53,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
     if active > 0 || axis.control.position_control.is_some() {
         unit_of_vb_max(axis, e);
     }
-    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= FULL {
+    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= Ipc::WHOLE {
         let key = key(Name::Enable);
         let found = format!(
             "the block starts ON (P-AXIS-00758), and v_add may reach {} {}: {} % of vb_max (P-AXIS-00757)",

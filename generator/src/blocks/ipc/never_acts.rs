@@ -1,7 +1,6 @@
 //! A watch that sees nothing in time, and tuning that starts at 0: warnings.
 
-use super::advice::FULL;
-use crate::axis::Axis;
+use crate::axis::{Axis, Ipc};
 use crate::config::values::key;
 use crate::parameters::Name;
 use crate::{codes, rules::effective::Effective};
@@ -35,7 +34,7 @@ fn watch(axis: &Axis, e: &mut Effective<'_>) {
             ("the axis is a gantry slave".to_owned(), "`watch` for the master, whose stages act")
         }
         () if ipc.v_add_max_fact == 0 => ("the limit (P-AXIS-00757) is 0".to_owned(), "a limit above 0, or no `watch`"),
-        () if ipc.v_add_max_fact >= FULL => (
+        () if ipc.v_add_max_fact >= Ipc::WHOLE => (
             format!(
                 "it waits for {} {}, {} % of vb_max (P-AXIS-00757), which the axis hardly reaches",
                 ipc.limit(),
