@@ -496,6 +496,32 @@ codes! {
          the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
          or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
          (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
+    SPINDLE_UNIT = "AX462", "a velocity of a spindle that looks like another unit",
+        "The velocities of a spindle are in 0.001 deg/s: 1 rpm is 6000. Its deceleration is in 0.001 deg/s^2: 1 rpm/s is 6000. A number written in \
+         rpm is 6000 times too small: the changeover then begins at a standstill, or braking takes an hour.";
+    KV_UNIT = "AX463", "a gain of the position controller that looks like another unit",
+        "P-AXIS-00099 is in 0.01/s: 2000 is 20/s. A number written in 1/s is 100 times too small, and the position lag, v / Kv, 100 times too \
+         large.";
+    GANTRY_KV = "AX464", "unequal gains of the position controllers in a gantry",
+        "Without feedforward an axis lags by v / Kv. With unequal Kv (P-AXIS-00099) the axes of a gantry lag differently, and the bridge is askew \
+         by (1/Kv1 - 1/Kv2) v while it moves.";
+    NO_DENOMINATOR = "AX465", "a weight without its denominator",
+        "A weight is P-AXIS-00754 / P-AXIS-00755, and without a line the denominator is 1: a numerator of 5 is a weight of 5, 500 %. Write both.";
+    OTHER_AXIS = "AX466", "a list of another axis",
+        "The list that an axis of a set names has the name of another axis (kopf.log_achs_name). Mostly it is the wrong file, and the block \
+         would be made from the parameters of another machine part. Name the right list, or give the axis of the set the name in the list.";
+    COMMAND_FILTER = "AX467", "a command filter beside improved position control",
+        "The list has a filter of the position command that is on: filter[i] (P-AXIS-00319, 00140), filter_fir (P-AXIS-00573, 00586) or an HSC \
+         filter, which the NC program switches on. It delays the command and turns its phase. A stage in the mode SET_POINT takes the \
+         command, and a comparison of the axis with and without stages includes the filter. Tune the stages with the filters that the machine \
+         runs with, and tune again when a filter changes.";
+    BLIND_WATCH = "AX468", "a watch that can see nothing in time",
+        "The watch over the loop (key watch) looks for a sum of the stages that reaches the limit (P-AXIS-00757) again and again. With a limit of 0, \
+         without a stage and on a gantry slave it looks at nothing. With a limit of the whole of vb_max the axis oscillates at full speed \
+         before the watch sees it.";
+    TUNED_TO_0 = "AX469", "tuning that starts at 0",
+        "With tuning_limit, or the tuning_weight of each stage, 0 at start the block adds nothing until the caller writes the input. Where \
+         nothing is connected to the input, it never acts.";
     NC_PASSED = "AX470", "words of an NC program that have no effect here",
         "A scenario moves one axis or one spindle. Words of the tool (T, D, H, M6, G40, G43, G44, G49), of the machine (M0, M1, M7 to M9, \
          most other M words) and settings (G17 to G19, G80, G94, O and the like) are passed over. G20 and G70 are inches, G21 and G71 \

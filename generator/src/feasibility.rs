@@ -4,10 +4,11 @@
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::spindle::advice as spindle;
 use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
-use crate::check::{assumed, gear, inert};
+use crate::check::{assumed, gear, inert, units};
 use crate::design::rounding::{largest, sample_limit};
 use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
 use crate::{parameters::Name, rules::effective::Effective};
+use portable::Extreme;
 
 /// Says what is wrong; where nothing is, what a user would want to know.
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
@@ -19,6 +20,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     if !e.report.has_errors() {
         gear::advise(axis, e);
         assumed::advise(axis, gear, e);
+        units::advise(axis, gear, e);
         ipc::advise(designed, e);
         feedforward::inert(axis, gear, e);
         inert::advise(axis, gear, e);
@@ -36,11 +38,11 @@ fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let mut factors = vec![(key(Name::VsVFaktor), "the weight of feedforward", weight)];
     if let Some(torque) = feedforward.torque_scale.as_ref().map(scale::torque) {
         let of_torque = |factor: f64| ((Name::Load, [gear, 0]), "the scaling of the additive torque", torque * factor);
-        factors.push(of_torque(feedforward.acceleration.value().max(1.0)));
+        factors.push(of_torque(feedforward.acceleration.value().larger(1.0)));
         factors.push(of_torque(feedforward.jerk.value()));
     }
     // 16: sums of a few products.
-    let is_beyond = |factor: f64| factor.is_nan() || factor * weight.max(1.0) * sample * 16.0 > largest;
+    let is_beyond = |factor: f64| factor.is_nan() || factor * weight.larger(1.0) * sample * 16.0 > largest;
     if let Some((key, what, factor)) = factors.into_iter().find(|(.., factor)| is_beyond(*factor)) {
         let found = format!("{what} is {factor:e}: a sample in range times it is beyond the numbers of this axis");
         let diagnostic = Diagnostic::error(codes::SCALE, e.place_of(key), found);

@@ -5,6 +5,7 @@
 //! config  check    designed  feasibility     blocks                                             target     render    write
 //! ```
 //! `pipeline` drives the way to designed axes, `generate` the way from there to files.
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 #![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 

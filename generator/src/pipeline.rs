@@ -1,7 +1,7 @@
 //! From a file to its designed axes: read, check, design, feasibility. The one place that drives these steps.
 
 use crate::blocks::ipc::drive_response;
-use crate::check::{self, Checked, gantry};
+use crate::check::{self, Checked, command_filter, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
 use crate::diagnostics::{Place, Report, Severity};
@@ -62,7 +62,7 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     let designed: Vec<(Option<Designed>, Report)> =
         given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
-    set.foreign = given.axes.iter().map(|axis| axis.foreign).sum();
+    set.foreign = given.axes.iter().map(|axis| axis.foreign.count).sum();
     for (designed, said) in designed {
         report.extend(said);
         set.axes.extend(designed);
@@ -103,6 +103,7 @@ fn design(
     }
     if let Some(designed) = &designed {
         feasibility::validate(designed, gear, &mut effective);
+        command_filter::advise(&designed.axis, &given.foreign, &mut effective);
     }
     let mut said = effective.report;
     if purpose == Purpose::Look {

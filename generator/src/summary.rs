@@ -1,6 +1,8 @@
 //! What an axis's blocks do, in a few lines for the user, and what that means for the machine.
 
+use crate::axis::{Axis, Location, Numbers};
 use crate::blocks::{self, Designed, Summary};
+use crate::parameters::words::{DriveType, Words};
 
 /// The lines for an axis.
 pub fn text(designed: &Designed) -> String {
@@ -11,7 +13,40 @@ pub fn text(designed: &Designed) -> String {
 
 /// The lines for an axis whose user wants to know what to think of it: a table and verdicts.
 pub fn verdict(designed: &Designed) -> String {
-    lines(designed, "", blocks::of_axis(&designed.axis).flat_map(|kind| kind.verdict(designed)))
+    let of_blocks = blocks::of_axis(&designed.axis).flat_map(|kind| kind.verdict(designed));
+    lines(designed, "", of_blocks.chain(drive(&designed.axis)).chain(keys(&designed.axis)))
+}
+
+/// The drive, and the gain that it shares with the controller.
+fn drive(axis: &Axis) -> Vec<String> {
+    let control = &axis.control;
+    let drive_type = control.drive_type.map(|of| match of {
+        DriveType::Virtual => {
+            "drive: VIRTUAL, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
+        }
+        DriveType::Simulation => {
+            "drive: SIMULATION, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
+        }
+        of => format!("drive: {} (P-AXIS-00020)", of.name()),
+    });
+    let in_drive = control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
+    let kv = control.kv.filter(|_| in_drive).map(|kv| {
+        format!("Kv {}/s: the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01)", f64::from(kv) / 100.0)
+    });
+    drive_type.into_iter().chain(kv).collect()
+}
+
+/// What keys of a set give the block beyond its parameters.
+fn keys(axis: &Axis) -> Vec<String> {
+    let tunable = match axis.ipc.numbers {
+        Numbers::Fixed => None,
+        Numbers::Weights(of) => {
+            Some(format!("tunable: the weights and the limit; the limit starts at {} of it", of.limit))
+        }
+        Numbers::Sets => Some("tunable: all numbers, by parameter sets".to_owned()),
+    };
+    let watch = axis.ipc.watch.then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
+    tunable.into_iter().chain(watch).collect()
 }
 
 fn lines(designed: &Designed, heads: &str, lines: impl Iterator<Item = String>) -> String {

@@ -5,6 +5,7 @@ use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Plane, Point
 use generator::analysis::{Analysis, OfDrive, summary};
 use generator::axis::Stage;
 use generator::blocks::Designed;
+use portable::Extreme;
 use stability::{Complex64, MAX_MS};
 
 /// The picture begins at that part of the lowest f0.
@@ -24,7 +25,7 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     let first = analysis.drives.first()?;
     let nyquist = 0.5 / designed.axis.cycle_time();
     let f0 = designed.axis.ipc.stage.iter().flatten().map(|stage| stage.f0());
-    let from = f0.fold(nyquist, |lowest, f0| if f0 < lowest { f0 } else { lowest }) * LOWEST;
+    let from = f0.fold(nyquist, f64::smaller) * LOWEST;
     let bode = bode(first);
     let of_drives = |value: fn(f64, Complex64) -> Point| -> Vec<Curve> {
         let points = |of: &OfDrive| of.curve.iter().map(|at| value(at.hz, at.open)).collect();

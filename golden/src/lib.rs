@@ -19,6 +19,7 @@
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
 //! ```
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 
 pub mod analysis;

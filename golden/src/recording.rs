@@ -7,7 +7,7 @@ use crate::signals::{self, Map};
 use crate::table::{Column, Table};
 use crate::written::Precision;
 use compiler::program::Type;
-use portable::Literal;
+use portable::{Extreme, Literal};
 
 /// What went into the block, and what came out as far as it was recorded.
 #[derive(Clone, Debug)]
@@ -256,7 +256,7 @@ impl Recording {
 
 /// The largest difference between two runs in a signal.
 fn changes(a: &Samples, b: &Samples, signal: usize) -> f64 {
-    pairs(a, b, signal).map(|(_, [a, b])| apart(a, b)).fold(0.0, f64::max)
+    pairs(a, b, signal).map(|(_, [a, b])| apart(a, b)).fold(0.0, f64::larger)
 }
 
 /// The values of a signal in the samples that both runs have.

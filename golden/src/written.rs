@@ -1,5 +1,6 @@
 //! How many digits of the values of a column were written, and what the last of them was worth.
 
+use portable::Extreme;
 use portable::{Literal, RealKind};
 
 /// How many digits of the values of a column were written.
@@ -74,7 +75,7 @@ impl Precision {
             _ if value == 0.0 || !value.is_finite() => libm::pow(10.0, f64::from(-self.decimals)),
             _ => {
                 let first = libm::floor(libm::log10(value.abs()));
-                libm::pow(10.0, (first + f64::from(1 - digits)).max(f64::from(-self.decimals)))
+                libm::pow(10.0, (first + f64::from(1 - digits)).larger(f64::from(-self.decimals)))
             }
         }
     }

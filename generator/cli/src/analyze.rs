@@ -41,7 +41,7 @@ pub fn run(
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     if let Some(path) = &to.picture {
-        one_file::kept_apart(path, [arguments.set.as_path()].into_iter())?;
+        one_file::kept_apart(path.as_path(), [arguments.set.as_path()])?;
         draw(path, input::axis(&set, axis)?, to.force)?;
     }
     let axes: Vec<&Designed> = match axis {

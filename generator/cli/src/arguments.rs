@@ -70,7 +70,7 @@ pub enum Command {
         /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block: ipc, feedforward, position_control, spindle or axis
+        /// The block: ipc, feedforward, position_control, spindle, axis or spindle_axis
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
         /// The engine: reference, program, c, rust, st, twincat, codesys or scl
@@ -192,7 +192,7 @@ pub enum Command {
         old: PathBuf,
         /// The set (or list) after
         new: PathBuf,
-        /// Cycle time of the position controller, for axis lists: 1ms, 62.5us
+        /// Cycle time of the position controller, for axis lists: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of an axis list's axis [default: from the file's name]
@@ -203,7 +203,7 @@ pub enum Command {
     Import {
         /// The axis list
         list: PathBuf,
-        /// Cycle time of the position controller, which no list contains: 1ms, 62.5us
+        /// Cycle time of the position controller, which no list contains: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
         #[arg(long, value_name = "TIME")]
         cycle_time: Option<String>,
         /// Name of the axis [default: from the file's name]
@@ -247,9 +247,10 @@ pub enum Command {
         #[command(flatten)]
         to: ToFile,
     },
-    /// Explains the code of a message, an error of the controller or an error_id of a block, and what to do
+    /// Explains the code of a message, an error of the controller, an error_id of a block, a signal or a word, and what to do
     Explain {
-        /// The code (AX304), the error (70350, P-ERR-70350) or the error_id (12) [default: all codes]
+        /// The code (AX304), the error (70350, P-ERR-70350), the error_id (12), a signal (limited), a parameter or a word of one
+        /// (DRYRUN) [default: all codes]
         code: Option<String>,
     },
     /// Writes a commented set to start from
@@ -308,7 +309,7 @@ pub enum Golden {
 pub struct SetArguments {
     /// A TOML axis set (.toml), or one axis list (any other file)
     pub set: PathBuf,
-    /// Cycle time of the position controller, for an axis list: 1ms, 62.5us
+    /// Cycle time of the position controller, for an axis list: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
     #[arg(long, value_name = "TIME")]
     pub cycle_time: Option<String>,
     /// Name of an axis list's axis [default: from the file's name]

@@ -1,7 +1,9 @@
-//! `axgen explain`: what a code of a message, an error of the controller or an error id of a block means, and what to do.
+//! `axgen explain`: what a code of a message, an error of the controller, an error id of a block or a word means, and what to do.
 
 use crate::exit::Exit;
 use crate::output;
+use crate::params;
+use generator::blocks;
 use generator::codes::{self, CODES, Code, explain, of_controller};
 use generator::error_ids::{self, ErrorId};
 
@@ -15,11 +17,17 @@ pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
     };
     let found = match number(wanted) {
         Some(number) => of_number(number),
-        None => explain(wanted).into_iter().map(text).collect(),
+        None => explain(wanted).map_or_else(|| of_word(wanted), |code| vec![text(code)]),
     };
     if found.is_empty() {
+        let is_code = wanted.chars().any(|letter| letter.is_ascii_digit());
         let wanted = wanted.escape_default();
-        let found = format!("no code `{wanted}`; `axgen explain` lists all, from AX001 on");
+        let found = match is_code {
+            true => format!("no code `{wanted}`; `axgen explain` lists all, from AX001 on"),
+            false => format!(
+                "no code, signal, parameter or word `{wanted}`; `axgen explain` lists all codes, and `axgen params` all parameters"
+            ),
+        };
         return Err(Exit::input(codes::NO_SUCH, "axgen explain", found));
     }
     output::line(found.join("\n\n"))?;
@@ -37,6 +45,39 @@ fn text(code: &Code) -> String {
     format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
 }
 
+/// What a word means: the name of a signal, a parameter, a value of one.
+fn of_word(wanted: &str) -> Vec<String> {
+    let signals = blocks::signals(wanted).into_iter().map(|(block, is_output, doc)| {
+        let kind = if is_output { "output" } else { "input" };
+        format!("{kind} `{wanted}` of the block {block}: {doc}")
+    });
+    let mut found: Vec<String> = signals.collect();
+    let parameters = [params::of_name(wanted), params::of_word(wanted)].concat();
+    found.extend(parameters.iter().map(|text| text.trim_end().to_owned()));
+    found
+}
+
+/// The numbers that the function block of the example for TwinCAT has beside those of its blocks: why, and what to do.
+const OF_EXAMPLE: [(u32, &str, &str); 3] = [
+    (
+        901,
+        "the self-test of a block failed on this controller",
+        "Nothing acts until the program is loaded anew. Generate the blocks \
+        again and compare them with those on the controller; report the controller and its firmware.",
+    ),
+    (
+        902,
+        "the NC reports an error of the axis",
+        "nc_error_id has the NC's own number. Remove its cause, take Enable away, then acknowledge.",
+    ),
+    (
+        903,
+        "the drive is not in operation although the axis has power",
+        "Look at the drive's own fault memory and its status word. Remove the \
+        cause, take Enable away, then acknowledge.",
+    ),
+];
+
 /// What the controller and the blocks mean by a number.
 fn of_number(number: u32) -> Vec<String> {
     let of_block = error_ids::all().find(|known| known.id == number).map(|ErrorId { why, does, remedy, .. }| {
@@ -44,5 +85,8 @@ fn of_number(number: u32) -> Vec<String> {
     });
     let of_controller =
         of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", text(code)));
-    of_block.into_iter().chain(of_controller).collect()
+    let of_example = OF_EXAMPLE.iter().filter(|(id, ..)| *id == number).map(|(_, why, remedy)| {
+        format!("error_id {number} of FB_damped_axis in examples/twincat: {why}\n\nWhat to do: {remedy}")
+    });
+    of_block.into_iter().chain(of_example).chain(of_controller).collect()
 }

@@ -5,13 +5,21 @@ use crate::input::said;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use generator::{config, import_export};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// Runs the command: the axis may be left out where the set has one; without a file, or to `-`, it writes to standard
 /// output; a file that is there is replaced only by force.
 pub fn run(set: &Path, axis: Option<&str>, out: Option<&Path>, force: bool, format: Format) -> Result<Exit, Exit> {
-    let (list, report) = import_export::export(set, axis, &config::load);
+    let read = Mutex::new(vec![set.to_owned()]);
+    let load = |path: &Path| {
+        read.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+        config::load(path)
+    };
+    let (list, report) = import_export::export(set, axis, &load);
     let list = said(list, &report, format)?;
+    let read = read.into_inner().unwrap_or_else(PoisonError::into_inner);
+    one_file::kept_apart(out, read.iter().map(PathBuf::as_path))?;
     one_file::write(out, &list, Rule::by_force(force))?;
     Ok(Exit::Done)
 }

@@ -25,6 +25,7 @@ pub struct Request<'r> {
 /// Runs the command.
 pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
     let Request { cycle_time, name, out, force, format } = request;
+    one_file::kept_apart(out, [list])?;
     let (set, report) =
         import_export::import(list, &ListOptions { cycle_time, name, ..ListOptions::default() }, &config::load);
     let set = said(set, &report, format)?;

@@ -1,4 +1,5 @@
 //! The command `axgen`: which file does what was asked for. No work is done here.
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 #![warn(clippy::print_stderr)] // `output` prints
 
@@ -44,17 +45,26 @@ use exit::Exit;
 use generator::config::ListOptions;
 use messages::Format;
 use std::process::ExitCode;
+#[cfg(unix)]
+use std::sync::Arc;
 
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
     sigpipe::reset();
+    too_large_files_are_errors();
     let Cli { command, message_format } = match command_line::read() {
         Ok(cli) => cli,
         Err(exit) => return exit.into(),
     };
     run(command, message_format).unwrap_or_else(|exit| exit.say(message_format)).into()
+}
+
+/// A write beyond a limit of file sizes fails then, and is said, in the place of a signal that ends the command.
+fn too_large_files_are_errors() {
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
 /// Does what was asked for.

@@ -75,10 +75,32 @@ pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exi
 }
 
 /// Refuses a file to write that the command reads itself.
-pub fn kept_apart<'p>(out: &Path, mut inputs: impl Iterator<Item = &'p Path>) -> Result<(), Exit> {
-    match inputs.any(|input| is_same(input, out)) {
-        true => Err(Exit::input(codes::NOT_OURS, out.slashes(), "is an input of this run; give another name")),
-        false => Ok(()),
+pub fn kept_apart<'p>(
+    out: impl Into<Option<&'p Path>>,
+    inputs: impl IntoIterator<Item = &'p Path>,
+) -> Result<(), Exit> {
+    match out.into().filter(|out| inputs.into_iter().any(|input| is_same(input, out))) {
+        Some(out) => Err(Exit::input(codes::NOT_OURS, out.slashes(), "is an input of this run; give another name")),
+        None => Ok(()),
+    }
+}
+
+/// Refuses two outputs of one command in one file, which need not be there yet.
+pub fn told_apart(outs: &[&Path]) -> Result<(), Exit> {
+    let place = |path: &Path| match (path.parent(), path.file_name()) {
+        (Some(folder), Some(name)) => {
+            let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+            fs::canonicalize(folder).unwrap_or_else(|_| folder.to_owned()).join(name)
+        }
+        _ => path.to_owned(),
+    };
+    let is_one = |(one, other): (&&Path, &&Path)| is_same(one, other) || place(one) == place(other);
+    let mut pairs = outs.iter().enumerate().flat_map(|(n, one)| outs[n + 1..].iter().map(move |other| (one, other)));
+    match pairs.find(|pair| is_one(*pair)) {
+        Some((_, other)) => {
+            Err(Exit::input(codes::NOT_OURS, other.slashes(), "is to take two outputs of this run; give two names"))
+        }
+        None => Ok(()),
     }
 }
 

@@ -18,16 +18,24 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
         }
         return Ok(Exit::Done);
     };
-    let found: Vec<&Parameter> =
-        Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted)).collect();
-    if found.is_empty() {
+    let texts = of_name(wanted);
+    if texts.is_empty() {
         let wanted = wanted.escape_default();
         let found = format!("no parameter `{wanted}`; `axgen params` lists all, by id and path");
         return Err(Exit::input(codes::NO_SUCH, "axgen params", found));
     }
-    let texts: Vec<String> = found.into_iter().map(describe).collect();
     output::print(texts.join("\n"))?;
     Ok(Exit::Done)
+}
+
+/// What is known of the parameters that a text names.
+pub fn of_name(wanted: &str) -> Vec<String> {
+    Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted)).map(describe).collect()
+}
+
+/// What is known of the parameters that take a word.
+pub fn of_word(word: &str) -> Vec<String> {
+    Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.takes(word)).map(describe).collect()
 }
 
 /// Whether a text names a parameter: by its id (or the id's digits), its path with letters or numbers as indices, one of

@@ -31,9 +31,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let Request { axis, on, form, out, force } = request;
     let form =
         Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
-    if let Some(out) = out {
-        one_file::kept_apart(out, [arguments.set.as_path(), on.as_path()].into_iter())?;
-    }
+    one_file::kept_apart(out.as_deref(), [arguments.set.as_path(), on.as_path()])?;
     let options = ListOptions {
         cycle_time: arguments.cycle_time.clone(),
         name: arguments.name.clone(),

@@ -43,8 +43,10 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of_scenario(designed, request.block.as_deref())?;
     let outputs = [request.stimulus.as_deref(), request.picture.as_deref()];
-    for out in outputs.into_iter().flatten() {
-        one_file::kept_apart(out, [arguments.set.as_path(), &request.program].into_iter())?;
+    let outputs: Vec<&Path> = outputs.into_iter().flatten().collect();
+    one_file::told_apart(&outputs)?;
+    for out in outputs {
+        one_file::kept_apart(out, [arguments.set.as_path(), &request.program])?;
     }
     let scenario = made(&request.program, designed, &block, &request.options, format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);

@@ -10,6 +10,7 @@ use crate::run::block_of;
 use generator::codes;
 use golden::simulate::{self, Moved, picture, text};
 use golden::svg;
+use std::path::PathBuf;
 
 /// Limits of `--dwell` [s].
 const SHORTEST: f64 = 1.0;
@@ -49,9 +50,10 @@ pub fn run(
     let is_csv = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let [of_csv, of_picture] = [Rule::own(to.force, &is_csv), Rule::own(to.force, &is_picture)];
+    one_file::told_apart(&to.csv.iter().chain(&to.picture).map(PathBuf::as_path).collect::<Vec<_>>())?;
     for (out, rule) in [(to.csv.as_deref(), of_csv), (to.picture.as_deref(), of_picture)] {
         let Some(out) = out else { continue };
-        one_file::kept_apart(out, [arguments.set.as_path()].into_iter())?;
+        one_file::kept_apart(out, [arguments.set.as_path()])?;
         rule.allows(out)?;
     }
     let simulation =

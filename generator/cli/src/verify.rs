@@ -21,9 +21,13 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+/// So many samples, inputs and outputs of them, a computer's memory holds.
+const MOST_SAMPLES: usize = 10_000_000;
+
 /// How many samples each run has: without any, nothing would be verified.
-pub fn samples(text: &str) -> Result<usize, &'static str> {
-    text.parse().ok().filter(|samples| *samples > 0).ok_or("a whole number from 1 on is allowed")
+pub fn samples(text: &str) -> Result<usize, String> {
+    let within = text.parse().ok().filter(|samples| (1..=MOST_SAMPLES).contains(samples));
+    within.ok_or_else(|| format!("a whole number from 1 to {MOST_SAMPLES} is allowed"))
 }
 
 /// The engines of these names, the reference before them; all, if there is no name.

@@ -5,6 +5,7 @@
 //!                    -> legalise -> print
 //! ```
 //! `program` is the data between the steps, `arithmetic` what folding and the interpreter agree on.
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 #![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 

@@ -15,6 +15,7 @@ use crate::axis::DriveModel;
 use crate::blocks::Designed;
 use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
+use portable::Extreme;
 use stability::{Curve, Loop, Margins, Points};
 
 /// Lines of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
@@ -83,7 +84,7 @@ fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
 /// The loop at the points of its margins, and evenly between them on a logarithmic scale.
 fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
     let nyquist = 0.5 / designed.axis.cycle_time();
-    let lowest = closed_loop::stages(designed).map(|design| design.stage.f0()).fold(nyquist, f64::min) * LOWEST;
+    let lowest = closed_loop::stages(designed).map(|design| design.stage.f0()).fold(nyquist, f64::smaller) * LOWEST;
     let hz = |k: u32| lowest * libm::pow(nyquist / lowest, f64::from(k) / f64::from(LINES));
     let mut curve = closed.curve();
     curve.extend((0..LINES).map(|k| closed.at_frequency(hz(k))));

@@ -1,7 +1,7 @@
 //! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
 
 use super::Spindle;
-use crate::parameters::words::{Motor, Width};
+use crate::parameters::words::{DriveType, Motor, Width};
 use reference::position_control::Location;
 
 /// Everything of an axis but improved position control.
@@ -23,6 +23,10 @@ pub struct Control {
     pub master_limit: Option<f64>,
     /// parameters that scale or limit something and that nobody gave, with their defaults
     pub assumed: Vec<String>,
+    /// drive type (P-AXIS-00020), where it is given
+    pub drive_type: Option<DriveType>,
+    /// gain of the position controller [0.01/s] (P-AXIS-00099), where it is given or used; a drive that controls the position has the same
+    pub kv: Option<u32>,
 }
 
 impl Control {

@@ -2,6 +2,7 @@
 
 use crate::number::digits;
 use crate::parameters::words::{DirectSource, Enable, FilterType, Prototype, StageMode, Words};
+use portable::Extreme;
 
 /// Improved position control (`lr_param.improved_position_control`).
 #[derive(Clone, Debug, PartialEq)]
@@ -28,6 +29,9 @@ pub struct Ipc {
 }
 
 impl Ipc {
+    /// A limit of the whole of vb_max [0.1 %].
+    pub(crate) const WHOLE: u32 = 1000;
+
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
     pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
 
@@ -56,7 +60,7 @@ impl Ipc {
     pub fn fade_time(&self) -> f64 {
         let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
         let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
-        lowest.map_or(self.fade, |f0| self.fade.max(1.0 / f0))
+        lowest.map_or(self.fade, |f0| self.fade.larger(1.0 / f0))
     }
 }
 
@@ -104,7 +108,7 @@ impl Stage {
 
     /// weight = min(num / denom, 7).
     pub fn weight(&self) -> f64 {
-        self.asked_weight().min(Self::MAX_WEIGHT)
+        self.asked_weight().smaller(Self::MAX_WEIGHT)
     }
 
     /// What stands behind a weight that is capped: ` (700 capped)`.

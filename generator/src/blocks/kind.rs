@@ -9,7 +9,7 @@ use compiler::legalise::{self, Own};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
-use portable::{Block as Reference, Literal, Real, RealKind};
+use portable::{Block as Reference, Field, Literal, Portable, Real, RealKind, Ty};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -32,6 +32,9 @@ pub trait Kind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
+    /// Its inputs and its outputs, with what they mean.
+    fn signals(&self) -> [&'static [Field]; 2];
+
     /// The reference that an axis runs as this block.
     fn typed(&self, designed: &Designed) -> &dyn Typed;
 }
@@ -39,6 +42,13 @@ pub trait Kind: Part {
 impl<P: Part + Design> Kind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
+    }
+
+    fn signals(&self) -> [&'static [Field]; 2] {
+        [<P as Reference<f64>>::Inputs::TY, <P as Reference<f64>>::Outputs::TY].map(|ty| match ty {
+            Ty::Struct { def } => def.fields,
+            Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Array { .. } | Ty::Enum { .. } => &[],
+        })
     }
 
     fn typed(&self, designed: &Designed) -> &dyn Typed {

@@ -62,6 +62,19 @@ pub fn named(name: &str) -> Option<&'static dyn Kind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
+/// The signals of that name: the block, whether it is an output, and what it means.
+pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
+    let of_block = |kind: &&'static dyn Kind| {
+        let [inputs, outputs] = kind.signals();
+        let block = kind.name();
+        [(inputs, false), (outputs, true)].map(|(fields, is_output)| {
+            let field = fields.iter().find(|field| field.name.eq_ignore_ascii_case(name));
+            field.map(|field| (block, is_output, field.doc))
+        })
+    };
+    BLOCKS.iter().flat_map(of_block).flatten().collect()
+}
+
 /// The blocks of an axis, ready to be printed.
 ///
 /// # Errors

@@ -1,6 +1,7 @@
 //! Named values of two versions of an axis beside each other: what differs, in words.
 
 use crate::number::{pair, significant};
+use portable::Extreme;
 
 /// A number with its unit, or words.
 pub enum Value {
@@ -37,7 +38,7 @@ pub(crate) fn description(values: &Values) -> Vec<String> {
 
 /// Whether two values are the same but for their last digits.
 pub(crate) fn is_same(old: f64, new: f64) -> bool {
-    (old - new).abs() <= 1e-12 * old.abs().max(new.abs())
+    (old - new).abs() <= 1e-12 * old.abs().larger(new.abs())
 }
 
 impl Value {

@@ -4,6 +4,7 @@ use crate::axis::{Axis, Location, PositionControl, Velocity};
 use crate::codes;
 use crate::config::{given::GivenAxis, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::number::rounded;
 use crate::parameters::{Name, Value, words::Words};
 use std::{collections::BTreeMap, fmt::Write};
 
@@ -37,6 +38,7 @@ pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
             }
             Ok(master) => {
                 compare(axes[slave], axes[master], place, &mut report);
+                lags(axes[slave], axes[master], place, &mut report);
                 way_out(axes[slave], axes[master], place, &mut report);
                 spindle(axes[slave], axes[master], place, &mut report);
                 take(axes, slave, master);
@@ -118,6 +120,32 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
         );
         warn(found, "equal scalings, unless the drives are different");
     }
+}
+
+/// Unequal lags: the gantry is askew while it moves.
+fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    let [Some(of_slave), Some(of_master)] = [slave, master].map(|axis| axis.control.kv) else { return };
+    if of_slave == of_master {
+        return;
+    }
+    let [of_slave, of_master] = [of_slave, of_master].map(f64::from);
+    let v_max = if slave.ipc.v_max < master.ipc.v_max { slave.ipc.v_max } else { master.ipc.v_max };
+    // 0.01/s, and thousandths.
+    let askew = (100.0 / of_slave - 100.0 / of_master).abs() * v_max / 1e3;
+    let unit = if master.control.is_rotary { "deg" } else { "mm" };
+    let found = format!(
+        "{} has Kv {}/s, and its master {} {}/s (P-AXIS-00099): without feedforward the gantry is askew by {} {unit} at {v_max} {}",
+        slave.name,
+        of_slave / 100.0,
+        master.name,
+        of_master / 100.0,
+        rounded(askew),
+        master.control.velocity_unit()
+    );
+    let said = Diagnostic::warning(codes::GANTRY_KV, place.clone(), found);
+    report.push(
+        said.instead(format!("kv = {of_master} of {}, or equal values in both, and in their drives", slave.name)),
+    );
 }
 
 /// A slave that cannot follow what its master adds would pull the gantry askew.

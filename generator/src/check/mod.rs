@@ -5,14 +5,18 @@
 //! gear     which gear step is used, and what it lacks
 //! gantry   slaves find their masters
 //! inert    factors of 0, parameters without effect
+//! units    numbers that were mostly written in another unit
+//! command_filter  filters of the position command
 //! ```
 //! The rules of a block are in its folder (`blocks/ipc/check.rs`), what several of them need in `rules`. Only what something uses is
 //! validated: vendors' examples carry values in unused parameters that lie outside of their ranges.
 
 pub(crate) mod assumed;
+pub(crate) mod command_filter;
 pub(crate) mod gantry;
 pub(crate) mod gear;
 pub(crate) mod inert;
+pub(crate) mod units;
 
 use crate::axis::{Axis, Control, DriveModel, Ipc};
 use crate::blocks::ipc::{check as ipc, drive_model};
@@ -22,7 +26,7 @@ use crate::blocks::{feedforward::check as feedforward, position_control::check a
 use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
-use crate::parameters::words::{AxisType, Boolean, FeedforwardWord, RealType, Words};
+use crate::parameters::words::{AxisType, Boolean, DriveType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::{drive, effective::Effective};
 use portable::RealKind;
@@ -147,7 +151,8 @@ fn control(
     let master = ipc::master(e);
     if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
         // Nothing of the drive matters: a real machine's list may hold whatever it likes.
-        return Some((Control { number, is_rotary, is_spindle, ..Control::default() }, 0));
+        let drive_type = drive_type(e);
+        return Some((Control { number, is_rotary, is_spindle, drive_type, ..Control::default() }, 0));
     }
     // Without a drive, which has been said, the rest is validated all the same.
     let drive = drive::check(e).unwrap_or_default();
@@ -182,8 +187,25 @@ fn control(
         master,
         master_limit: None,
         assumed,
+        drive_type: drive_type(e),
+        kv: kv(e, drive.gear),
     };
     Some((control, drive.gear))
+}
+
+/// The drive type that is given, whether a block depends on it or not.
+fn drive_type(e: &Effective<'_>) -> Option<DriveType> {
+    match e.given(key(Name::DriveType))?.value {
+        Some(Value::Word(word)) => DriveType::named(word),
+        _ => None,
+    }
+}
+
+/// Kv, where it is given or a block uses its default.
+fn kv(e: &mut Effective<'_>, gear: u32) -> Option<u32> {
+    let kv = (Name::Kv, [gear, 0]);
+    let is_readable = e.given(kv).is_some_and(|setting| setting.value.is_some());
+    if is_readable || e.is_used(kv) { e.validated_integer(kv) } else { None }
 }
 
 /// Whether a list asks for more than improved position control.

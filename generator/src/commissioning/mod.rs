@@ -11,6 +11,7 @@ use crate::number::digits;
 use crate::parameters::Name;
 use crate::target::{File, block_name, rendered, stem};
 use askama::Template;
+use portable::Extreme;
 use rows::{Limit, PARTS, limits};
 use stability::{Loop, MAX_MS};
 use stage::Stage;
@@ -107,7 +108,7 @@ fn page(designed: &Designed, parameters: String) -> Page {
     let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
     let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, closed.as_ref())).collect();
-    let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::max);
+    let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::larger);
     Page {
         axis: axis.name.clone(),
         kind,

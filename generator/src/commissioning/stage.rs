@@ -8,6 +8,7 @@ use crate::design::band::warped;
 use crate::design::response::{self, magnitude};
 use crate::number::{digits, significant};
 use crate::parameters::{Name, path_with};
+use portable::Extreme;
 use stability::Loop;
 use std::f64::consts::PI;
 
@@ -122,7 +123,7 @@ fn quiet(design: &StageDesign) -> f64 {
     };
     let filters = stage.filter.iter().filter_map(of_filter);
     let oscillation = stage.mode.osc_damping().map(|damping| 1.0 / (2.0 * PI * stage.f0() * damping));
-    tenths(TIME_CONSTANTS * filters.chain(oscillation).fold(0.0, f64::max))
+    tenths(TIME_CONSTANTS * filters.chain(oscillation).fold(0.0, f64::larger))
 }
 
 /// A time [s], rounded up to tenths of a second.

@@ -1,6 +1,7 @@
 //! What a set or a list gives: the values of its top and of each of its axes. Files are read here; nothing is validated.
 
 use super::list::{self, List};
+use super::other_functions::{self, Found, OtherFunctions};
 use super::project::{self, AxisList};
 use super::set::{self, AxisTable};
 use super::value::{self, shown};
@@ -47,8 +48,8 @@ pub(crate) struct GivenAxis {
     pub(crate) home: Place,
     /// none: its list cannot be read, which has been said
     pub(crate) values: Option<Values>,
-    /// how many parameters of other functions its list holds; they were passed over
-    pub(crate) foreign: usize,
+    /// parameters of other functions in its list; they were passed over
+    pub(crate) foreign: OtherFunctions,
     /// what is to be said of its lines
     pub(crate) report: Report,
 }
@@ -93,18 +94,34 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
     let mut report = Report::default();
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
-    let mut given = GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: 0, report };
+    let mut given =
+        GivenAxis { name: axis.name.to_owned(), home, values: None, foreign: OtherFunctions::default(), report };
     match list_of(&keys, axis.name, set, load) {
         None => given.values = Some(keys),
         Some(Err(unreadable)) => given.report.extend(unreadable),
         Some(Ok(list)) => {
             let list = read_as_list(&list);
             given.report.extend(list.report);
+            given.report.diagnostics.extend(other_axis(axis.name, &list.foreign));
             given.foreign = list.foreign;
             given.values = list.complete.then(|| list.values.overridden_by(keys));
         }
     }
     given
+}
+
+/// What is to be said where a list has the name of another axis than the set gives it.
+fn other_axis(name: &str, list: &OtherFunctions) -> Option<Diagnostic> {
+    let letters = |name: &str| -> String {
+        name.chars().filter(|letter| letter.is_ascii_alphanumeric()).map(|letter| letter.to_ascii_lowercase()).collect()
+    };
+    let Found { text, place } = list.get(other_functions::NAME)?;
+    let in_list = text.trim_matches(['"', '\'', ' ', '\t']);
+    let is_same = letters(in_list) == letters(name) || letters(in_list).is_empty();
+    let found = format!("the list of the axis {name} has the name of another axis: {}", shown(in_list));
+    let said = Diagnostic::warning(codes::OTHER_AXIS, place.clone(), found);
+    (!is_same)
+        .then(|| said.instead(format!("in [axis.{name}] the list of this axis, or the axis with the name in the list")))
 }
 
 /// The list that an axis of a set names; none: it names none.

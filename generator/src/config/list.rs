@@ -1,6 +1,7 @@
 //! Reading an axis list: what its lines say. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
 use super::lines::{self, Content, Statement};
+use super::other_functions::OtherFunctions;
 use super::path::{self, Path};
 use super::project::AxisList;
 use super::value::{self, Refused};
@@ -14,7 +15,7 @@ use std::sync::Arc;
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
-    pub(crate) foreign: usize,
+    pub(crate) foreign: OtherFunctions,
     pub(crate) report: Report,
     /// false: it is another kind of file, and was not read to its end
     pub(crate) complete: bool,
@@ -27,7 +28,7 @@ pub(crate) fn read(list: &AxisList) -> List {
     let mut reading = Reading {
         list: List {
             values: Values::default(),
-            foreign: 0,
+            foreign: OtherFunctions::default(),
             report: list.said.clone().map(Report::from).unwrap_or_default(),
             complete: true,
         },
@@ -94,7 +95,7 @@ impl Reading<'_> {
             Content::Unreadable { text, at: bad } => {
                 // A name or a text of another function may be Latin-1 or UTF-8.
                 let is_kept = text[bad] >= 0x80 && odd_line::is_of_another_function(&text[..bad]);
-                self.list.foreign += usize::from(is_kept);
+                self.list.foreign.count += usize::from(is_kept);
                 if !is_kept {
                     self.meant(at, str::from_utf8(text[..bad].trim_ascii_start()).unwrap_or_default());
                     self.list.report.push(bad_byte(self.source, at + bad));
@@ -169,7 +170,7 @@ impl Reading<'_> {
                 Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
                 // Mostly so, and asked once: comparing letters takes its time.
                 None if !closest::is_ours(written) => {
-                    self.list.foreign += 1;
+                    self.list.foreign.pass_over(statement, source, start);
                     if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
                         return true;
                     }
@@ -183,7 +184,7 @@ impl Reading<'_> {
                 None => match closest::path(written, false) {
                     Some(known) => unknown("not known", Some(known)),
                     None => {
-                        self.list.foreign += 1;
+                        self.list.foreign.pass_over(statement, source, start);
                         let found = format!("{} is not known, and passed over", value::shown(written));
                         Diagnostic::warning(codes::PASSED_OVER, place(), found)
                     }

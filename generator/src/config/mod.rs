@@ -8,6 +8,7 @@
 //! list, set    lines or tables -> (path, text)
 //! toml_fault   what TOML's parser refuses, in words
 //! odd_line     what a line without a parameter is  other_kind what a file that is no list seems to be
+//! other_functions  what is looked at of the parameters of other functions
 //! path         path -> parameter and indices       closest  the name that was meant
 //! value        text -> value of the parameter's kind
 //! values       what was given, each with its place
@@ -23,6 +24,7 @@ pub(crate) mod lines;
 pub(crate) mod list;
 pub(crate) mod nc_axis;
 pub(crate) mod odd_line;
+pub(crate) mod other_functions;
 pub(crate) mod other_kind;
 pub(crate) mod path;
 pub(crate) mod project;

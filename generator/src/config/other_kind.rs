@@ -35,6 +35,11 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     Some(said(seems(list.bytes())))
 }
 
+/// Whether a list without a parameter of an axis has a block of an NC program.
+pub(crate) fn is_nc_program(list: &AxisList) -> bool {
+    statements(list.bytes()).any(is_nc_block)
+}
+
 /// The same of a set, which is no TOML.
 pub(super) fn instead_of_a_set(source: &Source) -> Option<Diagnostic> {
     let is_parameter = |line: Statement<'_>| {

@@ -121,6 +121,9 @@ fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &
                 below(source, table, path, values, report);
             }
             (_, DeValue::Array(array)) if path::is_structure(&format!("{path}[]")) => {
+                if array.is_empty() {
+                    report.push(no_element(path, place()));
+                }
                 let length = path.len();
                 for (i, element) in array.iter().enumerate() {
                     path.truncate(length);
@@ -195,6 +198,18 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
 fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     let found = format!("{} is of type {}", value::shown(path), value.type_str());
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
+}
+
+/// An empty array takes nothing out of a list: mostly it was meant to.
+fn no_element(path: &str, place: Place) -> Diagnostic {
+    let found = format!("{} is an empty array: it gives nothing, and what a list has there stays", value::shown(path));
+    let instead = match path.rsplit('.').next() {
+        Some("stage") => {
+            "stage = [{ mode = \"NOT_ACTIVE\" }, ...] for each stage of the list that is to go, or no line"
+        }
+        _ => "no line, or an element with its parameters",
+    };
+    Diagnostic::error(codes::TYPE, place, found).allowed("an array with an element at the least").instead(instead)
 }
 
 fn in_file_order<'a>(table: &'a DeTable<'a>) -> Vec<(&'a Spanned<DeString<'a>>, &'a Spanned<DeValue<'a>>)> {

@@ -3,6 +3,7 @@
 use super::{band::Band, section::Shape};
 use crate::axis::Prototype;
 use core::f64::consts::FRAC_1_SQRT_2;
+use portable::Extreme;
 
 /// The sections of a band-pass, in the order of their execution (P-AXIS-00848, P-AXIS-00750).
 ///
@@ -42,7 +43,7 @@ fn pair(sigma: f64, omega: f64, q: f64, omega0: f64) -> [Shape; 2] {
     let root = libm::sqrt((4.0 + e) * (4.0 + e) - 16.0 * sigma * sigma / qq);
     let quality = libm::sqrt((4.0 + e + root) / 2.0) * q / (2.0 * sigma);
     let m = (e * (root + 4.0) + 8.0 * (omega - sigma) * (omega + sigma) / qq + e * e) / (8.0 * (root + 4.0));
-    let m = m.max(0.0); // it is never negative; a rounding may not make it so
+    let m = m.larger(0.0); // it is never negative; a rounding may not make it so
     let w = libm::sqrt(1.0 + m) + libm::sqrt(m);
     let k = 1.0 / quality;
     let c = libm::sqrt(1.0 + 4.0 * quality * quality * m);

@@ -30,7 +30,8 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
     let top = given::cycle_time_of(options, &mut report);
     let list = list::read(&list_of_axis);
     let other_kind = other_kind::instead_of_a_list(&list_of_axis, &list);
-    if let Some(said) = other_kind.filter(|_| list.report.has_errors()) {
+    let is_refused = list.report.has_errors() || other_kind::is_nc_program(&list_of_axis);
+    if let Some(said) = other_kind.filter(|_| is_refused) {
         return (None, said.into());
     }
     report.extend(list.report);

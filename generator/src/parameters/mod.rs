@@ -104,6 +104,16 @@ impl Word {
 }
 
 impl Parameter {
+    /// Whether its value may be, or have, that word; in any case, and in any spelling of it.
+    pub fn takes(&self, text: &str) -> bool {
+        match self.kind {
+            Kind::Word(words) | Kind::Words(words) | Kind::Flags(words) => {
+                words.iter().any(|word| word.is_spelled(text))
+            }
+            Kind::Integer { .. } | Kind::Real { .. } | Kind::Duration { .. } | Kind::Text => false,
+        }
+    }
+
     /// The path, then its aliases.
     pub(crate) fn paths(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(&self.path).chain(self.aliases).copied()

@@ -4,6 +4,7 @@ use super::Said;
 use super::numbers::Line;
 use crate::codes;
 use crate::number::significant;
+use portable::Extreme;
 
 /// Fewer lines show no response.
 const LEAST: usize = 10;
@@ -85,7 +86,7 @@ fn gaps(lines: &[Line], said: &mut Said<'_>) {
     let distance = |index: usize| Some(lines.get(index + 1)?.hz - lines.get(index)?.hz);
     for index in 0..lines.len().saturating_sub(1) {
         let before = index.checked_sub(1).and_then(distance);
-        let around = [before, distance(index + 1)].into_iter().flatten().fold(0.0, f64::max);
+        let around = [before, distance(index + 1)].into_iter().flatten().fold(0.0, f64::larger);
         let own = distance(index).unwrap_or(0.0);
         if around <= 0.0 || own < DOUBTFUL * around {
             continue;

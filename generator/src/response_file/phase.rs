@@ -14,6 +14,7 @@
 use super::{From, Point, Said, magnitude, turned};
 use crate::codes;
 use crate::number::decimals;
+use portable::Extreme;
 use stability::Complex64;
 use std::f64::consts::{PI, TAU};
 
@@ -113,7 +114,7 @@ impl Dead {
     /// does not contain among it, and none below 0 within the drive.
     pub(super) fn fits(&self, phases: &[f64], from: From) -> bool {
         let least = match from {
-            From::Command { delay } => (1.0 - delay * self.rate).max(0.0),
+            From::Command { delay } => (1.0 - delay * self.rate).larger(0.0),
             From::Current { .. } => 0.0,
         };
         let found = self.of(phases);

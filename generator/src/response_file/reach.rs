@@ -5,6 +5,7 @@ use super::order::hz;
 use super::{Band, Point, Said};
 use crate::codes;
 use crate::number::{decimals, significant};
+use portable::Extreme;
 
 /// Two standard errors of a magnitude, from which on a response says nothing.
 const NOTHING: f64 = 0.5;
@@ -63,8 +64,8 @@ fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
 /// What is hardly known at f0 gives no margin.
 fn certainty(band: &Band, points: [&Point; 2], lines: [&Line; 2], said: &mut Said<'_>) {
     let place = [points[1].line, 0];
-    let double = 2.0 * points[0].error.max(points[1].error);
-    let lowest = lines.iter().filter_map(|line| line.coherence).fold(f64::INFINITY, f64::min);
+    let double = 2.0 * points[0].error.larger(points[1].error);
+    let lowest = lines.iter().filter_map(|line| line.coherence).fold(f64::INFINITY, f64::smaller);
     let of_stage = format!("at f0 of stage[{}], {} Hz", band.stage, hz(band.f0));
     let coherence = if lowest.is_finite() { format!(", coherence {}", decimals(lowest, 2)) } else { String::new() };
     let instead = "a measurement with more averages, a larger excitation, or while the axis moves";

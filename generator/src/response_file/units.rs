@@ -7,6 +7,7 @@ use super::phase::Dead;
 use super::{From, Point, Said, turned};
 use crate::codes;
 use crate::number::significant;
+use portable::Extreme;
 use stability::Complex64;
 
 /// A relative error that no margin survives stands for a coherence of 0.
@@ -80,7 +81,7 @@ fn relative_error(line: &Line, size: f64, column: Option<&Used<'_>>) -> f64 {
         (None, Some(k), Some(n)) => ((1.0 - k) / (2.0 * n * k)).sqrt(),
         _ => 0.0,
     };
-    relative.min(NOTHING_KNOWN)
+    relative.smaller(NOTHING_KNOWN)
 }
 
 /// Whether the magnitude is in dB: as its name says, else where a value is negative, which no factor is.

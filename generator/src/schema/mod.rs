@@ -77,9 +77,9 @@ impl Node {
         let table = json!({ "type": "object", "properties": properties, "additionalProperties": false });
         match self.items {
             Some(count) if self.single => {
-                json!({ "anyOf": [{ "type": "array", "items": table, "maxItems": count }, table] })
+                json!({ "anyOf": [{ "type": "array", "items": table, "minItems": 1, "maxItems": count }, table] })
             }
-            Some(count) => json!({ "type": "array", "items": table, "maxItems": count }),
+            Some(count) => json!({ "type": "array", "items": table, "minItems": 1, "maxItems": count }),
             None => table,
         }
     }

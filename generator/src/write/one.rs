@@ -1,6 +1,6 @@
 //! One file that a command was asked for, by its path: staged beside it, then renamed. Which files it may replace the caller says.
 
-use super::beside::{remove, staged};
+use super::beside::{left_over, remove, staged};
 use super::is_writable;
 use crate::diagnostics::Slashes;
 use std::fs::{self, File, OpenOptions};
@@ -21,6 +21,8 @@ pub enum Replace<'r> {
 pub struct One {
     path: PathBuf,
     replaces: bool,
+    /// the file beside it, locked as long as it is on its way: another run takes it for a left-over else
+    lock: Option<File>,
 }
 
 impl Drop for One {
@@ -56,13 +58,32 @@ pub fn is_replaced(path: &Path, replace: Replace<'_>) -> io::Result<bool> {
 /// As [`is_replaced`], or the folder does not take them. Nothing is left then.
 pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<One> {
     let replaces = is_replaced(path, replace)?;
+    clear(path);
     let mut file = OpenOptions::new().write(true).create_new(true).open(staged(path)).map_err(|error| {
         let is_there = error.kind() == ErrorKind::AlreadyExists;
         if is_there { io::Error::other(format!("{} is in the way", staged(path).slashes())) } else { error }
     })?;
-    let one = One { path: path.to_owned(), replaces };
+    // Not everywhere can files be locked; where they cannot, what a killed run leaves stays.
+    let _ = file.lock();
+    let mut one = One { path: path.to_owned(), replaces, lock: None };
     file.write_all(bytes).and_then(|()| file.sync_all())?;
+    one.lock = Some(file);
     Ok(one)
+}
+
+/// Removes what a killed run left beside the target: a file of its own name that no process holds. In containers all processes
+/// may have one number.
+fn clear(path: &Path) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let target = path.file_name().unwrap_or_default();
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let is_ours = name.to_str().and_then(left_over).is_some_and(|(what, of)| what == "staged" && target == of);
+        let is_file = entry.file_type().is_ok_and(|found| found.is_file());
+        if is_ours && is_file && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
+            remove(&entry.path());
+        }
+    }
 }
 
 impl One {

@@ -1,6 +1,7 @@
 //! The largest weight at one frequency: how far one part of the loop can grow before the loop comes too near to -1.
 
 use crate::{Complex64, magnitude};
+use portable::Extreme;
 
 /// A loop at a frequency: 1 + L = `rest` + w `part`.
 #[derive(Clone, Copy, Debug)]
@@ -41,7 +42,7 @@ impl Line {
         if b >= 0.0 || discriminant <= 0.0 {
             return most;
         }
-        (c / (discriminant.sqrt() - b)).min(most)
+        (c / (discriminant.sqrt() - b)).smaller(most)
     }
 
     /// The distance changes by at most (1 + uncertainty) |part| for a change of the weight by 1: steps that never pass the root.

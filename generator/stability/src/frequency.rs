@@ -1,6 +1,7 @@
 //! Points of the frequency axis at which a loop is looked at: dense where a stage turns, sparse elsewhere. No drive.
 
 use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, magnitude};
+use portable::Extreme;
 use std::f64::consts::PI;
 
 /// The last point, as a part of the sampling frequency: t is still finite there.
@@ -69,8 +70,8 @@ impl<'a> Points<'a> {
     #[must_use]
     pub fn new(controller: Controller<'a>, drives: &[Drive<'_>]) -> Self {
         let cycle_time = controller.cycle_time;
-        let warped = |frequency: f64| libm::tan(PI * frequency.min(LAST / cycle_time) * cycle_time);
-        let delay_cycles = drives.iter().map(Drive::delay_cycles).fold(1.0, f64::max);
+        let warped = |frequency: f64| libm::tan(PI * frequency.smaller(LAST / cycle_time) * cycle_time);
+        let delay_cycles = drives.iter().map(Drive::delay_cycles).fold(1.0, f64::larger);
         let mut frequencies: Vec<f64> = drives.iter().flat_map(Drive::lines).copied().collect();
         for Band { centre, width } in &controller.bands {
             for lowpass in [0.0, 0.5, 1.0, 2.0, 4.0, 8.0] {
@@ -140,7 +141,7 @@ impl Controller<'_> {
 
 /// Whether a stage changes much from a to b.
 fn turns(a: Complex64, b: Complex64) -> bool {
-    let (squares, larger) = (a.norm_sqr() * b.norm_sqr(), magnitude(a).max(magnitude(b)));
+    let (squares, larger) = (a.norm_sqr() * b.norm_sqr(), magnitude(a).larger(magnitude(b)));
     if larger * LARGEST_WEIGHT < SMALL {
         return false;
     }

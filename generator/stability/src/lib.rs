@@ -22,6 +22,7 @@
 //! crossing   the largest weight at a frequency
 //! margins    turns, Ms, gain and phase margin, largest weights
 //! ```
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 
 mod crossing;
 mod drive;

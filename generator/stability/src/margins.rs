@@ -5,6 +5,7 @@ use crate::drive::Value;
 use crate::frequency::{Point, Points};
 use crate::search::{least, root};
 use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle, magnitude};
+use portable::Extreme;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The largest |S| of a loop that stays calm: a gain margin of 6 dB and a phase margin of 29 degrees are in it.
@@ -153,9 +154,9 @@ impl<'a> Loop<'a> {
         self.crossings(
             |at| self.whole(at).part.norm_sqr() - 1.0,
             |at| {
-                let of_error = 2.0 * libm::asin((at.1.uncertainty / 2.0).min(1.0));
-                let margin = (angle(-self.whole(at).part).abs() - of_error).max(0.0);
-                phase = Some(phase.map_or(margin, |least| least.min(margin)));
+                let of_error = 2.0 * libm::asin((at.1.uncertainty / 2.0).smaller(1.0));
+                let margin = (angle(-self.whole(at).part).abs() - of_error).larger(0.0);
+                phase = Some(phase.map_or(margin, |least| least.smaller(margin)));
             },
         );
         Margins {
@@ -212,12 +213,12 @@ impl<'a> Loop<'a> {
             |at| {
                 let nearest = line(at).nearest();
                 if nearest > least {
-                    largest = largest.min(nearest);
+                    largest = largest.smaller(nearest);
                 }
             },
         );
         if self.is_uncertain() {
-            largest = largest.min(self.least(|at| line(at).largest_weight(0.0, most)).0);
+            largest = largest.smaller(self.least(|at| line(at).largest_weight(0.0, most)).0);
         }
         largest
     }
@@ -302,7 +303,7 @@ impl<'a> Loop<'a> {
         }
         let near = found * NEAR;
         for (k, window) in values.windows(3).enumerate() {
-            let is_least = window[1] <= window[0] && window[1] <= window[2] && window[1] < window[0].max(window[2]);
+            let is_least = window[1] <= window[0] && window[1] <= window[2] && window[1] < window[0].larger(window[2]);
             if is_least && window[1] <= near {
                 let (t, value) = least(t(k), t(k + 2), |t| of(&self.at_t(t)));
                 if value < found {

@@ -194,6 +194,7 @@ fn every_code_has_a_test() {
         include_str!("gear.rs"),
         include_str!("inert.rs"),
         include_str!("list.rs"),
+        include_str!("looks_wrong.rs"),
         include_str!("phase.rs"),
         include_str!("rules.rs"),
         include_str!("set.rs"),

@@ -147,6 +147,7 @@ fn a_simulated_oscillation_with_little_damping() {
         r"
 > ipc.stage[0].osc_damping 0.001
 > ipc.stage[0].weight_fact_num 7
+> ipc.stage[0].weight_fact_denom 1
 x.lis:1:57: warning[AX436]: stage[0] is INDIRECT with the damping ratio 0.001: its simulated oscillation has 500.001 times the motor's velocity at f0, with the weight 7 3500.01 times
     write instead: a larger damping ratio or a smaller weight, and DRYRUN first
 x.lis:2:61: warning[AX461]: stage[0] with the weight 7 makes a drive that does exactly what was commanded one cycle before oscillate, from the weight 0.0191 on
@@ -160,6 +161,7 @@ x.lis:3:1: warning[AX461]: stage[0] with the weight 1 makes a drive that does ex
 
 > ipc.stage[0].osc_damping 0.4
 > ipc.stage[0].weight_fact_num 7
+> ipc.stage[0].weight_fact_denom 1
 ",
     );
 }

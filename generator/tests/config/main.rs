@@ -12,6 +12,7 @@ mod gear;
 mod inert;
 mod lines;
 mod list;
+mod looks_wrong;
 mod phase;
 mod rules;
 mod set;

@@ -32,7 +32,7 @@ fn v_direct_with_an_allpass_and_a_larger_weight() {
     assert_said(
         &said_of_axis(
             "ipc.v_add_max_fact = 1000\n\
-             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', weight_fact_num = 2, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
+             ipc.stage = [{ mode = 'DIRECT', direct_source = 'v_direct', weight_fact_num = 2, weight_fact_denom = 1, filter = [{ order = 1, fg_f0 = 20, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 15, q_factor = 2 }] }]",
         ),
         &[
             "set.toml:4:80: warning[AX406]: stage[0] feeds back v_direct, which lags by the drive, the mechanics and the delay: beyond 90 degrees at f0 an all-pass is mandatory, or the loop is unstable",

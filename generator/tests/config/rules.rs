@@ -246,7 +246,7 @@ fn h_a_weight_above_the_cap() {
             "    write instead: weight_fact_num / weight_fact_denom <= 7; without a line weight_fact_denom (P-AXIS-00755) is 1",
         ],
     );
-    assert_said(&said(&direct("ipc.stage[0].weight_fact_num 7")), &[]);
+    assert_said(&said(&direct("ipc.stage[0].weight_fact_num 7\nipc.stage[0].weight_fact_denom 1")), &[]);
 }
 
 #[test]

@@ -24,7 +24,7 @@ set.toml:3:25: error[AX326]: `spindle.brake_timeout` is 2.949999999s, and the ra
 > spindle.deceleration = 1
 set.toml:3:24: error[AX327]: `spindle.brake_timeout` has its default, 35400000.5s, 35400000500 cycles
     allowed: 16777216 cycles: 16777.216s at a cycle time of 1ms
-    write instead: a shorter time, or a larger spindle.deceleration
+    write instead: a shorter time, or a larger spindle.deceleration: 6000 is 1 rpm/s
 "#,
     );
 }

@@ -59,5 +59,7 @@ fn filters_of_other_functions_are_theirs() {
                   filter_fir.enable 0\nfilter_fir.type 1\nfilter_fir.order 3\nlr_param.add_interface.filter[0].fg_f0 30\n\
                   lr_param.add_interface.filter[0].enable 0\nkenngr.dist_ctrl[0].low_pass_filter_fg_f0 25\n";
     let (set, report) = read(&[("x.lis", format!("{VALID}{others}").as_bytes())]);
-    assert_eq!((set.unwrap().foreign, report.to_string().as_str()), (12, ""));
+    let said = "x.lis:12:18: warning[AX467]: the command filter filter[0] is on (P-AXIS-00319, 00140): it delays the command, and turns its phase\n    \
+                write instead: the filter off while the stages are tuned; or tune with it, and again when it changes\n";
+    assert_eq!((set.unwrap().foreign, report.to_string().as_str()), (12, said));
 }

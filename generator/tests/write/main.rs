@@ -7,6 +7,7 @@ mod folders;
 mod left_overs;
 mod links;
 mod owners;
+mod single;
 
 use generator::target::File;
 use generator::write::{Refusal, Written, commit, open, stage};

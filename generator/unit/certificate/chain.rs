@@ -7,6 +7,7 @@ use crate::blocks::ipc::certificate::chain::{Chain, Place, measure, place};
 use crate::blocks::ipc::certificate::probe::{Probe, Source};
 use crate::unit::sets;
 use compiler::program::Program;
+use portable::Extreme;
 use portable::RealKind;
 
 /// The largest amplitude of a probe in single precision.
@@ -37,19 +38,20 @@ fn error(axis: &Axis) -> f64 {
                 let predicted = predicted(chain, &places, Some((i, which))).0;
                 let mut column = probe.column(&Source::State(state));
                 forget_inputs(&program, &mut column);
-                error = error.max(difference(&column, &predicted));
+                error = error.larger(difference(&column, &predicted));
             }
             let y = predicted(chain, &places, Some((i, 0))).1;
             let output = probe.output(&Source::State(place.s[0]));
             // What is next to nothing is put out as 0.
             let is_seen = output != 0.0 || (y * LARGEST).abs() > axis.ipc.v_max * 1e-12;
-            error = error.max(if is_seen { (output - y).abs() / output.abs().max(f64::MIN_POSITIVE) } else { 0.0 });
+            error =
+                error.larger(if is_seen { (output - y).abs() / output.abs().larger(f64::MIN_POSITIVE) } else { 0.0 });
         }
         // An input may reach other stages too.
         let column = probe.column(&Source::Input(chain.input));
         let mut own = vec![0.0; column.len()];
         places.iter().flat_map(|place| place.s).for_each(|s| own[s] = column[s]);
-        error = error.max(difference(&own, &predicted(chain, &places, None).0));
+        error = error.larger(difference(&own, &predicted(chain, &places, None).0));
     }
     error
 }
@@ -86,8 +88,8 @@ fn predicted(chain: &Chain, places: &[Place], from: Option<(usize, usize)>) -> (
 fn difference(column: &[f64], expected: &[(usize, f64)]) -> f64 {
     let entry = |(index, found): (usize, &f64)| {
         let expected = expected.iter().find(|(at, _)| *at == index).map_or(0.0, |(_, value)| *value);
-        let largest = found.abs().max(expected.abs());
+        let largest = found.abs().larger(expected.abs());
         if largest > 0.0 { (found - expected).abs() / largest } else { 0.0 }
     };
-    column.iter().enumerate().map(entry).fold(0.0, f64::max)
+    column.iter().enumerate().map(entry).fold(0.0, f64::larger)
 }

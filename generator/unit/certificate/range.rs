@@ -8,6 +8,7 @@ use crate::blocks::ipc::certificate::norm::{BUDGET, Bound, run as add_up};
 use crate::unit::sets;
 use compiler::interp::Machine;
 use compiler::program::{Program, Type};
+use portable::Extreme;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 
@@ -83,7 +84,7 @@ fn where_decay_is_short_the_bound_is_the_sum() {
         let responses = run(&program, impulse(20_000));
         let sum = |place: usize| responses.iter().map(|values| values[place].abs()).sum::<f64>();
         let last = responses[0].len() - 1;
-        let largest = (0..last).map(sum).fold(0.0, f64::max);
+        let largest = (0..last).map(sum).fold(0.0, f64::larger);
         for (bound, sum) in [(bound.state, largest), (bound.v_sum, sum(last))] {
             assert!(bound >= sum && bound <= sum * (1.0 + 2e-4), "{bound} for {sum}");
         }
@@ -127,10 +128,10 @@ proptest! {
         let signs: Vec<f64> = (0..count).map(|_| if random.below(2) == 0 { -1.0 } else { 1.0 }).collect();
         let mut reached = 0.0_f64;
         for values in run(&program, worst(&response)).into_iter().chain(run(&program, signs.into_iter())) {
-            let state = values[..last].iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            let state = values[..last].iter().fold(0.0_f64, |largest, value| largest.larger(value.abs()));
             prop_assert!(state <= bound.state, "state {state} > {}", bound.state);
             prop_assert!(values[last].abs() <= bound.v_sum, "v_sum {} > {}", values[last], bound.v_sum);
-            reached = reached.max(values[last].abs());
+            reached = reached.larger(values[last].abs());
         }
         let summed = summed(&axis);
         prop_assert!(reached >= 0.9 * summed, "{reached} of {summed}");
@@ -149,7 +150,7 @@ proptest! {
         let samples = (0..2000_u32).map(|n| if libm::sin(core::f64::consts::TAU * f0 * f64::from(n)) < 0.0 { -1.0 } else { 1.0 });
         let samples = samples.map(|x| if random.below(50) == 0 { -x } else { x });
         for values in run(&program, samples) {
-            let state = values[..last].iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            let state = values[..last].iter().fold(0.0_f64, |largest, value| largest.larger(value.abs()));
             prop_assert!(state <= bound.state, "state {state} > {}", bound.state);
             prop_assert!(values[last].abs() <= bound.v_sum, "v_sum {} > {}", values[last], bound.v_sum);
         }

@@ -6,6 +6,7 @@ use crate::blocks::Designed;
 use crate::blocks::ipc::certificate::{Certificate, certify, largest_defect};
 use crate::design::response::Complex;
 use crate::unit::sets;
+use portable::Extreme;
 use portable::{Literal, RealKind};
 use proptest::prelude::*;
 
@@ -76,7 +77,7 @@ fn what_rounding_costs_is_a_fifth_of_what_is_refused_at_most() {
                 let design = designed.stage[band.stage].as_ref().unwrap();
                 for point in &band.points {
                     let part = point.defect() / largest_defect(design, real);
-                    largest = largest.max(part);
+                    largest = largest.larger(part);
                 }
             }
         }

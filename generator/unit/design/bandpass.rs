@@ -8,6 +8,7 @@ use crate::design::response::{magnitude, of_bandpass, of_filter, phase};
 use crate::design::section::Shape;
 use crate::unit::sets::filter as coefficients_of;
 use crate::unit::sets::{Set, sets};
+use portable::Extreme;
 use reference::filter::Coeffs;
 
 const COUNT: usize = 12_000;
@@ -26,7 +27,7 @@ fn within(what: &str, deviations: impl Fn(&Set, &Band, &Coeffs<f64>) -> Vec<(f64
         for (deviation, rounding) in deviations(&set, &band, &coeffs) {
             assert!(deviation <= rounding, "{what}: {deviation:e} > {rounding:e}: {set:?}");
             assert!(deviation <= demanded(&set), "{what}: {deviation:e} > {:e}: {set:?}", demanded(&set));
-            worst = worst.max(deviation / rounding);
+            worst = worst.larger(deviation / rounding);
         }
     }
     assert!(worst > 0.01, "{what}: the tolerance is far too wide, worst {worst}");

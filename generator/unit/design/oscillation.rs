@@ -5,6 +5,7 @@ use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_oscillation};
 use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::{Random, sets};
+use portable::Extreme;
 use reference::oscillation;
 
 /// H = (2 D j w + 1) / (1 - w^2 + 2 D j w), w = t / Omega0: 1 + 1 / (2 j D) at the centre.
@@ -23,7 +24,7 @@ fn response_is_that_of_a_load_behind_a_visco_elastic_coupling() {
             let (t, oscillation::Coeffs { b0, b1, b2, a1, a2, .. }) = (w * omega0, coeffs);
             let rounding = of_section(a1, a2, t) + of_numerator(b0, b1, b2, t) + 60.0 * f64::EPSILON;
             assert!(deviation <= rounding, "{deviation:e} > {rounding:e}: D {damping}, w {w}: {set:?}");
-            worst = worst.max(deviation / rounding);
+            worst = worst.larger(deviation / rounding);
             if damping >= 0.025 {
                 // No section of a band-pass is narrower; relative to the peak of the response.
                 let peak = magnitude(visco_elastic(damping, 1.0));

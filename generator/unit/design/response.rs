@@ -4,6 +4,7 @@ use crate::blocks::ipc::stage::stage;
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_stage};
 use crate::unit::sets::axes;
+use portable::Extreme;
 use portable::RealKind;
 use reference::stage::{Coeffs, State, step};
 
@@ -17,11 +18,14 @@ fn it_is_what_step_does() {
         for designed in axis.ipc.stage.iter().flatten() {
             let coeffs = stage(0, designed, axis.cycle_time()).coeffs;
             for part in [0.3, 0.8, 1.0, 1.1, 1.9] {
-                let product = (part * designed.f0() * axis.cycle_time()).min(0.499); // f Ts
+                let product = (part * designed.f0() * axis.cycle_time()).smaller(0.499); // f Ts
                 let found = transform_of_impulse_response(&coeffs, product);
                 let expected = of_stage(&coeffs, warped(product, 1.0));
                 let deviation = magnitude(Complex { re: found.re - expected.re, im: found.im - expected.im });
-                assert!(deviation <= 1e-10 * magnitude(expected).max(1.0), "{deviation:e} at {product}: {designed:?}");
+                assert!(
+                    deviation <= 1e-10 * magnitude(expected).larger(1.0),
+                    "{deviation:e} at {product}: {designed:?}"
+                );
                 compared += 1;
             }
         }

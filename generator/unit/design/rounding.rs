@@ -1,6 +1,7 @@
 //! How far a response may be off because coefficients are numbers of 53 bits. No design.
 
 use crate::unit::sets::Set;
+use portable::Extreme;
 use reference::bandpass;
 
 /// Half a unit in the last place of a number in 1..2.
@@ -35,6 +36,6 @@ pub(crate) fn of_sections(sections: &[bandpass::Coeffs<f64>], t: f64) -> f64 {
 /// What is demanded of the whole product against an independent implementation, relative to the peak of the response:
 /// 1e-9 down to f0 Ts = 6e-4, then growing as 1/(f0 Ts)^2: 1e-7 at 6e-5, 1e-5 at 6e-6.
 pub(crate) fn demanded(set: &Set) -> f64 {
-    let below = (6e-4 / set.product).max(1.0);
+    let below = (6e-4 / set.product).larger(1.0);
     1e-9 * below * below
 }

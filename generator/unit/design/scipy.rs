@@ -7,6 +7,7 @@ use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_filter, of_oscillation};
 use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::filter as coefficients_of;
+use portable::Extreme;
 use reference::oscillation;
 
 const DATA: &str = include_str!("../data/scipy_designs.csv");
@@ -99,7 +100,7 @@ fn there_are_enough_of_every_kind() {
 fn responses_agree() {
     let mut worst = 0.0_f64;
     for row in rows() {
-        let peak = row.response.iter().map(|(_, h)| magnitude(*h)).fold(1.0, f64::max);
+        let peak = row.response.iter().map(|(_, h)| magnitude(*h)).fold(1.0, f64::larger);
         for (frequency, expected) in &row.response {
             let t = warped(*frequency, row.cycle_time);
             let h = (row.ours.response)(t);
@@ -107,9 +108,9 @@ fn responses_agree() {
             let rounding: f64 = row.ours.denominators.iter().map(|[a1, a2]| of_section(*a1, *a2, t)).sum();
             let allowed = 3.0 * rounding + 4e-14;
             assert!(deviation <= allowed, "{deviation:e} > {allowed:e}: {} {} {}", row.kind, row.f0, row.cycle_time);
-            let below = (6e-4 / (row.f0 * row.cycle_time)).max(1.0);
+            let below = (6e-4 / (row.f0 * row.cycle_time)).larger(1.0);
             assert!(allowed <= 2e-9 * below * below);
-            worst = worst.max(deviation / allowed);
+            worst = worst.larger(deviation / allowed);
         }
     }
     assert!(worst > 0.01, "the tolerance is far too wide, worst {worst}");
@@ -131,9 +132,9 @@ fn poles_agree() {
         assert_eq!(ours.len(), row.poles.len());
         for (p, distance) in ours {
             let away = |other: &Complex| magnitude(Complex { re: p.re - other.re, im: p.im - other.im });
-            let deviation = row.poles.iter().map(away).fold(f64::INFINITY, f64::min);
+            let deviation = row.poles.iter().map(away).fold(f64::INFINITY, f64::smaller);
             let moved = 4.0 * f64::EPSILON / distance;
-            let allowed = moved.min(2.0 * libm::sqrt(f64::EPSILON)) + 8.0 * f64::EPSILON;
+            let allowed = moved.smaller(2.0 * libm::sqrt(f64::EPSILON)) + 8.0 * f64::EPSILON;
             assert!(deviation <= allowed, "{deviation:e} > {allowed:e}: {} {} {}", row.kind, row.f0, row.cycle_time);
         }
     }

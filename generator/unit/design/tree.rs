@@ -6,6 +6,7 @@ use crate::blocks::ipc::design::{design, fade_cycles};
 use crate::blocks::named;
 use crate::design::rounding::rounded;
 use crate::unit::sets::axes;
+use portable::Extreme;
 use portable::{Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 
@@ -99,7 +100,7 @@ fn what_is_given_is_copied() {
         assert_eq!(coeffs.enable, axis.ipc.enable as i32);
         for (stage, coeffs) in axis.ipc.stage.iter().zip(&coeffs.stage) {
             let weight = stage.as_ref().map_or(0.0, |stage| f64::from(stage.weight_fact_num) / 100.0);
-            assert_eq!(coeffs.gain.to_bits(), if weight > 0.0 { -weight.min(7.0) } else { 0.0 }.to_bits());
+            assert_eq!(coeffs.gain.to_bits(), if weight > 0.0 { -weight.smaller(7.0) } else { 0.0 }.to_bits());
         }
     }
 }

@@ -9,6 +9,7 @@
 use super::line::{Fraction, Line};
 use super::machine::{Machine, Measured};
 use super::velocity::{Follows, Velocity};
+use portable::Extreme;
 
 /// Time constant of a usual velocity loop [s].
 pub const TIME_CONSTANT: f64 = 5e-3;
@@ -46,7 +47,7 @@ impl Drive {
     /// At rest. A delay below 1 counts as 1.
     #[must_use]
     pub fn new(setup: Setup) -> Self {
-        let beyond = (setup.delay - 1.0).max(0.0);
+        let beyond = (setup.delay - 1.0).larger(0.0);
         let part = beyond - beyond.floor();
         // A short part is taken together with a whole cycle: Thiran's all-pass is best from half a cycle on.
         let (whole, part) = if part > 0.0 && part < 0.5 && beyond > 1.0 {
@@ -77,7 +78,7 @@ impl Machine for Drive {
     }
 
     fn delay_cycles(&self) -> usize {
-        cycles((self.setup.delay - 1.0).max(0.0).ceil())
+        cycles((self.setup.delay - 1.0).larger(0.0).ceil())
     }
 
     fn now(&self) -> Measured {

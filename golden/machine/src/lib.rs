@@ -17,6 +17,7 @@
 //!
 //! Sines and powers are libm's: the same bits on every host. Times are in seconds; lengths and angles are in the unit of the caller,
 //! except where a unit is given.
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 
 pub mod closed_loop;

@@ -2,6 +2,7 @@
 //! frequencies that are asked for are few.
 
 use super::closed_loop::Record;
+use portable::Extreme;
 use std::f64::consts::TAU;
 
 /// The columns of the table of the application example.
@@ -32,7 +33,7 @@ pub fn figures(record: &Record) -> Figures {
 #[must_use]
 pub fn following_error(record: &Record) -> f64 {
     let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
-    errors.fold(0.0, f64::max)
+    errors.fold(0.0, f64::larger)
 }
 
 /// Cycles of a record.
@@ -66,7 +67,7 @@ fn ring_down(record: &Record) -> f64 {
 /// The largest magnitude.
 #[must_use]
 pub fn peak(samples: &[f64]) -> f64 {
-    samples.iter().fold(0.0, |peak, sample| sample.abs().max(peak))
+    samples.iter().fold(0.0, |peak, sample| sample.abs().larger(peak))
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {
@@ -77,7 +78,7 @@ fn mean(values: impl Iterator<Item = f64>) -> f64 {
 /// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of amplitude 1.
 #[must_use]
 pub fn amplitude(samples: &[f64], cycle: f64, band: [f64; 2]) -> f64 {
-    spectrum(samples, cycle, band).into_iter().fold(0.0, |largest, [_, amplitude]| amplitude.max(largest))
+    spectrum(samples, cycle, band).into_iter().fold(0.0, |largest, [_, amplitude]| amplitude.larger(largest))
 }
 
 /// Frequency [Hz] and amplitude, line by line within a band [Hz], in the same way.

@@ -9,6 +9,7 @@
 use super::line::Line;
 use super::machine::{Machine, Measured};
 use super::mechanics::{Mechanics, Mesh, Place};
+use portable::Extreme;
 
 /// A machine by its numbers. What a caller varies stands before those of the demonstration plant:
 /// `Plant { cycle: 2e-3, ..DEMONSTRATION }`.
@@ -83,7 +84,7 @@ impl Plant {
     /// Cycles of the velocity loop in a cycle of the CNC, at least one.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     fn drive_cycles(&self) -> u32 {
-        libm::round(self.cycle / self.drive_cycle).max(1.0) as u32
+        libm::round(self.cycle / self.drive_cycle).larger(1.0) as u32
     }
 }
 

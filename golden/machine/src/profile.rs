@@ -4,6 +4,7 @@
 //! The profiles are those of `rsruckig`, the fastest within the limits. It decides by absolute differences of about 1e-8, so it is
 //! given velocities relative to the largest one, and positions relative to where the motion begins.
 
+use portable::Extreme;
 use rsruckig::prelude::{
     ControlInterface, DataArrayOrVec, InputParameter, Ruckig, RuckigResult, ThrowErrorHandler, Trajectory,
 };
@@ -167,7 +168,7 @@ impl Mover {
     /// The way to stop from a speed: its half for the time dv / a + a / j, with the acceleration that is reached.
     fn stopping_distance(&self, v: f64) -> f64 {
         let Limits { acceleration, jerk, .. } = self.limits;
-        let reached = acceleration.min((v * jerk).sqrt());
+        let reached = acceleration.smaller((v * jerk).sqrt());
         v / 2.0 * (v / reached + reached / jerk)
     }
 

@@ -1,5 +1,7 @@
 //! Moves forward and back with a rest between, as an interpolator gives them. Nothing of the control is here.
 
+use portable::Extreme;
+
 /// Rest, ramp up, dwell, ramp down, rest, and the same backward.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sequence {
@@ -68,7 +70,7 @@ impl Sequence {
         let length = self.speed / self.acceleration + self.rise;
         let sample = |n: u32| {
             let t = (f64::from(n) + 0.5) * cycle;
-            (t.min(length - t) / self.rise).min(1.0)
+            (t.smaller(length - t) / self.rise).smaller(1.0)
         };
         let shares: Vec<f64> = (0..).map(sample).take_while(|share| *share > 0.0).collect();
         let sum: f64 = shares.iter().sum();

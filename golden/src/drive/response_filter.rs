@@ -1,6 +1,7 @@
 //! A measured response as a machine: the velocity of the motor is the command through its impulse response. No file, no parameter.
 
 use machine::{Machine, Measured};
+use portable::Extreme;
 use stability::{Complex64, Response};
 use std::f64::consts::TAU;
 
@@ -48,7 +49,7 @@ impl ResponseFilter {
         for hz in lines {
             let wanted = response.value(*hz);
             let difference = (self.value(*hz) - wanted).norm_sqr().sqrt();
-            largest = wanted.norm_sqr().sqrt().max(largest);
+            largest = wanted.norm_sqr().sqrt().larger(largest);
             if difference > worst {
                 (worst, at) = (difference, *hz);
             }

@@ -5,6 +5,7 @@ use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use compiler::program::Program;
 use generator::axis::{Axis, Filter};
+use portable::Extreme;
 
 /// The first cycle of those that search the boundaries of process data: early, so that a short run has them.
 const FIRST_BOUNDARY: u64 = 200;
@@ -52,7 +53,7 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
     ];
     for stage in axis.ipc.stage.iter().flatten() {
         // As large as it takes for the stage alone to reach the limit.
-        let large = (1.5 * axis.ipc.limit() / stage.weight() / axis.ipc.v_max).min(2.0);
+        let large = (1.5 * axis.ipc.limit() / stage.weight() / axis.ipc.v_max).smaller(2.0);
         for filter in stage.filter {
             if let Filter::Bandpass { f0, .. } = filter {
                 let period = 1.0 / (f0 * axis.cycle_time());

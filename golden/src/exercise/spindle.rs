@@ -10,6 +10,7 @@ use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
 use machine::grid::shortest;
 use machine::spindle::operator::{Bad, Operator};
+use portable::Extreme;
 use portable::{Literal, RealKind};
 
 /// Where the spindle stands at first [0.001 deg].
@@ -139,7 +140,7 @@ impl Partner for Machinery<'_> {
 fn operator(axis: &Axis, spindle: &Spindle) -> Operator {
     let [on, off] = [spindle.v_velocity_control_on, spindle.v_position_control_on].map(f64::from);
     let largest = axis.ipc.v_max;
-    let fast = if on > 0.0 { (1.5 * on).min(0.9 * largest) } else { 0.5 * largest };
-    let slow = if off > 0.0 { (0.6 * off).min(0.5 * fast) } else { 0.1 * fast };
+    let fast = if on > 0.0 { (1.5 * on).smaller(0.9 * largest) } else { 0.5 * largest };
+    let slow = if off > 0.0 { (0.6 * off).smaller(0.5 * fast) } else { 0.1 * fast };
     Operator::of(slow, fast, (fast / spindle.deceleration / axis.cycle_time()) as u32)
 }

@@ -13,6 +13,7 @@ use machine::grid::{angle, shortest};
 use machine::profile;
 use machine::spindle::interpolator::{Job, Seen, State};
 use nc::{Command, Direction, Mistake, Program, Target};
+use portable::Extreme;
 
 /// 0.001 deg/s in 1 rpm.
 const RPM: f64 = 6000.0;
@@ -251,7 +252,7 @@ impl Closed<'_> {
             State::Velocity => true,
             _ => false,
         };
-        let window = (v.abs() * SPEED_WINDOW).max(RPM);
+        let window = (v.abs() * SPEED_WINDOW).larger(RPM);
         is_there && (self.machine.actual.v - v).abs() <= window && (self.subject.get("v_spindle") - v).abs() < 1.0
     }
 

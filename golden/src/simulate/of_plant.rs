@@ -7,6 +7,7 @@ use generator::blocks::Designed;
 use machine::Machine;
 use machine::measure::fourier;
 use machine::plant::Plant;
+use portable::Extreme;
 use stability::{Complex64, Response};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -65,7 +66,7 @@ impl OfPlant {
             None => frequencies(self.cycle).into_iter().map(|hz| (hz, Complex64::new(0.0, 0.0))).collect(),
         };
         let nearest = open.iter().map(|(hz, open)| (1.0 + open + self.position(*hz)).norm_sqr());
-        Some(1.0 / nearest.fold(f64::INFINITY, f64::min).sqrt())
+        Some(1.0 / nearest.fold(f64::INFINITY, f64::smaller).sqrt())
     }
 
     /// The part of the open loop that is the position loop.

@@ -4,6 +4,7 @@ use super::{Moved, Row, Simulation};
 use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture};
 use machine::closed_loop::Record;
 use machine::measure::{self, Window, spectrum};
+use portable::Extreme;
 
 /// Points of a curve, at most: the vibration must be seen.
 const MOST: usize = 2500;
@@ -36,9 +37,8 @@ pub fn svg(simulation: &Simulation, axis: &str) -> String {
         ],
     };
     let nyquist = 0.5 / on.record.cycle;
-    let highest =
-        simulation.stages.iter().fold(2.0 * LOWEST, |highest, (_, f0)| if *f0 > highest { *f0 } else { highest });
-    let to = if highest * HIGHEST < nyquist { highest * HIGHEST } else { nyquist };
+    let highest = simulation.stages.iter().map(|(_, f0)| *f0).fold(2.0 * LOWEST, f64::larger);
+    let to = nyquist.smaller(highest * HIGHEST);
     let spectra = |windows: fn(&Record) -> Vec<Window>| {
         both.map(|(name, record)| of_spectrum(name, record, &windows(record), seen, [LOWEST, to])).into()
     };

@@ -13,6 +13,7 @@ use machine::drive::Setup;
 use machine::measure::{self, figures, peak};
 use machine::plant::{DEMONSTRATION, Plant};
 use machine::sequence::Sequence;
+use portable::Extreme;
 
 /// Mode of the block (P-AXIS-00758).
 pub(super) const OFF: f64 = 0.0;
@@ -62,12 +63,12 @@ impl Setting {
             Moved::Drive => drive.model.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
         };
         let of_plant = (moved == Moved::Demonstration).then(|| OfPlant::new(&plant(cycle), kv));
-        let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::min);
+        let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::smaller);
         let usual = match moved {
             Moved::Demonstration => Sequence::DEMONSTRATION.dwell,
-            Moved::Drive => Sequence::DEMONSTRATION.dwell.max(BEFORE + PERIODS / lowest),
+            Moved::Drive => Sequence::DEMONSTRATION.dwell.larger(BEFORE + PERIODS / lowest),
         };
-        let speed = Sequence::DEMONSTRATION.speed.min(axis.ipc.v_max / UM);
+        let speed = Sequence::DEMONSTRATION.speed.smaller(axis.ipc.v_max / UM);
         let sequence = Sequence { speed, dwell: dwell.unwrap_or(usual), ..Sequence::DEMONSTRATION };
         // Tuned weights follow within a fade, and the block is on after another one.
         let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;

@@ -1,5 +1,7 @@
 //! Where a value lies in a picture, and the lines of a scale.
 
+use portable::Extreme;
+
 /// Lines of a scale, at most.
 const STEPS: f64 = 6.0;
 
@@ -24,9 +26,7 @@ impl Scale {
 
 /// Lowest and highest line, and the step, for some values; 0 is among them.
 pub(super) fn around(values: impl Iterator<Item = f64>) -> [f64; 3] {
-    let (low, high) = values.fold((0.0, 0.0), |(low, high), value| {
-        (if value < low { value } else { low }, if value > high { value } else { high })
-    });
+    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), value| (low.smaller(value), high.larger(value)));
     if high <= low {
         return [0.0, 1.0, 1.0];
     }

@@ -9,12 +9,14 @@
 extern crate self as portable;
 
 mod block;
+mod extreme;
 mod intrinsic;
 mod ir;
 mod literal;
 mod real;
 
 pub use block::{Block, Brake, Enable, Off};
+pub use extreme::Extreme;
 pub use intrinsic::{
     from_i32, from_u32, in_range, nearest, nearly_half, note, overlaid, stored, truncate, with_numbers, within,
 };

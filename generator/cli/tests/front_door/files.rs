@@ -162,3 +162,36 @@ fn a_run_keeps_its_inputs() {
     }
     assert_eq!(["in.csv", "out.csv", "axes.toml"].map(|name| fs::read(path(name)).unwrap()), before);
 }
+
+/// Nor do import and export, whatever force: the list that a set names is an input of its export.
+#[test]
+fn import_and_export_keep_their_inputs() {
+    let folder = started();
+    let path = |name: &str| folder.path().join(name);
+    fs::write(path("x.lis"), "kopf.achs_nr 1\n").unwrap();
+    fs::write(path("set.toml"), "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n").unwrap();
+    let before = ["x.lis", "set.toml"].map(|name| fs::read(path(name)).unwrap());
+    for (command, out) in
+        [(["import", "x.lis"], "x.lis"), (["export", "set.toml"], "set.toml"), (["export", "set.toml"], "./x.lis")]
+    {
+        let (code, said, err) = axgen(folder.path(), &[&command[..], &["--out", out, "--force"]].concat());
+        assert_eq!((code, said.as_str()), (2, ""));
+        assert!(err.ends_with(&format!("{out}: error[AX014]: is an input of this run; give another name\n")), "{err}");
+    }
+    assert_eq!(["x.lis", "set.toml"].map(|name| fs::read(path(name)).unwrap()), before);
+}
+
+/// Two outputs of one run are two files, by whatever name, before the long run.
+#[test]
+fn two_outputs_are_two_files() {
+    let folder = started();
+    for arguments in [
+        ["verify", "axes.toml", "--json", "r", "--junit", "./r"],
+        ["simulate", "axes.toml", "--csv", "./r", "--picture", "r"],
+    ] {
+        let (code, said, err) = axgen(folder.path(), &arguments);
+        assert_eq!((code, said.as_str()), (2, ""), "{err}");
+        assert!(err.contains("error[AX014]: is to take two outputs of this run; give two names"), "{err}");
+        assert!(!folder.path().join("r").exists());
+    }
+}

@@ -134,7 +134,10 @@ fn a_wrong_command_line_is_an_object_too() {
     for (arguments, found) in [
         ("generate", "the following required arguments were not provided: <SET>"),
         ("check axes.toml --speed", "unexpected argument '--speed' found"),
-        ("verify axes.toml --samples 0", "invalid value '0' for '--samples <N>': a whole number from 1 on is allowed"),
+        (
+            "verify axes.toml --samples 0",
+            "invalid value '0' for '--samples <N>': a whole number from 1 to 10000000 is allowed",
+        ),
     ] {
         for json in [["--message-format=json"].as_slice(), &["--message-format", "json"]] {
             let words: Vec<&str> = arguments.split(' ').chain(json.iter().copied()).collect();

@@ -3,6 +3,7 @@
 
 #![expect(clippy::float_cmp, reason = "bounds are exact, and infinities are asked for")]
 
+use portable::Extreme;
 use portable::{Binary, RealKind};
 
 /// The reals from `low` to `high`, in the block's own type; `low > high`: no number. An infinity stands where a bound is one.
@@ -53,15 +54,16 @@ impl Interval {
 
     /// The largest magnitude of a number.
     pub fn magnitude(self) -> f64 {
-        if self.has_number() { self.low.abs().max(self.high.abs()) } else { 0.0 }
+        if self.has_number() { self.low.abs().larger(self.high.abs()) } else { 0.0 }
     }
 
     pub(super) fn join(self, other: Self) -> Self {
-        Self { low: self.low.min(other.low), high: self.high.max(other.high), nan: self.nan || other.nan }
+        Self { low: self.low.smaller(other.low), high: self.high.larger(other.high), nan: self.nan || other.nan }
     }
 
     pub(super) fn meet(self, other: Self) -> Self {
-        let met = Self { low: self.low.max(other.low), high: self.high.min(other.high), nan: self.nan && other.nan };
+        let met =
+            Self { low: self.low.larger(other.low), high: self.high.smaller(other.high), nan: self.nan && other.nan };
         if met.has_number() { met } else { Self { nan: met.nan, ..Self::NONE } }
     }
 
@@ -116,7 +118,8 @@ fn product(a: Interval, b: Interval, kind: RealKind) -> Interval {
     // An infinite bound stands for large numbers, too: times 0 they are 0.
     let of = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { rounded(Binary::Multiply, x, y, kind) };
     let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
-    let (low, high) = all.iter().fold((all[0], all[0]), |(low, high), value| (low.min(*value), high.max(*value)));
+    let (low, high) =
+        all.iter().fold((all[0], all[0]), |(low, high), value| (low.smaller(*value), high.larger(*value)));
     Interval { low, high, nan }
 }
 
@@ -127,7 +130,8 @@ fn quotient(a: Interval, b: Interval, kind: RealKind) -> Interval {
     }
     let of = |x, y| rounded(Binary::Divide, x, y, kind);
     let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
-    let (low, high) = all.iter().fold((all[0], all[0]), |(low, high), value| (low.min(*value), high.max(*value)));
+    let (low, high) =
+        all.iter().fold((all[0], all[0]), |(low, high), value| (low.smaller(*value), high.larger(*value)));
     Interval { low, high, nan }
 }
 

@@ -7,6 +7,7 @@ use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::pass::Defect;
 use compiler::program::Program;
+use portable::Extreme;
 use reference::axis::{Axis, Coeffs};
 use reference::call_rate;
 use reference::feedforward::Feedforward;
@@ -70,7 +71,7 @@ impl Part for Axis {
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let [quiet, loud] = Ipc.ranges(designed);
         let [other_quiet, other_loud] = Feedforward.ranges(designed);
-        [quiet.min(other_quiet), loud.max(other_loud)]
+        [quiet.smaller(other_quiet), loud.larger(other_loud)]
     }
 
     fn start_cycles(&self, designed: &Designed) -> usize {

@@ -8,6 +8,7 @@ pub(crate) mod notes;
 
 use super::{Design, Part, Summary, values::Values};
 use crate::{axis::Axis, blocks::designed::Designed};
+use portable::Extreme;
 use reference::feedforward::{Coeffs, Feedforward};
 
 impl Design for Feedforward {
@@ -31,7 +32,7 @@ impl Part for Feedforward {
 
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let (torque, v_max) = (largest_acceleration(&designed.feedforward), designed.axis.ipc.v_max);
-        [torque.min(v_max) / 16.0, torque.max(v_max)]
+        [torque.smaller(v_max) / 16.0, torque.larger(v_max)]
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
@@ -46,6 +47,6 @@ impl Part for Feedforward {
 
 /// The noise on an acceleration at which the additive torque is cut off; without one no bound.
 fn largest_acceleration(coeffs: &Coeffs<f64>) -> f64 {
-    let factor = coeffs.torque_acceleration.max(coeffs.torque_jerk) * coeffs.weight;
+    let factor = coeffs.torque_acceleration.larger(coeffs.torque_jerk) * coeffs.weight;
     if factor > 0.0 { (f64::from(coeffs.torque_range.highest) / factor).clamp(1e-6, 1e7) } else { 1e7 }
 }

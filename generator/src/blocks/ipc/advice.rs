@@ -2,8 +2,8 @@
 //! stable.
 
 use super::check::{damping_given, master};
-use super::{filter as kinds, phase, stage::StageDesign, unstable};
-use crate::axis::{Axis, Mode, Stage};
+use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
+use crate::axis::{Axis, Ipc, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
 use crate::parameters::{FILTERS, Name, STAGES, Value, path_with, real_text};
@@ -14,6 +14,7 @@ use crate::{
     diagnostics::Diagnostic,
     number::{digits, rounded},
 };
+use portable::Extreme;
 
 /// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
@@ -21,8 +22,8 @@ const NEAR_NYQUIST: f64 = 0.35;
 const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
 /// Below 5 mm/s or 5 deg/s hardly an axis ends; above it hardly one is written in mm/s, m/min, deg/s or revolutions/min.
 const SLOW: f64 = 5000.0;
-/// A limit of the whole of vb_max [0.1 %].
-const FULL: u32 = 1000;
+/// 10 rpm: no spindle ends there, and most are faster than 10000 thousandths of a degree in a second.
+const SLOW_SPINDLE: f64 = 60_000.0;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
@@ -34,6 +35,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
             damping_generations(e, i, &design.stage);
             filter_without_type(e, i, &design.stage);
             capped(e, i, &design.stage);
+            no_denominator(e, i, &design.stage);
             weight(e, i, &design.stage);
             resonance(e, i, &design.stage);
             near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
@@ -41,6 +43,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
         }
     }
     overlaps(designed, e);
+    never_acts::advise(axis, e);
     unstable::advise(designed, e);
 }
 
@@ -50,7 +53,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
     if active > 0 || axis.control.position_control.is_some() {
         unit_of_vb_max(axis, e);
     }
-    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= FULL {
+    if active > 0 && !slave && axis.ipc.enable == Enable::On && axis.ipc.v_add_max_fact >= Ipc::WHOLE {
         let key = key(Name::Enable);
         let found = format!(
             "the block starts ON (P-AXIS-00758), and v_add may reach {} {}: {} % of vb_max (P-AXIS-00757)",
@@ -99,7 +102,8 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
 fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear)).unwrap_or(0), 0]);
     let v_max = axis.ipc.v_max;
-    if v_max >= SLOW || e.given(key).is_none() {
+    let slow = if axis.control.is_spindle { SLOW_SPINDLE } else { SLOW };
+    if v_max >= slow || e.given(key).is_none() {
         return;
     }
     let (unit, per_second, per_minute, factor) = match axis.control.is_rotary {
@@ -165,6 +169,20 @@ fn capped(e: &mut Effective<'_>, i: u32, stage: &Stage) {
             Stage::MAX_WEIGHT
         );
         e.warn(codes::CAPPED, (Name::WeightFactNum, [i, 0]), found, Some(instead));
+    }
+}
+
+/// A numerator alone, which is mostly a percentage.
+fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
+    let [num, denom] = [Name::WeightFactNum, Name::WeightFactDenom].map(|name| (name, [i, 0]));
+    let is_alone = e.given(num).is_some() && e.given(denom).is_none();
+    if is_alone && stage.weight_fact_num > 1 && stage.cap().is_empty() {
+        let number = stage.weight_fact_num;
+        let found =
+            format!("{} is {number}, and without weight_fact_denom the weight is {number}: {number}00 %", e.title(num));
+        let path = path_with(denom.0.parameter().path, denom.1);
+        let instead = format!("{path} (P-AXIS-00755) with 100, if {number} % is meant, or with 1");
+        e.warn(codes::NO_DENOMINATOR, num, found, instead);
     }
 }
 
@@ -236,7 +254,7 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
     for (n, (i, stage)) in bands.iter().enumerate() {
         for (j, other) in &bands[n + 1..] {
             let [[low, high], [other_low, other_high]] = [stage, other].map(|design| band_of(design));
-            if low.max(other_low) < high.min(other_high) {
+            if low.larger(other_low) < high.smaller(other_high) {
                 let found = format!(
                     "stage[{i}] ({} to {} Hz) and stage[{j}] ({} to {} Hz) overlap, and influence each other",
                     rounded(low),
@@ -254,5 +272,5 @@ fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
 /// The band in which all band-passes of a stage lose at most 3 dB, in Hz.
 pub(super) fn band_of(design: &StageDesign) -> [f64; 2] {
     let filters = design.filter.iter().flatten().filter(|of| kinds::is_selective(&of.filter));
-    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].max(low), of.edges[1].min(high)])
+    filters.fold([0.0, f64::INFINITY], |[low, high], of| [of.edges[0].larger(low), of.edges[1].smaller(high)])
 }

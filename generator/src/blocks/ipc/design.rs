@@ -3,6 +3,7 @@
 use super::stage::{StageDesign, stage};
 use super::sum_limit::sum_limit;
 use crate::axis::{Axis, Ipc, Stage};
+use portable::Extreme;
 use portable::RealKind;
 use reference::call_rate;
 use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
@@ -63,8 +64,8 @@ fn watch(axis: &Axis) -> watch::Coeffs<f64> {
     let Some(f0) = lowest.filter(|_| ipc.watch && acts) else { return watch::Coeffs::default() };
     // A quotient that is a whole number but for its rounding is that number.
     let whole = |quotient: f64| libm::ceil(quotient * (1.0 - 1e-9));
-    let block = whole((BLOCK_PERIODS / f0).max(SHORTEST_BLOCK) / axis.cycle_time()).max(FEWEST_CYCLES);
-    let blocks = whole(ALARM_TIME / (block * axis.cycle_time())).max(FEWEST_BLOCKS);
+    let block = whole((BLOCK_PERIODS / f0).larger(SHORTEST_BLOCK) / axis.cycle_time()).larger(FEWEST_CYCLES);
+    let blocks = whole(ALARM_TIME / (block * axis.cycle_time())).larger(FEWEST_BLOCKS);
     let (block_cycles, alarm) = (block as u32, 2 * blocks as u32);
     watch::Coeffs { active: true, block_cycles, alarm, quiet: limit / 50.0 }
 }
@@ -88,5 +89,5 @@ pub(crate) fn fade_cycles(axis: &Axis) -> u32 {
     let nearest = libm::round(quotient);
     let cycles = if (quotient - nearest).abs() <= 1e-9 * quotient { nearest } else { libm::ceil(quotient) };
     assert!(cycles <= Ipc::MAX_FADE_CYCLES, "design: the check lets no fade of {cycles} cycles through");
-    cycles.max(1.0) as u32
+    cycles.larger(1.0) as u32
 }

@@ -8,6 +8,7 @@ use crate::blocks::designed::Designed;
 use crate::design::{band::warped, response};
 use crate::number::{decibels, decimals, pair, significant};
 use crate::parameters::words::{StageMode, Words};
+use portable::Extreme;
 
 /// What differs: limit, start, fade and bad samples, a line each, then a line for each stage.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
@@ -174,5 +175,5 @@ fn decay(of: &StageDesign) -> f64 {
         if square < 0.0 { libm::log1p(a2 - 1.0) / 2.0 } else { libm::log(a1.abs() / 2.0 + libm::sqrt(square)) }
     };
     let poles = of.section.iter().map(|section| logarithm(section.denominator));
-    -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::max)
+    -of.cycle_time / poles.fold(f64::NEG_INFINITY, f64::larger)
 }

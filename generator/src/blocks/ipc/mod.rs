@@ -10,6 +10,7 @@ pub(crate) mod drive_model;
 pub(crate) mod drive_response;
 pub(crate) mod feasibility;
 pub(crate) mod filter;
+mod never_acts;
 pub(crate) mod notes;
 mod phase;
 pub(crate) mod sets;

@@ -6,6 +6,7 @@ use super::certificate::section::Section;
 use super::stage::StageDesign;
 use crate::axis::Ipc;
 use crate::design::rounding::sample_limit;
+use portable::Extreme;
 use portable::RealKind;
 use reference::stage::{DirectSource, Mode};
 
@@ -25,7 +26,7 @@ const WITHOUT_BOUND: f64 = 1e6;
 pub(crate) fn sum_limit<'s>(ipc: &Ipc, real: RealKind, stages: impl Iterator<Item = &'s StageDesign>) -> f64 {
     let chains: Vec<Chain> = stages.map(chain).collect();
     let sum = norm::bounds(&chains, RealKind::F64).v_sum * ipc.v_max;
-    (ROOM * sum.max(ipc.limit())).min(WITHOUT_BOUND * sample_limit(real))
+    (ROOM * sum.larger(ipc.limit())).smaller(WITHOUT_BOUND * sample_limit(real))
 }
 
 fn chain(stage: &StageDesign) -> Chain {

@@ -11,6 +11,7 @@ use crate::design::band::warped;
 use crate::design::response::{Complex, angle, magnitude};
 use crate::number::{decimals, down_to, significant};
 use crate::parameters::words::{DirectSource, StageMode, Words};
+use portable::Extreme;
 use portable::RealKind;
 use stability::{Loop, MAX_MS};
 
@@ -153,7 +154,7 @@ fn neighbours(mut stages: Vec<&StageDesign>) -> Vec<String> {
     let band = |design: &StageDesign| super::advice::band_of(design);
     let pair = |pair: &[&StageDesign]| {
         let [low, high] = [pair[0], pair[1]].map(band);
-        let (gap, wider) = (high[0] - low[1], (high[1] - high[0]).max(low[1] - low[0]));
+        let (gap, wider) = (high[0] - low[1], (high[1] - high[0]).larger(low[1] - low[0]));
         let (i, j) = (pair[0].index, pair[1].index);
         let text = |value| significant(value, 3);
         match gap {

@@ -4,6 +4,7 @@ use super::limits::window;
 use crate::axis::{Axis, Changeover, Spindle};
 use crate::design::rounding::sample_limit;
 use crate::design::scale;
+use portable::Extreme;
 use reference::call_rate;
 use reference::spindle::Coeffs;
 
@@ -78,7 +79,7 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
 
 /// The largest velocity of a drive that can tell the direction [0.001 deg/s].
 pub(crate) fn v_largest(axis: &Axis) -> f64 {
-    scale::below(half_turn(axis), axis.real).min(sample_limit(axis.real))
+    scale::below(half_turn(axis), axis.real).smaller(sample_limit(axis.real))
 }
 
 /// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].

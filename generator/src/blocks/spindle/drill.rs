@@ -1,6 +1,7 @@
 //! What a self-test leads the changeover through: noise alone would never reach velocity control. No noise.
 
 use super::super::Drill;
+use portable::Extreme;
 use portable::Literal;
 use reference::spindle::Coeffs;
 
@@ -9,7 +10,7 @@ pub(super) fn through_all_states(coeffs: &Coeffs<f64>) -> Vec<Drill> {
     let speed = 2.0 * coeffs.v_velocity_control_on + 6000.0;
     // A drive must still be able to tell the direction.
     let reached = match coeffs.in_drive {
-        true => (coeffs.v_velocity_control_on + coeffs.v_largest.min(speed)) / 2.0,
+        true => (coeffs.v_velocity_control_on + coeffs.v_largest.smaller(speed)) / 2.0,
         false => speed,
     };
     let part = |input, value, samples| Drill { input, value, samples };

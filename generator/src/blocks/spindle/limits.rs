@@ -5,6 +5,7 @@ use crate::config::values::{Key, key};
 use crate::parameters::{Name, time_text};
 use crate::rules::{drive, effective::Effective};
 use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded};
+use portable::Extreme;
 
 /// Half a revolution [0.001 deg]: a drive cannot tell the direction of a longer way.
 const HALF_A_REVOLUTION: f64 = 180_000.0;
@@ -20,7 +21,7 @@ pub(super) fn rpm(velocity: f64) -> f64 {
 
 /// Around the velocity of position control, half the width [0.001 deg/s].
 pub(super) fn window(off: u32, least: f64) -> f64 {
-    (f64::from(off) / 100.0).max(least)
+    (f64::from(off) / 100.0).larger(least)
 }
 
 /// At which the block opens its loop [0.001 deg].
@@ -85,7 +86,7 @@ pub(super) fn settled_window(
     let least = e.real(at)?;
     let Some(steps) = cycle_ns.and_then(|ns| two_steps(e, ns, gear)) else { return Some(least) };
     if e.given(at).is_none() {
-        return Some(least.max(steps));
+        return Some(least.larger(steps));
     }
     let holds = window(off.map_or(0, |off| off.value), least);
     if holds < steps {
@@ -226,7 +227,7 @@ pub(super) fn brake_timeout(
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is not below 0")]
 pub(super) fn ramp(from: f64, to: f64, deceleration: f64) -> u64 {
     // The product is exact: whole numbers up to 2^31, and nine binary places of a milliard are 0.
-    ((from - to).max(0.0) * 1e9 / deceleration).ceil() as u64
+    ((from - to).larger(0.0) * 1e9 / deceleration).ceil() as u64
 }
 
 /// A time that is counted in cycles.
@@ -244,7 +245,7 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let said = Diagnostic::error(codes::TOO_LONG, place, found);
     let allowed = format!("{MOST_CYCLES} cycles: {} at a cycle time of {}", time_text(longest), time_text(cycle));
     let instead = if name == Name::SpindleBrakeTimeout {
-        "a shorter time, or a larger spindle.deceleration"
+        "a shorter time, or a larger spindle.deceleration: 6000 is 1 rpm/s"
     } else {
         "a shorter time"
     };

@@ -6,6 +6,7 @@ use crate::axis::{Axis, Bus, Changeover, Spindle};
 use crate::number::digits;
 use crate::parameters::time_text;
 use crate::parameters::words::{DriveSetting, Words};
+use portable::Extreme;
 
 /// A line each.
 pub(crate) fn lines(axis: &Axis) -> Vec<String> {
@@ -74,7 +75,7 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
 
 /// The position lag (1 - w) v / Kv at the velocity at which position control is left: what to measure, once.
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
-    let largest = f64::from(spindle.v_velocity_control_on).min(axis.ipc.v_max);
+    let largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);
     let kv = f64::from(spindle.kv) / 100.0;
     let lag = |weight: f64| digits((1.0 - weight) * largest / 1000.0 / kv);
     let (speed, kv) = (rpm(largest), digits(kv));

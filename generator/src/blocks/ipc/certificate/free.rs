@@ -1,5 +1,7 @@
 //! What a second-order section can still do when it is left to itself, in closed form. No step is run.
 
+use portable::Extreme;
+
 /// A denominator 1 + a1 z^-1 + a2 z^-2, without a cancellation.
 pub(super) struct Denominator {
     pub a1: f64,
@@ -43,7 +45,7 @@ pub(super) fn bounds(of: &Denominator) -> Free {
         let r = libm::sqrt(a2);
         let left = width / (1.0 + r); // 1 - r
         let imaginary = libm::sqrt(-square);
-        let odd = (1.0 / (imaginary * left)).min(1.0 / (left * left));
+        let odd = (1.0 / (imaginary * left)).smaller(1.0 / (left * left));
         return Free { half, even: 1.0 / left, odd, imaginary: Some(imaginary) };
     }
     let distance = libm::sqrt(square);
@@ -62,7 +64,7 @@ impl Free {
         }
         let apart = s1.abs() * self.even + slope.abs() * self.odd;
         // One oscillation of this amplitude, rather than the two of its parts.
-        self.imaginary.map_or(apart, |imaginary| apart.min(libm::hypot(s1, slope / imaginary) * self.even))
+        self.imaginary.map_or(apart, |imaginary| apart.smaller(libm::hypot(s1, slope / imaginary) * self.even))
     }
 
     /// Bound of the sum of all |s1| from any state with |s1| and |s2| of at most 1; |a1| < 2.

@@ -5,6 +5,7 @@ use crate::blocks::Figure;
 use crate::design::response::{Complex, angle, magnitude};
 use crate::design::rounding::{at_least, precision, sample_limit};
 use crate::number::digits;
+use portable::Extreme;
 
 /// The lines: the range, the response of each stage at each of its band-passes, the largest deviation.
 pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
@@ -48,7 +49,7 @@ fn range(certificate: &Certificate) -> String {
         digits(*v_max),
         digits(bound.state * v_max),
         digits(sample_limit),
-        digits(bound.state.max(bound.v_sum) * sample_limit),
+        digits(bound.state.larger(bound.v_sum) * sample_limit),
         if certificate.is_within_precision() { "within" } else { "NOT within" },
         precision(*real)
     )

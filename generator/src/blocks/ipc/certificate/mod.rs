@@ -32,6 +32,7 @@ use crate::{axis::Axis, blocks::designed::Designed};
 use compiler::pass::Defect;
 use compiler::program::Program;
 pub(crate) use lines::{figure, lines};
+use portable::Extreme;
 use portable::RealKind;
 pub(crate) use response::designed;
 use response::{Band, Point};
@@ -110,7 +111,7 @@ impl Certificate {
     fn is_within_precision(&self) -> bool {
         // An intermediate value is a sum of up to three products of a state and a coefficient of up to 4; in a trapezoidal section,
         // whose C may be larger, each product is a sum of up to four states.
-        self.bound.state.max(self.bound.v_sum).max(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
+        self.bound.state.larger(self.bound.v_sum).larger(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
 }
 

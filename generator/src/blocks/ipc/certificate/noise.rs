@@ -10,6 +10,7 @@ use crate::design::response::{Complex, magnitude};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use crate::number::{decimals, digits};
+use portable::Extreme;
 use portable::RealKind;
 
 /// The vibration, as a part of the velocity of the axis.
@@ -54,7 +55,7 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
     for (i, section) in sections.iter().enumerate() {
         let behind = &sections[i + 1..];
         let gain = |t| behind.iter().map(|section| magnitude(section.response(t))).product::<f64>();
-        let largest = behind.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::max);
+        let largest = behind.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::larger);
         noise += of_section(section, t, offset, vibration) * largest * largest;
         vibration *= magnitude(section.response(t));
         if section.output.loses_the_offset() {

@@ -5,6 +5,7 @@
 use super::chain::Chain;
 use super::free::{self, Free};
 use super::section::{Coming, Section};
+use portable::Extreme;
 use portable::RealKind;
 use std::collections::BTreeMap;
 
@@ -45,8 +46,8 @@ pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let certain = |rounding: f64| (1.0 + SLACK) * rounding;
     let summed = of_input.values().flatten().map(|h| h.abs()).sum::<f64>();
     let rest = runs.iter().map(|run| run.rest).sum::<f64>();
-    let rounding = runs.iter().map(|run| run.rounding).fold(1.0, f64::max);
-    let state = runs.iter().map(|run| run.state * certain(run.rounding)).fold(0.0, f64::max);
+    let rounding = runs.iter().map(|run| run.rounding).fold(1.0, f64::larger);
+    let state = runs.iter().map(|run| run.state * certain(run.rounding)).fold(0.0, f64::larger);
     Bound { state, v_sum: (summed + rest) * certain(rounding) }
 }
 
@@ -79,7 +80,7 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
         Sums { section: *section, free, driven, s: [0.0; 2], sum: [0.0; 2] }
     };
     let mut sections: Vec<Sums> = chain.section.iter().map(sums).collect();
-    let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::max);
+    let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::larger);
     let mut response = Vec::new();
     let mut total = 0.0;
     let mut behind = rest(&sections, 1.0, chain.gain);
@@ -95,7 +96,7 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
             total += signal.iter().map(|h| h.abs()).sum::<f64>();
             response.extend(signal);
             behind = rest(&sections, 0.0, chain.gain);
-            let so_far = sections.iter().flat_map(|sums| sums.sum).fold(0.0, f64::max);
+            let so_far = sections.iter().flat_map(|sums| sums.sum).fold(0.0, f64::larger);
             if behind.0 <= SMALL * total && behind.1 - so_far <= SMALL * so_far {
                 break;
             }
@@ -112,7 +113,7 @@ fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
     for Sums { section, free, driven, s, sum } in sections {
         let own = section.coming(free, *s);
         for ((sum, own), driven) in sum.iter().zip(own.s).zip(driven.s) {
-            state = state.max(sum + own + driven * x);
+            state = state.larger(sum + own + driven * x);
         }
         x = own.y + driven.y * x;
     }

@@ -6,6 +6,7 @@
 use crate::design::rounding::literal;
 use compiler::interp::Machine;
 use compiler::program::{Program, Variable};
+use portable::Extreme;
 use portable::{Literal, RealKind};
 
 /// What is 1 before a step; everything else is 0. Variables and inputs by their positions in the program.
@@ -87,7 +88,7 @@ impl<'p> Probe<'p> {
             if self.outputs[self.limited] == Literal::Bool(true) {
                 amplitude /= 256.0;
             } else if v_add == 0.0 && amplitude < self.large() {
-                amplitude = (amplitude * 65536.0).min(self.large());
+                amplitude = (amplitude * 65536.0).smaller(self.large());
             } else {
                 return v_add / amplitude;
             }

@@ -10,6 +10,7 @@ use crate::design::band::{edges, frequency, warped};
 use crate::design::response::{Complex, magnitude};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::Trapezoidal;
+use portable::Extreme;
 use portable::RealKind;
 
 /// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
@@ -34,7 +35,7 @@ impl Point {
     pub(crate) fn defect(&self) -> f64 {
         match self.single {
             None => self.deviation(),
-            Some([exact, rounded]) => relative(exact, self.designed).max(relative(self.measured, rounded)),
+            Some([exact, rounded]) => relative(exact, self.designed).larger(relative(self.measured, rounded)),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::free::{Denominator, Free};
 use crate::design::section::at_dc_and_nyquist;
 use crate::design::trapezoidal::Trapezoidal;
+use portable::Extreme;
 
 /// A section as it acts.
 #[derive(Clone, Copy)]
@@ -104,7 +105,7 @@ impl Section {
                 let scale = section.scale();
                 let from = |s| {
                     let Coming { s: [s1, low], .. } = self.coming(free, s);
-                    s1.max(scale * low)
+                    s1.larger(scale * low)
                 };
                 from([1.0, 0.0]) + from([0.0, 1.0 / scale])
             }

@@ -1,0 +1,111 @@
+//! Numbers that were mostly written in another unit: velocities and decelerations of spindles in rpm, Kv in 1/s. Warnings.
+
+use crate::axis::{Axis, Spindle};
+use crate::config::values::{Key, key};
+use crate::parameters::Name;
+use crate::{codes, number::rounded, rules::effective::Effective};
+use portable::Extreme;
+
+/// 1 rpm [0.001 deg/s], and 1 rpm/s [0.001 deg/s^2].
+const RPM: f64 = 6000.0;
+/// 10 rpm, which may be a threshold of a slow spindle [0.001 deg/s].
+const LOW: f64 = 60_000.0;
+/// No ramp of a spindle takes so long [s].
+const LONGEST_RAMP: f64 = 100.0;
+/// A window below this hardly any drive comes into [0.001 deg/s], and a takeover none [0.001 deg].
+const SMALL_WINDOW: f64 = 600.0;
+const SMALL_TAKEOVER: f64 = 10.0;
+/// 1/s: no axis is controlled so slowly [0.01/s].
+const SLOW_KV: u32 = 100;
+/// 1 (m/min)/mm [0.01/s].
+const KV_PER_MINUTE: f64 = 1e5 / 60.0;
+
+pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
+    kv(axis, gear, e);
+    let Some(spindle) = &axis.control.spindle else { return };
+    let largest = e.given((Name::VbMax, [gear, 0])).map_or(0.0, |_| axis.ipc.v_max);
+    for [new, old] in [
+        [Name::VVelocityControlOn, Name::VelocityPositionControlOn],
+        [Name::VPositionControlOn, Name::VelocityPositionControlOff],
+    ] {
+        let given = [new, old].map(key).into_iter().find(|key| e.given(*key).is_some());
+        let Some(at) = given else { continue };
+        let value =
+            if new == Name::VVelocityControlOn { spindle.v_velocity_control_on } else { spindle.v_position_control_on };
+        let value = f64::from(value);
+        // 0 has a meaning of its own. A threshold is more than a part in 6000 of the largest velocity.
+        if value > 0.0 && (value < RPM || value < LOW && value * RPM <= largest) {
+            in_rpm(e, at, value, "rpm", "deg/s");
+        }
+    }
+    braking(axis, spindle, e);
+    windows(spindle, e);
+}
+
+/// Says that a number is 6000 times too small, if rpm were meant.
+fn in_rpm(e: &mut Effective<'_>, at: Key, value: f64, of_minute: &str, of_second: &str) {
+    let found = format!("{} is {value}, which is only {} {of_minute}", e.title(at), rounded(value / RPM));
+    let instead = format!(
+        "{}, if {value} {of_minute} is meant, or {}, if {value} {of_second} is meant: the unit is 0.001 {of_second}",
+        value * RPM,
+        value * 1e3
+    );
+    e.warn(codes::SPINDLE_UNIT, at, found, instead);
+}
+
+/// A deceleration with which the spindle brakes for minutes.
+fn braking(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
+    let at = key(Name::SpindleDeceleration);
+    let way = axis.ipc.v_max - f64::from(spindle.v_position_control_on);
+    let time = way / spindle.deceleration;
+    if e.given(at).is_none() || time < LONGEST_RAMP {
+        return;
+    }
+    let value = spindle.deceleration;
+    let found = format!(
+        "{} is {value}, which is only {} rpm/s: braking from vb_max takes {} s",
+        e.title(at),
+        rounded(value / RPM),
+        rounded(time)
+    );
+    let instead = format!(
+        "{}, if {value} rpm/s is meant, or {}, if {value} deg/s^2 is meant: the unit is 0.001 deg/s^2",
+        value * RPM,
+        value * 1e3
+    );
+    e.warn(codes::SPINDLE_UNIT, at, found, instead);
+}
+
+/// Windows in rpm and in degrees.
+fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
+    let [window, takeover] = [Name::SpindleWindow, Name::SpindleTakeoverWindow].map(key);
+    let least = spindle.window.larger(f64::from(spindle.v_position_control_on) / 100.0);
+    if e.given(window).is_some() && least < SMALL_WINDOW {
+        in_rpm(e, window, spindle.window, "rpm", "deg/s");
+    }
+    if e.given(takeover).is_some() && spindle.takeover_window < SMALL_TAKEOVER {
+        let value = spindle.takeover_window;
+        let found = format!("{} is {value}, which is only {} deg", e.title(takeover), rounded(value / 1e3));
+        let instead = format!("{}, if {value} deg is meant: the unit is 0.001 deg", value * 1e3);
+        e.warn(codes::SPINDLE_UNIT, takeover, found, instead);
+    }
+}
+
+/// A gain of the position controller in 1/s.
+fn kv(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
+    let at = (Name::Kv, [gear, 0]);
+    let Some(kv) = axis.control.kv.filter(|kv| *kv < SLOW_KV && e.given(at).is_some()) else { return };
+    let (per_second, unit) = (f64::from(kv) / 100.0, if axis.control.is_rotary { "deg" } else { "mm" });
+    let found = format!(
+        "{} is {kv}, which is only {per_second}/s: at vb_max {} the axis lags by {} {unit}",
+        e.title(at),
+        axis.ipc.v_max,
+        rounded(axis.ipc.v_max / per_second / 1e3)
+    );
+    let of_minute = match axis.control.is_rotary {
+        true => String::new(),
+        false => format!(", or {}, if {kv} (m/min)/mm is meant", libm::round(f64::from(kv) * KV_PER_MINUTE)),
+    };
+    let instead = format!("{}, if {kv}/s is meant{of_minute}: the unit is 0.01/s", kv * 100);
+    e.warn(codes::KV_UNIT, at, found, instead);
+}
