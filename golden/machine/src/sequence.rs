@@ -34,8 +34,7 @@ impl Sequence {
     };
 }
 
-/// A sequence, cycle by cycle. The position is where the axis shall be a cycle later, by the rule of the trapezoid:
-/// `x[n] = x[n-1] + Ts (v[n] + v[n+1]) / 2`.
+/// A sequence, cycle by cycle. The position is where the axis shall be a cycle later: `x[n] = x[n-1] + Ts v[n+1]`.
 #[derive(Clone, Debug, Default)]
 pub struct Planned {
     /// each ramp: its first cycle, and the one behind its last
@@ -82,11 +81,11 @@ impl Planned {
     /// The positions of the velocities.
     fn integrate(&mut self, cycle: f64) {
         let next = self.v.iter().skip(1).chain(self.v.last());
-        let sum = |x: &mut f64, (v, next): (&f64, &f64)| {
-            *x += cycle * (v + next) / 2.0;
+        let sum = |x: &mut f64, v: &f64| {
+            *x += cycle * v;
             Some(*x)
         };
-        self.x = self.v.iter().zip(next).scan(0.0, sum).collect();
+        self.x = next.scan(0.0, sum).collect();
     }
 
     /// A constant velocity [m/s] for a time [s], in whole cycles.
