@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    b98e7939bc21832beb82006027edb71b
+ * checksum    016a97f49d5aa798f8406e721c350b86
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -106,7 +106,6 @@ static const double axis_s_spindle_axis_axis_ipc_rest = 7.806255641895632e-12;
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
 static const uint32_t axis_s_spindle_axis_axis_ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double axis_s_spindle_axis_axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
 /* position control in the CNC: Kv = 100/s (P-AXIS-00099) */
 static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gain of the position controller Kv [1/s] */
@@ -262,6 +261,9 @@ static void axis_s_spindle_axis_any_cycle(
 
     /* 1.08s; from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
     static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
     /* the same for every axis */
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
@@ -1454,8 +1456,8 @@ static void axis_s_spindle_axis_any_cycle(
         }
         const double axis_inputs_x_actual_next = spindle_x_spindle_next - lag_then;
         double axis_feedforward_v_feedforward_next;
-        bool axis_feedforward_fault_next;
-        uint32_t axis_feedforward_error_id_next;
+        bool axis_feedforward_fault;
+        uint32_t axis_feedforward_error_id;
         if (axis_s_spindle_axis_magnitude(spindle_v_spindle_last) <= axis_s_spindle_axis_sample_limit) {
             double axis_feedforward_gain_now_next;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -1469,43 +1471,43 @@ static void axis_s_spindle_axis_any_cycle(
                 axis_feedforward_gain_now_next = 0.0;
             }
             axis_feedforward_v_feedforward_next = axis_feedforward_gain_now_next * spindle_v_spindle_last;
-            axis_feedforward_fault_next = false;
-            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_feedforward_fault = false;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
             axis_feedforward_v_feedforward_next = 0.0;
-            axis_feedforward_fault_next = true;
-            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            axis_feedforward_fault = true;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
         }
         outputs->v_feedforward = axis_feedforward_v_feedforward_next;
-        uint32_t axis_error_id_last;
-        bool axis_fault_last;
-        if (axis_feedforward_fault_next) {
-            axis_error_id_last = axis_feedforward_error_id_next;
-            axis_fault_last = true;
+        uint32_t axis_error_id;
+        bool axis_fault;
+        if (axis_feedforward_fault) {
+            axis_error_id = axis_feedforward_error_id;
+            axis_fault = true;
         } else {
-            axis_error_id_last = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault_last = false;
+            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_fault = false;
         }
         const double axis_lag_next = spindle_x_spindle_next - axis_inputs_x_actual_next;
         const double axis_v_lag_next = axis_s_spindle_axis_axis_position_control_kv * axis_lag_next;
         const double axis_v_controller_next = axis_v_lag_next + axis_feedforward_v_feedforward_next;
         outputs->v_command = axis_v_controller_next;
-        bool axis_ipc_runs_next;
-        uint32_t axis_ipc_reason_next;
+        bool axis_ipc_runs;
+        uint32_t axis_ipc_reason;
         if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
         } else if (spindle_loop_closed && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
                 && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            axis_ipc_runs_next = true;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_runs = true;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
         } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
                 || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
             if (spindle_loop_closed) {
@@ -1520,38 +1522,38 @@ static void axis_s_spindle_axis_any_cycle(
                             state->axis_ipc_preset = false;
                         }
                     }
-                    axis_ipc_runs_next = true;
+                    axis_ipc_runs = true;
                 } else {
                     if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
                         /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
                         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                        const double axis_ipc_stage0_filter0_section0_s_next =
+                        const double axis_ipc_stage0_filter0_section0_s =
                             axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s_next;
-                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s_next;
+                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
+                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
                         state->axis_ipc_preset = true;
                     }
-                    axis_ipc_runs_next = false;
+                    axis_ipc_runs = false;
                 }
             } else {
                 state->axis_ipc_preset = false;
                 state->axis_ipc_fade = 0u;
-                axis_ipc_runs_next = false;
+                axis_ipc_runs = false;
             }
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
         }
-        bool axis_ipc_limited_next;
-        double axis_ipc_v_add_next;
-        bool axis_ipc_fault_next;
-        uint32_t axis_ipc_error_id_next;
-        if (axis_ipc_runs_next) {
-            const uint32_t axis_ipc_fade_next = state->axis_ipc_fade;
+        bool axis_limited_next;
+        double axis_ipc_v_add;
+        bool axis_ipc_fault;
+        uint32_t axis_ipc_error_id;
+        if (axis_ipc_runs) {
+            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
             /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
              * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -1567,97 +1569,84 @@ static void axis_s_spindle_axis_any_cycle(
                     - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_next;
             const double axis_ipc_v_stage0_next =
                 axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_next;
-            double axis_ipc_v_limited_next;
+            double axis_ipc_v_limited;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_limit) {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_rest) {
-                    axis_ipc_v_limited_next = 0.0;
+                    axis_ipc_v_limited = 0.0;
                 } else {
-                    axis_ipc_v_limited_next = axis_ipc_v_stage0_next;
+                    axis_ipc_v_limited = axis_ipc_v_stage0_next;
                 }
-                axis_ipc_limited_next = false;
+                axis_limited_next = false;
             } else {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                     if (axis_ipc_v_stage0_next > 0.0) {
-                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_limit;
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
                     } else {
-                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_lower_limit;
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
                     }
                 } else {
                     /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                      * then everything starts anew */
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                    axis_ipc_v_limited_next = 0.0;
+                    axis_ipc_v_limited = 0.0;
                 }
-                axis_ipc_limited_next = true;
+                axis_limited_next = true;
             }
-            if (axis_ipc_fade_next < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                if (axis_ipc_fade_next > 0u) {
-                    axis_ipc_v_add_next =
-                        axis_ipc_v_limited_next * ((double)axis_ipc_fade_next * axis_s_spindle_axis_axis_ipc_fade_step);
+            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
+                if (axis_ipc_fade > 0u) {
+                    axis_ipc_v_add = axis_ipc_v_limited * ((double)axis_ipc_fade * axis_ipc_fade_step);
                 } else {
-                    axis_ipc_v_add_next = 0.0;
+                    axis_ipc_v_add = 0.0;
                 }
                 if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
                     outputs->v_add_calculated = 0.0;
                 } else {
-                    outputs->v_add_calculated = axis_ipc_v_limited_next;
+                    outputs->v_add_calculated = axis_ipc_v_limited;
                 }
             } else {
-                axis_ipc_v_add_next = axis_ipc_v_limited_next;
-                outputs->v_add_calculated = axis_ipc_v_limited_next;
+                axis_ipc_v_add = axis_ipc_v_limited;
+                outputs->v_add_calculated = axis_ipc_v_limited;
             }
-            axis_ipc_fault_next = false;
-            axis_ipc_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_fault = false;
+            axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_ipc_fault_next = axis_ipc_reason_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_ipc_v_add_next = 0.0;
+            axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
-            axis_ipc_limited_next = false;
-            axis_ipc_error_id_next = axis_ipc_reason_next;
-        }
-        outputs->v_add = axis_ipc_v_add_next;
-        uint32_t axis_error_id_then;
-        bool axis_fault_then;
-        if (axis_ipc_fault_next) {
-            axis_error_id_then = axis_ipc_error_id_next;
-            axis_fault_then = true;
-        } else {
-            axis_error_id_then = axis_error_id_last;
-            axis_fault_then = axis_fault_last;
-        }
-        bool axis_limited_next;
-        if (axis_ipc_limited_next) {
-            axis_limited_next = true;
-        } else {
             axis_limited_next = false;
+            axis_ipc_error_id = axis_ipc_reason;
         }
-        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add_next;
+        outputs->v_add = axis_ipc_v_add;
+        uint32_t axis_error_id_next;
+        bool axis_fault_next;
+        if (axis_ipc_fault) {
+            axis_error_id_next = axis_ipc_error_id;
+            axis_fault_next = true;
+        } else {
+            axis_error_id_next = axis_error_id;
+            axis_fault_next = axis_fault;
+        }
+        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add;
         const double axis_position_control_increments_next =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_next;
-        bool axis_position_control_limited_last;
+        bool axis_position_control_limited_next;
         if (axis_s_spindle_axis_magnitude(axis_position_control_increments_next)
                 <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_next);
-            axis_position_control_limited_last = false;
+            axis_position_control_limited_next = false;
         } else if (axis_position_control_increments_next > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited_last = true;
+            axis_position_control_limited_next = true;
         } else if (axis_position_control_increments_next < 0.0) {
-            axis_position_control_limited_last =
+            axis_position_control_limited_next =
                 axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->manipulated_variable = 0;
-            axis_position_control_limited_last = true;
+            axis_position_control_limited_next = true;
         }
-        bool axis_position_control_limited_then;
-        if (axis_position_control_limited_last) {
-            axis_position_control_limited_then = true;
-        } else {
-            axis_position_control_limited_then = false;
-        }
-        outputs->limited = axis_position_control_limited_then || axis_limited_next;
+        outputs->limited = axis_position_control_limited_next || axis_limited_next;
         if (gives_up_next) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1671,14 +1660,14 @@ static void axis_s_spindle_axis_any_cycle(
                 state->spindle_v = axis_v_controller_next;
             }
         }
-        uint32_t error_now_next;
-        if (axis_fault_then) {
-            error_now_next = axis_error_id_then;
+        uint32_t error_now;
+        if (axis_fault_next) {
+            error_now = axis_error_id_next;
         } else {
-            error_now_next = spindle_error_now;
+            error_now = spindle_error_now;
         }
-        outputs->error_id = error_now_next;
-        outputs->fault = error_now_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->error_id = error_now;
+        outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
         outputs->loop_closed = spindle_loop_closed;
         outputs->fault = spindle_fault;
@@ -1741,6 +1730,8 @@ void axis_s_spindle_axis_step(
             && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
     if (in_position) {
         outputs->loop_closed = true;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
         /* a usual cycle in POSITION */
@@ -1771,179 +1762,64 @@ void axis_s_spindle_axis_step(
             gives_up = !(axis_s_spindle_axis_magnitude(lag_next) <= axis_s_spindle_axis_lag_limit);
         }
         const double axis_inputs_x_actual = spindle_x_spindle - lag_next;
-        double axis_feedforward_v_feedforward;
-        bool axis_feedforward_fault;
-        uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_v_spindle) <= axis_s_spindle_axis_sample_limit) {
-            double axis_feedforward_gain_now;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                if (inputs->feedforward_percentage >= 100) {
-                    axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
-                } else {
-                    axis_feedforward_gain_now =
-                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                }
+        double axis_feedforward_gain_now;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            if (inputs->feedforward_percentage >= 100) {
+                axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
             } else {
-                axis_feedforward_gain_now = 0.0;
+                axis_feedforward_gain_now =
+                    axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
             }
-            axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
-            axis_feedforward_fault = false;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_feedforward_v_feedforward = 0.0;
-            axis_feedforward_fault = true;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            axis_feedforward_gain_now = 0.0;
         }
+        const double axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
         outputs->v_feedforward = axis_feedforward_v_feedforward;
-        uint32_t axis_error_id;
-        bool axis_fault;
-        if (axis_feedforward_fault) {
-            axis_error_id = axis_feedforward_error_id;
-            axis_fault = true;
-        } else {
-            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault = false;
-        }
         const double axis_lag = spindle_x_spindle - axis_inputs_x_actual;
         const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
         const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
         outputs->v_command = axis_v_controller;
-        bool axis_ipc_runs;
-        uint32_t axis_ipc_reason;
-        if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
-        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
-                && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            axis_ipc_runs = true;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
-                || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
-            if (state->axis_ipc_preset) {
-                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
-                    state->axis_ipc_fade = state->axis_ipc_fade + 1u;
-                } else if (state->axis_ipc_fade > 1u) {
-                    state->axis_ipc_fade = state->axis_ipc_fade - 1u;
-                } else {
-                    state->axis_ipc_fade = 0u;
-                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                        state->axis_ipc_preset = false;
-                    }
-                }
-                axis_ipc_runs = true;
-            } else {
-                if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                    const double axis_ipc_stage0_filter0_section0_s =
-                        axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
-                    state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
-                    state->axis_ipc_preset = true;
-                }
-                axis_ipc_runs = false;
-            }
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
-        }
-        bool axis_ipc_limited;
-        double axis_ipc_v_add;
-        bool axis_ipc_fault;
-        uint32_t axis_ipc_error_id;
-        if (axis_ipc_runs) {
-            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-            const double axis_ipc_stage0_filter0_section0_t =
-                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double axis_ipc_stage0_filter0_section0_y =
-                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
-            state->axis_ipc_stage0_filter0_section0_s1 =
-                state->axis_ipc_stage0_filter0_section0_s2
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
-            state->axis_ipc_stage0_filter0_section0_s2 =
-                axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
-            const double axis_ipc_v_stage0 =
-                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
-            double axis_ipc_v_limited;
-            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
-                    axis_ipc_v_limited = 0.0;
-                } else {
-                    axis_ipc_v_limited = axis_ipc_v_stage0;
-                }
-                axis_ipc_limited = false;
-            } else {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                    if (axis_ipc_v_stage0 > 0.0) {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
-                    } else {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
-                    }
-                } else {
-                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                     * then everything starts anew */
-                    state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                    axis_ipc_v_limited = 0.0;
-                }
-                axis_ipc_limited = true;
-            }
-            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                if (axis_ipc_fade > 0u) {
-                    axis_ipc_v_add =
-                        axis_ipc_v_limited * ((double)axis_ipc_fade * axis_s_spindle_axis_axis_ipc_fade_step);
-                } else {
-                    axis_ipc_v_add = 0.0;
-                }
-                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = axis_ipc_v_limited;
-                }
-            } else {
-                axis_ipc_v_add = axis_ipc_v_limited;
-                outputs->v_add_calculated = axis_ipc_v_limited;
-            }
-            axis_ipc_fault = false;
-            axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_ipc_v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            axis_ipc_limited = false;
-            axis_ipc_error_id = axis_ipc_reason;
-        }
-        outputs->v_add = axis_ipc_v_add;
-        uint32_t axis_error_id_next;
-        bool axis_fault_next;
-        if (axis_ipc_fault) {
-            axis_error_id_next = axis_ipc_error_id;
-            axis_fault_next = true;
-        } else {
-            axis_error_id_next = axis_error_id;
-            axis_fault_next = axis_fault;
-        }
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+        const double axis_ipc_stage0_filter0_section0_t =
+            axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double axis_ipc_stage0_filter0_section0_y =
+            state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
+        state->axis_ipc_stage0_filter0_section0_s1 =
+            state->axis_ipc_stage0_filter0_section0_s2
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
+        state->axis_ipc_stage0_filter0_section0_s2 =
+            axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
+        const double axis_ipc_v_stage0 = axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
+        double axis_ipc_v_add_calculated;
         bool axis_limited;
-        if (axis_ipc_limited) {
-            axis_limited = true;
-        } else {
+        if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
+                axis_ipc_v_add_calculated = 0.0;
+            } else {
+                axis_ipc_v_add_calculated = axis_ipc_v_stage0;
+            }
             axis_limited = false;
+        } else {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                if (axis_ipc_v_stage0 > 0.0) {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_limit;
+                } else {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_lower_limit;
+                }
+            } else {
+                /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                 * then everything starts anew */
+                state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
+                axis_ipc_v_add_calculated = 0.0;
+            }
+            axis_limited = true;
         }
-        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add;
+        outputs->v_add_calculated = axis_ipc_v_add_calculated;
+        outputs->v_add = axis_ipc_v_add_calculated;
+        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add_calculated;
         const double axis_position_control_increments =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
         bool axis_position_control_limited;
@@ -1963,13 +1839,7 @@ void axis_s_spindle_axis_step(
             outputs->manipulated_variable = 0;
             axis_position_control_limited = true;
         }
-        bool axis_position_control_limited_next;
-        if (axis_position_control_limited) {
-            axis_position_control_limited_next = true;
-        } else {
-            axis_position_control_limited_next = false;
-        }
-        outputs->limited = axis_position_control_limited_next || axis_limited;
+        outputs->limited = axis_position_control_limited || axis_limited;
         if (gives_up) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1983,14 +1853,6 @@ void axis_s_spindle_axis_step(
                 state->spindle_v = axis_v_controller;
             }
         }
-        uint32_t error_now;
-        if (axis_fault_next) {
-            error_now = axis_error_id_next;
-        } else {
-            error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-        outputs->error_id = error_now;
-        outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset
