@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    016a97f49d5aa798f8406e721c350b86
+ * structure   b1d26428c40647f7ac8bedfcaa6450a9
+ * checksum    a239caf36fe7881a83991ae72d595849
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -447,24 +447,23 @@ static void axis_s_spindle_axis_any_cycle(
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             state->spindle_returns = false;
-            const bool spindle_begins =
-                state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-            if (inputs->drive_on && spindle_begins) {
-                state->spindle_seen_samples = 0u;
-                state->spindle_seen_slow = 0u;
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                state->spindle_cycles = 0u;
-                state->spindle_settled = 0u;
+            if (inputs->drive_on) {
                 state->spindle_missing = 0u;
-            } else if (inputs->drive_on) {
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                state->spindle_cycles = 0u;
                 state->spindle_settled = 0u;
-                state->spindle_missing = 0u;
-            } else {
-                /* nothing else is to be done */
+                state->spindle_cycles = 0u;
+                const bool spindle_begins =
+                    state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+                        && !state->spindle_is_moving;
+                int32_t spindle_next;
+                if (spindle_begins) {
+                    state->spindle_seen_samples = 0u;
+                    state->spindle_seen_slow = 0u;
+                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                } else {
+                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                }
+                state->spindle_control = spindle_next;
+                state->spindle_control_copy = spindle_next;
             }
         } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
@@ -478,10 +477,7 @@ static void axis_s_spindle_axis_any_cycle(
     if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
-    uint32_t spindle_sample_error;
-    if (inputs->drive_on) {
-        spindle_sample_error = 0u;
-    } else {
+    if (!inputs->drive_on) {
         state->spindle_takes_over = false;
         state->spindle_queued = 0u;
         state->spindle_returns = false;
@@ -508,6 +504,15 @@ static void axis_s_spindle_axis_any_cycle(
         } else {
             /* nothing else is to be done */
         }
+    }
+    const int32_t spindle_spindle_state = state->spindle_control;
+    const bool spindle_begins_next =
+        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    const bool spindle_is_sound_next = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_is_seized =
+        inputs->drive_on && !spindle_is_sound_next && spindle_begins_next && state->spindle_cycles == 0u;
+    uint32_t spindle_sample_error;
+    if (spindle_begins_next && (!inputs->drive_on || spindle_is_sound_next || spindle_is_seized)) {
         const bool spindle_seen_is_known =
             axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
         if (spindle_seen_is_known) {
@@ -565,29 +570,35 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_v_turning = state->spindle_seen_v;
             }
-            double spindle_v_low;
-            if (spindle_v_turning < 0.0) {
-                spindle_v_low = spindle_v_turning;
+            if (inputs->drive_on) {
+                state->spindle_v = spindle_v_turning;
             } else {
-                spindle_v_low = 0.0;
-            }
-            double spindle_v_high;
-            if (spindle_v_turning < 0.0) {
-                spindle_v_high = 0.0;
-            } else {
-                spindle_v_high = spindle_v_turning;
-            }
-            if (state->spindle_v > spindle_v_high) {
-                state->spindle_v = spindle_v_high;
-            } else if (state->spindle_v < spindle_v_low) {
-                state->spindle_v = spindle_v_low;
-            } else {
-                /* nothing else is to be done */
+                double spindle_v_low;
+                if (spindle_v_turning < 0.0) {
+                    spindle_v_low = spindle_v_turning;
+                } else {
+                    spindle_v_low = 0.0;
+                }
+                double spindle_v_high;
+                if (spindle_v_turning < 0.0) {
+                    spindle_v_high = 0.0;
+                } else {
+                    spindle_v_high = spindle_v_turning;
+                }
+                if (state->spindle_v > spindle_v_high) {
+                    state->spindle_v = spindle_v_high;
+                } else if (state->spindle_v < spindle_v_low) {
+                    state->spindle_v = spindle_v_low;
+                } else {
+                    /* nothing else is to be done */
+                }
             }
         } else {
             spindle_v_turning = 0.0;
         }
-        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+        const bool spindle_is_found =
+            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+        if (spindle_is_found && (spindle_seen_is_known || !inputs->drive_on)) {
             double spindle_time;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
@@ -631,83 +642,262 @@ static void axis_s_spindle_axis_any_cycle(
                 spindle_within_turn = 0.0;
             }
             state->spindle_x = spindle_within_turn;
+        } else if (inputs->drive_on) {
+            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+        } else {
+            /* nothing else is to be done */
+        }
+        if (!spindle_seen_is_known && inputs->drive_on) {
+            spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+        } else if (spindle_is_found) {
             spindle_sample_error = 0u;
         } else {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
         }
+    } else {
+        spindle_sample_error = 0u;
     }
-    const int32_t spindle_spindle_state = state->spindle_control;
-    const bool spindle_begins_next =
-        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-    const bool spindle_is_seized =
-        inputs->drive_on && state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE && spindle_begins_next
-            && state->spindle_cycles == 0u;
-    uint32_t spindle_sample_error_next;
+    uint32_t spindle_sample_error_last;
     if (spindle_is_seized) {
         state->spindle_is_moving = true;
-        const bool spindle_seen_is_known_next =
-            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-        if (spindle_seen_is_known_next) {
-            if (state->spindle_seen_samples == 0u) {
-                state->spindle_seen_v_last = inputs->v_actual;
-                state->spindle_seen_v_before = inputs->v_actual;
+        spindle_sample_error_last = spindle_sample_error;
+    } else if (inputs->drive_on && spindle_is_sound_next) {
+        uint32_t spindle_lacking;
+        bool spindle_leaves;
+        int32_t spindle_next_next;
+        uint32_t spindle_sample_error_next;
+        bool spindle_resynchronises;
+        switch (state->spindle_control) {
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
+            const bool spindle_is_position = state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+            if (!spindle_is_position) {
+                state->spindle_cycles = state->spindle_cycles + 1u;
             }
-            const double spindle_seen_a_next = state->spindle_seen_v_before;
-            const double spindle_seen_b_next = state->spindle_seen_v_last;
-            double spindle_seen_low_next;
-            if (spindle_seen_a_next < spindle_seen_b_next) {
-                spindle_seen_low_next = spindle_seen_a_next;
+            bool spindle_leads;
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                spindle_leads = false;
+            } else if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                spindle_leads = false;
+            } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                bool spindle_is_too_far;
+                if (state->spindle_takes_over) {
+                    const double spindle_distance =
+                        inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                    double spindle_shorter;
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_whole_turns =
+                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                        spindle_shorter =
+                            spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_shorter = 0.0;
+                    }
+                    spindle_is_too_far = !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
+                    if (spindle_is_too_far) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
+                    }
+                } else {
+                    spindle_is_too_far = false;
+                }
+                spindle_leads = !spindle_is_too_far;
+                spindle_lacking = 0u;
             } else {
-                spindle_seen_low_next = spindle_seen_b_next;
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                spindle_leads = false;
             }
-            double spindle_seen_high_next;
-            if (spindle_seen_a_next < spindle_seen_b_next) {
-                spindle_seen_high_next = spindle_seen_b_next;
+            if (spindle_leads) {
+                state->spindle_missing = 0u;
+                state->spindle_takes_over = false;
+                state->spindle_x = inputs->x_command;
+                state->spindle_v = inputs->v_interpolator;
+                const bool spindle_is_reached =
+                    inputs->v_interpolator >= spindle_v_velocity_control_on
+                        || -inputs->v_interpolator >= spindle_v_velocity_control_on;
+                if (spindle_is_position && state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
+                    /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                } else if (spindle_is_position) {
+                    spindle_leaves = false;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                } else {
+                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                }
             } else {
-                spindle_seen_high_next = spindle_seen_a_next;
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             }
-            double spindle_seen_below_high_next;
-            if (inputs->v_actual < spindle_seen_high_next) {
-                spindle_seen_below_high_next = inputs->v_actual;
+            spindle_sample_error_next = spindle_sample_error;
+            spindle_resynchronises = false;
+            break;
+        }
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
+            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
+                state->spindle_missing = 0u;
+                state->spindle_v = inputs->v_interpolator;
+                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    state->spindle_x = inputs->x_actual;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                if (state->spindle_returns
+                        || (state->spindle_queued > 0u
+                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
+                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                    state->spindle_returns = false;
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                } else {
+                    spindle_leaves = false;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                }
+                spindle_lacking = 0u;
             } else {
-                spindle_seen_below_high_next = spindle_seen_high_next;
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             }
-            double spindle_seen_v_middle_next;
-            if (spindle_seen_below_high_next < spindle_seen_low_next) {
-                spindle_seen_v_middle_next = spindle_seen_low_next;
+            spindle_sample_error_next = spindle_sample_error;
+            spindle_resynchronises = false;
+            break;
+        }
+        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE, AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
+            if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+                state->spindle_cycles = state->spindle_cycles + 1u;
+                const bool spindle_is_known =
+                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+                bool spindle_is_slow;
+                if (spindle_is_known) {
+                    const double spindle_v_before = state->spindle_v;
+                    double spindle_v_magnitude_next;
+                    if (spindle_v_before < 0.0) {
+                        spindle_v_magnitude_next = -spindle_v_before;
+                    } else {
+                        spindle_v_magnitude_next = spindle_v_before;
+                    }
+                    spindle_is_slow =
+                        axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
+                            && axis_s_spindle_axis_magnitude(inputs->v_actual)
+                            <= spindle_v_magnitude_next + spindle_window;
+                } else {
+                    spindle_is_slow = false;
+                }
+                if (spindle_is_slow) {
+                    state->spindle_settled = state->spindle_settled + 1u;
+                } else {
+                    state->spindle_settled = 0u;
+                }
+                const bool spindle_is_settled = state->spindle_settled >= 3u;
+                const bool spindle_can_leave =
+                    spindle_is_settled
+                        && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+                if (!spindle_is_known) {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+                } else if (spindle_is_settled && !spindle_can_leave) {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                } else {
+                    spindle_sample_error_next = spindle_sample_error;
+                }
+                if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
+                    spindle_resynchronises = false;
+                } else {
+                    if (state->spindle_v > spindle_v_position_control_on) {
+                        state->spindle_v = state->spindle_v - spindle_v_step;
+                        if (state->spindle_v < spindle_v_position_control_on) {
+                            state->spindle_v = spindle_v_position_control_on;
+                        }
+                    } else if (state->spindle_v < spindle_v_position_control_on_negative) {
+                        state->spindle_v = state->spindle_v + spindle_v_step;
+                        if (state->spindle_v > spindle_v_position_control_on_negative) {
+                            state->spindle_v = spindle_v_position_control_on_negative;
+                        }
+                    } else {
+                        /* nothing else is to be done */
+                    }
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    if (spindle_can_leave) {
+                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                        spindle_resynchronises = true;
+                    } else {
+                        spindle_resynchronises = false;
+                    }
+                }
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             } else {
-                spindle_seen_v_middle_next = spindle_seen_below_high_next;
+                state->spindle_cycles = state->spindle_cycles + 1u;
+                if (state->spindle_is_moving) {
+                    state->spindle_takes_over = true;
+                    if (state->spindle_cycles == 1u) {
+                        state->spindle_x = state->spindle_x_start;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    spindle_resynchronises = false;
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                } else {
+                    const bool spindle_is_known_next =
+                        state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                    const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
+                    if (spindle_is_known_next
+                            && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
+                        /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
+                        state->spindle_is_moving = true;
+                        spindle_resynchronises = false;
+                        spindle_leaves = true;
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                        /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                        spindle_resynchronises = true;
+                        spindle_leaves = false;
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    } else {
+                        if (spindle_is_slow_next) {
+                            state->spindle_takes_over = true;
+                            /* TO_POSITION -> POSITION: the drive displays position control */
+                            spindle_leaves = true;
+                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                        } else {
+                            spindle_leaves = false;
+                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                        }
+                        spindle_resynchronises = false;
+                    }
+                    if (state->spindle_cycles > spindle_start_cycles && !spindle_leaves && !spindle_resynchronises) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
+                    }
+                }
+                spindle_sample_error_next = spindle_sample_error;
             }
-            state->spindle_seen_v = spindle_seen_v_middle_next;
-            state->spindle_seen_v_before = state->spindle_seen_v_last;
-            state->spindle_seen_v_last = inputs->v_actual;
-            if (state->spindle_seen_samples < 3u) {
-                state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-            }
-            if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                state->spindle_seen_slow = 0u;
-            } else if (state->spindle_seen_slow < 3u) {
-                state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+            spindle_lacking = 0u;
+            break;
+        }
+        }
+        if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            state->spindle_missing = state->spindle_missing + 1u;
+            state->spindle_takes_over = true;
+            if (state->spindle_missing > 3u) {
+                state->spindle_lasting_error = spindle_lacking;
             } else {
-                /* nothing else is to be done */
+                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
             }
+            spindle_sample_error_last = spindle_lacking;
         } else {
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
+            spindle_sample_error_last = spindle_sample_error_next;
         }
-        if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-            double spindle_v_turning_next;
-            if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                spindle_v_turning_next = 0.0;
-            } else {
-                spindle_v_turning_next = state->spindle_seen_v;
-            }
-            state->spindle_v = spindle_v_turning_next;
-        }
-        const bool spindle_is_found =
-            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-        if (spindle_seen_is_known_next && spindle_is_found) {
-            const double spindle_v = state->spindle_v;
+        bool spindle_leaves_next;
+        int32_t spindle_next_last;
+        if (spindle_resynchronises) {
+            state->spindle_is_moving = true;
             double spindle_time_next;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage_next;
@@ -721,8 +911,7 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_time_next = spindle_lead_time;
             }
-            const double spindle_lead_next = spindle_time_next - spindle_cycle_time;
-            const double spindle_way_next = spindle_v * spindle_lead_next;
+            const double spindle_way_next = state->spindle_v * spindle_time_next;
             double spindle_ahead_next;
             if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
                 spindle_ahead_next = inputs->x_actual + spindle_way_next;
@@ -752,534 +941,22 @@ static void axis_s_spindle_axis_any_cycle(
                 /* only what something else has overwritten comes here */
                 spindle_within_turn_next = 0.0;
             }
-            state->spindle_x = spindle_within_turn_next;
+            state->spindle_x_start = spindle_within_turn_next;
+            spindle_leaves_next = true;
+            spindle_next_last = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
         } else {
-            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+            spindle_leaves_next = spindle_leaves;
+            spindle_next_last = spindle_next_next;
         }
-        if (!spindle_seen_is_known_next) {
-            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-        } else if (spindle_is_found) {
-            spindle_sample_error_next = spindle_sample_error;
-        } else {
-            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-        }
-    } else if (inputs->drive_on && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        switch (state->spindle_control) {
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: {
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                bool spindle_leads;
-                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    spindle_leads = false;
-                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    bool spindle_is_too_far;
-                    if (state->spindle_takes_over) {
-                        const double spindle_distance =
-                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                        double spindle_shorter;
-                        if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_whole_turns =
-                                axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
-                            spindle_shorter =
-                                spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_shorter = 0.0;
-                        }
-                        spindle_is_too_far =
-                            !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
-                        if (spindle_is_too_far) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                        }
-                    } else {
-                        spindle_is_too_far = false;
-                    }
-                    spindle_leads = !spindle_is_too_far;
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    spindle_leads = false;
-                }
-                if (spindle_leads) {
-                    state->spindle_missing = 0u;
-                    state->spindle_takes_over = false;
-                    state->spindle_x = inputs->x_command;
-                    state->spindle_v = inputs->v_interpolator;
-                    const bool spindle_is_reached =
-                        inputs->v_interpolator >= spindle_v_velocity_control_on
-                            || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                    if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
-                        /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    }
-                }
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                bool spindle_leads_next;
-                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    spindle_leads_next = false;
-                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    bool spindle_is_too_far_next;
-                    if (state->spindle_takes_over) {
-                        const double spindle_distance_next =
-                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                        double spindle_shorter_next;
-                        if (axis_s_spindle_axis_magnitude(spindle_distance_next) <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_whole_turns_next =
-                                axis_s_spindle_axis_nearest(spindle_distance_next * axis_s_spindle_axis_per_turn);
-                            spindle_shorter_next =
-                                spindle_distance_next
-                                    - (double)spindle_whole_turns_next * axis_s_spindle_axis_full_turn;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_shorter_next = 0.0;
-                        }
-                        spindle_is_too_far_next =
-                            !(axis_s_spindle_axis_magnitude(spindle_shorter_next) <= spindle_takeover_window);
-                        if (spindle_is_too_far_next) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                        }
-                    } else {
-                        spindle_is_too_far_next = false;
-                    }
-                    spindle_leads_next = !spindle_is_too_far_next;
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    spindle_leads_next = false;
-                }
-                if (spindle_leads_next) {
-                    state->spindle_missing = 0u;
-                    state->spindle_takes_over = false;
-                    state->spindle_x = inputs->x_command;
-                    state->spindle_v = inputs->v_interpolator;
-                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                }
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                state->spindle_missing = 0u;
-                state->spindle_v = inputs->v_interpolator;
-                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    state->spindle_x = inputs->x_actual;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                if (state->spindle_returns
-                        || (state->spindle_queued > 0u
-                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
-                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                    state->spindle_returns = false;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                }
-                spindle_sample_error_next = spindle_sample_error;
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE: {
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            const bool spindle_is_known =
-                axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-            bool spindle_is_slow;
-            if (spindle_is_known) {
-                const double spindle_v_before = state->spindle_v;
-                double spindle_v_magnitude_next;
-                if (spindle_v_before < 0.0) {
-                    spindle_v_magnitude_next = -spindle_v_before;
-                } else {
-                    spindle_v_magnitude_next = spindle_v_before;
-                }
-                spindle_is_slow =
-                    axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
-                        && axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_magnitude_next + spindle_window;
-            } else {
-                spindle_is_slow = false;
-            }
-            if (spindle_is_slow) {
-                state->spindle_settled = state->spindle_settled + 1u;
-            } else {
-                state->spindle_settled = 0u;
-            }
-            const bool spindle_is_settled = state->spindle_settled >= 3u;
-            const bool spindle_can_leave =
-                spindle_is_settled
-                    && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-            if (!spindle_is_known) {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-            } else if (spindle_is_settled && !spindle_can_leave) {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-            } else {
-                spindle_sample_error_next = spindle_sample_error;
-            }
-            if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
-            } else {
-                if (state->spindle_v > spindle_v_position_control_on) {
-                    state->spindle_v = state->spindle_v - spindle_v_step;
-                    if (state->spindle_v < spindle_v_position_control_on) {
-                        state->spindle_v = spindle_v_position_control_on;
-                    }
-                } else if (state->spindle_v < spindle_v_position_control_on_negative) {
-                    state->spindle_v = state->spindle_v + spindle_v_step;
-                    if (state->spindle_v > spindle_v_position_control_on_negative) {
-                        state->spindle_v = spindle_v_position_control_on_negative;
-                    }
-                } else {
-                    /* nothing else is to be done */
-                }
-                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                if (spindle_can_leave) {
-                    state->spindle_missing = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_cycles = 0u;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_is_moving = true;
-                    /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                    double spindle_time_last;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_last;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_last = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_last = 100;
-                        }
-                        spindle_time_last =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_last);
-                    } else {
-                        spindle_time_last = spindle_lead_time;
-                    }
-                    const double spindle_way_last = state->spindle_v * spindle_time_last;
-                    double spindle_ahead_last;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_last) <= lead_limit) {
-                        spindle_ahead_last = inputs->x_actual + spindle_way_last;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_last = inputs->x_actual;
-                    }
-                    double spindle_within_turn_last;
-                    if (spindle_ahead_last >= 0.0 && spindle_ahead_last < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_last = spindle_ahead_last;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_last) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_last = (int32_t)(spindle_ahead_last * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_last =
-                            spindle_ahead_last - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
-                        double spindle_above_last;
-                        if (spindle_rest_last < 0.0) {
-                            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_last = spindle_rest_last;
-                        }
-                        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_last = spindle_above_last;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_last = 0.0;
-                    }
-                    state->spindle_x_start = spindle_within_turn_last;
-                }
-            }
-            break;
-        }
-        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            if (state->spindle_is_moving) {
-                state->spindle_missing = 0u;
-                state->spindle_settled = 0u;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                state->spindle_takes_over = true;
-                if (state->spindle_cycles == 1u) {
-                    state->spindle_x = state->spindle_x_start;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                /* TO_POSITION -> POSITION: the drive displays position control */
-                state->spindle_cycles = 0u;
-                spindle_sample_error_next = spindle_sample_error;
-            } else {
-                const bool spindle_seen_is_known_last =
-                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-                if (spindle_seen_is_known_last) {
-                    if (state->spindle_seen_samples == 0u) {
-                        state->spindle_seen_v_last = inputs->v_actual;
-                        state->spindle_seen_v_before = inputs->v_actual;
-                    }
-                    const double spindle_seen_a_last = state->spindle_seen_v_before;
-                    const double spindle_seen_b_last = state->spindle_seen_v_last;
-                    double spindle_seen_low_last;
-                    if (spindle_seen_a_last < spindle_seen_b_last) {
-                        spindle_seen_low_last = spindle_seen_a_last;
-                    } else {
-                        spindle_seen_low_last = spindle_seen_b_last;
-                    }
-                    double spindle_seen_high_last;
-                    if (spindle_seen_a_last < spindle_seen_b_last) {
-                        spindle_seen_high_last = spindle_seen_b_last;
-                    } else {
-                        spindle_seen_high_last = spindle_seen_a_last;
-                    }
-                    double spindle_seen_below_high_last;
-                    if (inputs->v_actual < spindle_seen_high_last) {
-                        spindle_seen_below_high_last = inputs->v_actual;
-                    } else {
-                        spindle_seen_below_high_last = spindle_seen_high_last;
-                    }
-                    double spindle_seen_v_middle_last;
-                    if (spindle_seen_below_high_last < spindle_seen_low_last) {
-                        spindle_seen_v_middle_last = spindle_seen_low_last;
-                    } else {
-                        spindle_seen_v_middle_last = spindle_seen_below_high_last;
-                    }
-                    state->spindle_seen_v = spindle_seen_v_middle_last;
-                    state->spindle_seen_v_before = state->spindle_seen_v_last;
-                    state->spindle_seen_v_last = inputs->v_actual;
-                    if (state->spindle_seen_samples < 3u) {
-                        state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                    }
-                    if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                        state->spindle_seen_slow = 0u;
-                    } else if (state->spindle_seen_slow < 3u) {
-                        state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                    } else {
-                        /* nothing else is to be done */
-                    }
-                } else {
-                    state->spindle_seen_samples = 0u;
-                    state->spindle_seen_slow = 0u;
-                }
-                if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-                    double spindle_v_turning_last;
-                    if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                        spindle_v_turning_last = 0.0;
-                    } else {
-                        spindle_v_turning_last = state->spindle_seen_v;
-                    }
-                    state->spindle_v = spindle_v_turning_last;
-                }
-                const bool spindle_is_found_next =
-                    axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-                if (spindle_seen_is_known_last && spindle_is_found_next) {
-                    const double spindle_v_next = state->spindle_v;
-                    double spindle_time_then;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_then;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_then = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_then = 100;
-                        }
-                        spindle_time_then =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_then);
-                    } else {
-                        spindle_time_then = spindle_lead_time;
-                    }
-                    const double spindle_lead_last = spindle_time_then - spindle_cycle_time;
-                    const double spindle_way_then = spindle_v_next * spindle_lead_last;
-                    double spindle_ahead_then;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_then) <= lead_limit) {
-                        spindle_ahead_then = inputs->x_actual + spindle_way_then;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_then = inputs->x_actual;
-                    }
-                    double spindle_within_turn_then;
-                    if (spindle_ahead_then >= 0.0 && spindle_ahead_then < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_then = spindle_ahead_then;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_then) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_then = (int32_t)(spindle_ahead_then * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_then =
-                            spindle_ahead_then - (double)spindle_turns_then * axis_s_spindle_axis_full_turn;
-                        double spindle_above_then;
-                        if (spindle_rest_then < 0.0) {
-                            spindle_above_then = spindle_rest_then + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_then = spindle_rest_then;
-                        }
-                        if (spindle_above_then >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_then = spindle_above_then - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_then = spindle_above_then;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_then = 0.0;
-                    }
-                    state->spindle_x = spindle_within_turn_then;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                if (!spindle_seen_is_known_last) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-                } else if (spindle_is_found_next) {
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                }
-                const bool spindle_is_known_next =
-                    state->spindle_seen_samples >= 3u && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
-                if (spindle_is_known_next && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
-                    /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
-                    state->spindle_is_moving = true;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
-                    state->spindle_missing = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_cycles = 0u;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_is_moving = true;
-                    /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                    double spindle_time_after;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_after;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_after = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_after = 100;
-                        }
-                        spindle_time_after =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_after);
-                    } else {
-                        spindle_time_after = spindle_lead_time;
-                    }
-                    const double spindle_way_after = state->spindle_v * spindle_time_after;
-                    double spindle_ahead_after;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_after) <= lead_limit) {
-                        spindle_ahead_after = inputs->x_actual + spindle_way_after;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_after = inputs->x_actual;
-                    }
-                    double spindle_within_turn_after;
-                    if (spindle_ahead_after >= 0.0 && spindle_ahead_after < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_after = spindle_ahead_after;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_after)
-                            <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_after =
-                            (int32_t)(spindle_ahead_after * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_after =
-                            spindle_ahead_after - (double)spindle_turns_after * axis_s_spindle_axis_full_turn;
-                        double spindle_above_after;
-                        if (spindle_rest_after < 0.0) {
-                            spindle_above_after = spindle_rest_after + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_after = spindle_rest_after;
-                        }
-                        if (spindle_above_after >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_after = spindle_above_after - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_after = spindle_above_after;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_after = 0.0;
-                    }
-                    state->spindle_x_start = spindle_within_turn_after;
-                } else if (spindle_is_slow_next) {
-                    state->spindle_takes_over = true;
-                    /* TO_POSITION -> POSITION: the drive displays position control */
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else {
-                    /* nothing else is to be done */
-                }
-                if (state->spindle_cycles > spindle_start_cycles) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
-                }
-            }
-            break;
-        }
+        if (spindle_leaves_next) {
+            state->spindle_control = spindle_next_last;
+            state->spindle_control_copy = spindle_next_last;
+            state->spindle_cycles = 0u;
+            state->spindle_settled = 0u;
+            state->spindle_missing = 0u;
         }
     } else {
-        spindle_sample_error_next = spindle_sample_error;
+        spindle_sample_error_last = spindle_sample_error;
     }
     const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     if (spindle_has_failed && inputs->drive_on && !spindle_is_seized) {
@@ -1299,43 +976,43 @@ static void axis_s_spindle_axis_any_cycle(
         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
     }
     const double spindle_angle = state->spindle_x;
-    double spindle_within_turn_later;
+    double spindle_within_turn_last;
     if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
-        spindle_within_turn_later = spindle_angle;
+        spindle_within_turn_last = spindle_angle;
     } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-        const int32_t spindle_turns_later = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-        const double spindle_rest_later = spindle_angle - (double)spindle_turns_later * axis_s_spindle_axis_full_turn;
-        double spindle_above_later;
-        if (spindle_rest_later < 0.0) {
-            spindle_above_later = spindle_rest_later + axis_s_spindle_axis_full_turn;
+        const int32_t spindle_turns_last = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_last = spindle_angle - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
+        double spindle_above_last;
+        if (spindle_rest_last < 0.0) {
+            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
         } else {
-            spindle_above_later = spindle_rest_later;
+            spindle_above_last = spindle_rest_last;
         }
-        if (spindle_above_later >= axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_later = spindle_above_later - axis_s_spindle_axis_full_turn;
+        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
         } else {
-            spindle_within_turn_later = spindle_above_later;
+            spindle_within_turn_last = spindle_above_last;
         }
     } else {
         /* only what something else has overwritten comes here */
-        spindle_within_turn_later = 0.0;
+        spindle_within_turn_last = 0.0;
     }
-    state->spindle_x = spindle_within_turn_later;
+    state->spindle_x = spindle_within_turn_last;
     const double spindle_x_spindle_next = state->spindle_x;
     const double spindle_v_spindle_last = state->spindle_v;
     const uint32_t spindle_lasting = state->spindle_lasting_error;
     uint32_t spindle_error_now;
     if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = spindle_lasting;
-    } else if (spindle_sample_error_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        spindle_error_now = spindle_sample_error_next;
+    } else if (spindle_sample_error_last != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_sample_error_last;
     } else {
         spindle_error_now = spindle_request_error;
     }
     const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_loop_closed =
         spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
-            && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            && spindle_sample_error_last == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     if (!inputs->drive_on || inputs->reset || spindle_has_failed
             || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
         if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP) {
