@@ -40,11 +40,11 @@ pub fn files<T: Send>(
     Ok(taken.into_iter().flatten().collect())
 }
 
-/// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks and not to a
-/// target. Hands each to `take`; gives its answers, in the order of the axes.
-pub fn pages<T: Send>(set: &Set, axes: &[String], take: impl Fn(Made<'_>) -> T + Sync) -> Vec<T> {
+/// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks; it has
+/// the names of all `targets`. Hands each to `take`; gives its answers, in the order of the axes.
+pub fn pages<T: Send>(set: &Set, axes: &[String], targets: &[Target], take: impl Fn(Made<'_>) -> T + Sync) -> Vec<T> {
     let page = |designed: &'_ Designed| {
-        let file = commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC))?;
+        let file = commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC), targets)?;
         Some(take(Made { target: PAGE, axis: &designed.axis.name, file }))
     };
     chosen(set, axes).filter_map(page).collect()

@@ -6,14 +6,21 @@ use generator::digest::has_right_checksum;
 use generator::generate::pages;
 use generator::pipeline::read_with;
 use generator::set_change::judge;
+use generator::target::of_names;
 use std::path::Path;
 
 /// The pages of a set, each with its name.
 fn of_set(set: &str) -> Vec<(String, String)> {
+    of_set_for(set, &["c", "st"])
+}
+
+/// The pages of a set for these targets.
+fn of_set_for(set: &str, targets: &[&str]) -> Vec<(String, String)> {
     let load = |_: &Path| Ok(set.as_bytes().to_vec());
     let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
     let read = read.unwrap_or_else(|| panic!("{report}"));
-    let pages = pages(&read, &[], |made| (made.file.name, made.file.text));
+    let targets = of_names(|name| targets.contains(&name));
+    let pages = pages(&read, &[], &targets, |made| (made.file.name, made.file.text));
     for (name, page) in &pages {
         assert_eq!(has_right_checksum(page), Some(true), "{name}");
         assert!(page.is_ascii() && page.ends_with('\n') && !page.contains("\n\n\n"), "{name}: {page}");

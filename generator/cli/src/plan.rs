@@ -6,7 +6,7 @@ use compiler::pass::Defect;
 use generator::generate::{self, Made};
 use generator::manifest::Entry;
 use generator::pipeline::Set;
-use generator::target::{File, TARGETS, Target, Unit};
+use generator::target::{self, File, TARGETS, Target, Unit};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -16,6 +16,8 @@ pub struct Plan<'p> {
     /// empty: all
     axes: &'p [String],
     targets: &'p [Target],
+    /// those, and the others that the set has files of in the folder
+    there: Vec<Target>,
     /// the targets whose shared files are made
     shared: Vec<Shared<'p>>,
 }
@@ -50,6 +52,10 @@ impl<'p> Plan<'p> {
         dropped: &[&str],
         out: &Path,
     ) -> Self {
+        let known = recorded.targets();
+        let there = target::of_names(|name| {
+            targets.iter().any(|target| target.name == name) || known.contains(name) && !dropped.contains(&name)
+        });
         let others = |target: &Target| recorded.units_of_others(set, target);
         let own = targets.iter().copied().zip(shared::own(set, axes, targets, out));
         let own = own.map(|(target, own)| Shared { target, own, others: others(&target) });
@@ -58,7 +64,7 @@ impl<'p> Plan<'p> {
         let dropped = dropped.map(|target| Shared { target, own: Vec::new(), others: others(&target) });
         let dropped = dropped.filter(|shared| !shared.others.is_empty());
         let shared = own.chain(dropped).collect();
-        Self { set, axes, targets, shared }
+        Self { set, axes, targets, there, shared }
     }
 
     /// Makes all files. Hands each to `take`, with its line for the manifest, which names `set`; a file without a line only other sets need.
@@ -81,7 +87,7 @@ impl<'p> Plan<'p> {
                 (file.name.clone(), entry, take(file))
             }));
         }
-        files.extend(generate::pages(self.set, self.axes, of_axis));
+        files.extend(generate::pages(self.set, self.axes, &self.there, of_axis));
         files
     }
 

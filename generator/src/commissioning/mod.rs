@@ -1,6 +1,7 @@
 //! The commissioning page of an axis: how somebody beside the machine brings its improved position control into operation, step by step, with the
 //! numbers of this axis. Nothing is designed here. What the page says is in its template; tests/tests/commissioning.rs follows it.
 
+mod names;
 mod rows;
 mod stage;
 
@@ -9,8 +10,9 @@ use crate::blocks::ipc::closed_loop::{self, Known};
 use crate::blocks::{self, Designed, IPC};
 use crate::number::digits;
 use crate::parameters::Name;
-use crate::target::{File, block_name, rendered, stem};
+use crate::target::{File, Target, rendered, stem};
 use askama::Template;
+use names::Names;
 use portable::Extreme;
 use rows::{Limit, PARTS, limits};
 use stability::{Loop, MAX_MS};
@@ -36,13 +38,17 @@ const LEAST_WINDOW: f64 = 0.5;
 #[template(path = "commissioning.md")]
 struct Page {
     axis: String,
-    /// the block to call: its name in the registry, and in files
+    /// the block to call: its name in the registry
     kind: &'static str,
-    block: String,
-    /// the block `ipc`
-    ipc: String,
+    names: Names,
     /// whether the block to call holds the block `ipc` among others
     is_inside: bool,
+    /// whether that is the whole axis of a spindle
+    is_spindle: bool,
+    /// other blocks to call, which do not hold the block `ipc`
+    others: String,
+    /// whether the block may report what is not a fault
+    has_notices: bool,
     is_tunable: bool,
     takes_sets: bool,
     /// the denominator of a weight that adds nothing
@@ -86,17 +92,17 @@ struct Signal {
 }
 
 /// The page of an axis; none where improved position control does not act: no stage is active, or the axis is a gantry slave, whose master's
-/// block does. `parameters`: the digest of the parameters of its block `ipc`.
-pub(crate) fn file(designed: &Designed, parameters: String) -> Option<File> {
+/// block does. `parameters`: the digest of the parameters of its block `ipc`; `targets`: those that it is written for.
+pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
     if !axis.ipc.is_active() || axis.control.master.is_some() {
         return None;
     }
     let name = format!("{}_commissioning.md", stem(&axis.name));
-    Some(rendered(&name, "", &page(designed, parameters)))
+    Some(rendered(&name, "", &page(designed, parameters, targets)))
 }
 
-fn page(designed: &Designed, parameters: String) -> Page {
+fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let axis = &designed.axis;
     // The last block of the registry that holds it.
     let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
@@ -112,9 +118,11 @@ fn page(designed: &Designed, parameters: String) -> Page {
     Page {
         axis: axis.name.clone(),
         kind,
-        block: block_name(&axis.name, kind),
-        ipc: block_name(&axis.name, IPC),
+        names: Names::new(axis, kind, targets),
         is_inside,
+        is_spindle: is_inside && axis.control.spindle.is_some(),
+        others: if is_inside { String::new() } else { others(axis) },
+        has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
         takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,
@@ -141,6 +149,12 @@ fn page(designed: &Designed, parameters: String) -> Page {
         growth: GROWTH,
         reserve: RESERVE,
     }
+}
+
+/// The blocks of an axis without one that holds the others, but for the block `ipc`.
+fn others(axis: &Axis) -> String {
+    let names = blocks::names(axis).into_iter().filter(|name| *name != IPC);
+    names.collect::<Vec<_>>().join(", ")
 }
 
 /// The velocities that a stage looks at.

@@ -1,6 +1,7 @@
 //! The target languages: each turns verified programs into files. A target never looks at a parameter.
 
 mod c;
+mod called;
 pub mod head;
 mod outline;
 mod rust;
@@ -8,6 +9,7 @@ mod st;
 mod unit;
 
 pub(crate) use c::names::prefix as c_prefix;
+pub use called::of_names;
 pub(crate) use st::listing::set_name as st_set_name;
 pub(crate) use st::twincat::Cdata;
 
@@ -36,6 +38,8 @@ pub struct Target {
     pub name: &'static str,
     /// the passes that make a program one that the language can say
     pub passes: &'static [Stage],
+    /// what it calls a block of an axis, and its self-test
+    called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
     pub(crate) files: fn(&Header, &Legal<'_>) -> Vec<File>,
     /// the files that all axes of a set share
@@ -47,22 +51,26 @@ pub struct Target {
 }
 
 pub const TARGETS: [Target; 6] = [
-    Target { runner: Some(c::runner::file), ..target("c", legalise::WITH_OUTPUTS, c::files, |_| Vec::new()) },
-    target("rust", legalise::WITH_OUTPUTS, rust::files, |_| Vec::new()),
-    target("st", legalise::WITH_DIGITS, st::plain, |_| Vec::new()),
-    target("twincat", legalise::WITH_TASK, st::twincat::files, st::twincat::shared),
-    target("codesys", legalise::WITH_ENABLE, st::codesys::files, st::codesys::shared),
-    target("scl", legalise::WITH_ENABLE, st::scl, st::scl_shared),
+    Target {
+        runner: Some(c::runner::file),
+        ..target("c", legalise::WITH_OUTPUTS, c::names::block_and_test, c::files, |_| Vec::new())
+    },
+    target("rust", legalise::WITH_OUTPUTS, rust::called, rust::files, |_| Vec::new()),
+    target("st", legalise::WITH_DIGITS, st::called, st::plain, |_| Vec::new()),
+    target("twincat", legalise::WITH_TASK, st::twincat::called, st::twincat::files, st::twincat::shared),
+    target("codesys", legalise::WITH_ENABLE, st::codesys::called, st::codesys::files, st::codesys::shared),
+    target("scl", legalise::WITH_ENABLE, st::scl_called, st::scl, st::scl_shared),
 ];
 
 /// A target without runners.
 const fn target(
     name: &'static str,
     passes: &'static [Stage],
+    called: fn(&str, &str, Option<&str>) -> [String; 2],
     files: fn(&Header, &Legal<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
-    Target { name, passes, files, shared, runner: None, samples: None }
+    Target { name, passes, called, files, shared, runner: None, samples: None }
 }
 
 /// The targets of a set that names none.
@@ -180,6 +188,12 @@ pub fn stem(axis: &str) -> String {
 /// What the name of a block of an axis is in every target, but for a prefix.
 pub fn block_name(axis: &str, block: &str) -> String {
     format!("{}_{block}", stem(axis))
+}
+
+/// A block with the self-test that has a name of its own.
+fn own_self_test(block: String) -> [String; 2] {
+    let test = format!("{block}_self_test");
+    [block, test]
 }
 
 /// A file from its template, behind a mark that some readers want at the very beginning.

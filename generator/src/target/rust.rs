@@ -10,6 +10,13 @@ use compiler::print::{Appearance, Printer, comment};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
+/// A block is a module; its self-test a function of it.
+pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    let module = block_name(axis, block);
+    let test = format!("{module}::self_test");
+    [module, test]
+}
+
 #[derive(Template)]
 #[template(path = "rust/file.rs")]
 struct RustFile<'a> {

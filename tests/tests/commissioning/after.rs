@@ -13,7 +13,7 @@ pub fn stop(session: &mut Session, page: &mut Page) {
     assert_eq!(of_tuning.is_some(), session.is_tunable);
     if let Some(row) = of_tuning {
         let id: f64 = row[0].rsplit(' ').next().unwrap().parse().unwrap();
-        assert!(row[1].contains("no number from 0 to 1") && row[2] == "write a number from 0 to 1", "{row:?}");
+        assert!(row[1].contains("not a number from 0 to 1") && row[2] == "write a number from 0 to 1", "{row:?}");
         for (value, error) in [(1.5, id), (-0.5, id), (f64::NAN, id), (1.0, 0.0)] {
             session.machine.set("tuning_weight0", value);
             session.machine.rest(0.01);

@@ -18,9 +18,11 @@ pub fn connect(session: &mut Session, page: &mut Page) {
     step.done();
 
     // The test golden.rs runs the self-tests; here it is there.
-    let step = page.step("1.2");
+    let mut step = page.step("1.2");
     step.says("Run the self-test of the block");
     assert!(session.machine.path(&format!("generated/{}.st", step.name("of the block, ", ". It must"))).exists());
+    let differing = [step.number("a function returns ", ";"), step.number("and `differing` is ", ".")];
+    assert_eq!(differing, [0.0; 2]);
     step.done();
 
     let mut step = page.step("1.3");
@@ -53,7 +55,7 @@ pub fn connect(session: &mut Session, page: &mut Page) {
     step.done();
 
     let mut step = page.step("1.5");
-    step.says("Add `v_add` to the velocity command behind the position controller, with the sign +");
+    step.says("Add `v_add` to the velocity command after the position controller, with the sign +");
     let exactly = step.number("must be exactly ", " as long as `mode` is OFF");
     assert!(run.record.v_add.iter().all(|v_add| *v_add == exactly));
     step.done();

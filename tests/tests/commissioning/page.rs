@@ -78,7 +78,12 @@ impl Step {
         let mut found = Vec::new();
         for part in parts.iter().skip(1).step_by(2) {
             if let Some((input, value)) = part.split_once(" := ") {
-                found.push((input.to_owned(), value.parse().unwrap_or_else(|_| panic!("step {}: {part}", self.id))));
+                let number = match value {
+                    "TRUE" => 1.0,
+                    "FALSE" => 0.0,
+                    number => number.parse().unwrap_or_else(|_| panic!("step {}: {part}", self.id)),
+                };
+                found.push((input.to_owned(), number));
                 self.rest = self.rest.replacen(&format!("`{part}`"), "#", 1);
             }
         }

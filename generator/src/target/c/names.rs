@@ -1,12 +1,21 @@
 //! What the names of a block in C begin with.
 
-use crate::target::{Header, block_name};
+use crate::target::{Header, block_name, own_self_test};
 
 /// What the names of a block's types, functions and files begin with. The longest name that linkers see is `.._inputs_init`: with a short
 /// name of the block, and the longest one that an axis may have then, it has 31 characters.
 pub(crate) fn prefix(axis: &Header, block: &str) -> String {
-    match axis.short_name {
-        Some(short) => format!("ax_{}_{short}", axis.name.to_ascii_lowercase()),
-        None => block_name(&axis.name, block),
+    called(&axis.name, block, axis.short_name)
+}
+
+/// A block and its self-test.
+pub(crate) fn block_and_test(axis: &str, block: &str, short: Option<&str>) -> [String; 2] {
+    own_self_test(called(axis, block, short))
+}
+
+fn called(axis: &str, block: &str, short: Option<&str>) -> String {
+    match short {
+        Some(short) => format!("ax_{}_{short}", axis.to_ascii_lowercase()),
+        None => block_name(axis, block),
     }
 }

@@ -1,10 +1,10 @@
 //! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with what all of them use.
 
 use super::dialect::Dialect;
-use super::listing::{Listing, Origin};
+use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
 use super::{TcInRange, both, real_types};
-use crate::target::{File, Header, Legal, Unit, rendered};
+use crate::target::{File, Header, Legal, Unit, own_self_test, rendered};
 use askama::Template;
 use compiler::print::st;
 
@@ -36,6 +36,11 @@ struct CodesysShared<'a> {
 #[derive(Template)]
 #[template(path = "codesys/IMPORT.md")]
 struct CodesysGuide;
+
+/// A block and its self-test.
+pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    own_self_test(listing::name(axis, block, &CODESYS))
+}
 
 pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     both(axis, block, &CODESYS, "xml", |origin, block| {

@@ -9,7 +9,7 @@ pub(super) mod listing;
 mod self_test;
 pub(super) mod twincat;
 
-use super::{File, Header, Legal, Unit, block_name, rendered};
+use super::{File, Header, Legal, Unit, block_name, own_self_test, rendered};
 use askama::Template;
 use dialect::{Dialect, SIEMENS, ST};
 use listing::{Listing, Origin, listing, origin};
@@ -56,6 +56,16 @@ struct TcInRange<'a> {
 /// The files of a block for any compiler of the standard's second edition.
 pub(super) fn plain(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
+}
+
+/// A block and its self-test there.
+pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    own_self_test(listing::name(axis, block, &ST))
+}
+
+/// A block and its self-test for Siemens.
+pub(super) fn scl_called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    own_self_test(listing::name(axis, block, &SIEMENS))
 }
 
 /// The files of a block for Siemens S7-1200 and S7-1500: external sources.

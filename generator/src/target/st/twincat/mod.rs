@@ -8,7 +8,7 @@ pub(crate) use project::shared;
 use super::dialect::Dialect;
 use super::listing::{self, Listing, Origin, SetType, listing, origin};
 use super::{TcInRange, self_test};
-use crate::target::{self, File, Header, Legal};
+use crate::target::{self, File, Header, Legal, own_self_test};
 use askama::Template;
 use askama::filters::Escaper;
 use compiler::print::st::CODESYS;
@@ -77,6 +77,11 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
     let test = self_test::listing(axis, block, &TWINCAT);
     let files = [pou(POUS, listing, false), pou(TESTS, test, true), suite::file(axis, block)];
     files.into_iter().chain(set).collect()
+}
+
+/// A block and its self-test.
+pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    own_self_test(block_name(axis, block))
 }
 
 /// The name of the function block of a block of an axis.

@@ -1,0 +1,99 @@
+//! What the page calls blocks and signals: the names that they have in the targets that it is written for. No numbers.
+
+use crate::axis::Axis;
+use crate::blocks;
+use crate::target::Target;
+
+/// Names in backquotes. Where the targets differ, each name is followed by the targets that have it.
+pub(super) struct Names {
+    pub(super) block: String,
+    pub(super) ipc: String,
+    pub(super) self_test: String,
+    pub(super) fault: String,
+    pub(super) error_id: String,
+    /// where the id of what is not a fault stands
+    pub(super) notice: String,
+    /// where the id of a refused parameter set stands
+    pub(super) refusal: String,
+    /// the option that makes a parameter set for the target
+    pub(super) set_form: String,
+    /// the targets whose blocks have `Enable`; empty: none has
+    pub(super) enabled: String,
+    /// whether all have
+    pub(super) are_enabled: bool,
+    /// whether some have a function as self-test, some a function block
+    pub(super) has_function: bool,
+    pub(super) has_function_block: bool,
+    pub(super) is_twincat: bool,
+    /// what may have the position controller in the place of the block; empty: nothing
+    pub(super) other_controllers: String,
+}
+
+impl Names {
+    /// The block to call is `kind`.
+    pub(super) fn new(axis: &Axis, kind: &str, targets: &[Target]) -> Self {
+        let blocks = |target: &Target, kind: &str| {
+            let short = blocks::named(kind).filter(|_| axis.short_names).map(|kind| kind.short_name());
+            target.called(&axis.name, kind, short)
+        };
+        let called = |name: &dyn Fn(&Target) -> String| called(targets, name);
+        let enabled: Vec<&str> = targets.iter().filter(|target| target.has_enable()).map(|target| target.name).collect();
+        let others = targets.iter().filter_map(|target| other_controller(target.name));
+        Self {
+            block: called(&|target| blocks(target, kind)[0].clone()),
+            ipc: called(&|target| blocks(target, blocks::IPC)[0].clone()),
+            self_test: called(&|target| blocks(target, kind)[1].clone()),
+            fault: called(&|target| target.output("fault").to_owned()),
+            error_id: called(&|target| target.output("error_id").to_owned()),
+            notice: called(&|target| target.notice().to_owned()),
+            refusal: called(&|target| match target.has_enable() {
+                true => format!("{}` or `{}", target.output("error_id"), target.notice()),
+                false => target.notice().to_owned(),
+            }),
+            set_form: called(&|target| format!("--as {}", set_form(target.name))),
+            are_enabled: enabled.len() == targets.len(),
+            enabled: enabled.join(", "),
+            has_function: targets.iter().any(Target::tests_by_function),
+            has_function_block: !targets.iter().all(Target::tests_by_function),
+            is_twincat: targets.iter().any(|target| target.name == "twincat"),
+            other_controllers: others.collect::<Vec<_>>().join(" or "),
+        }
+    }
+}
+
+/// A name as the targets have it.
+fn called(targets: &[Target], name: &dyn Fn(&Target) -> String) -> String {
+    let mut names: Vec<(String, Vec<&str>)> = Vec::new();
+    for target in targets {
+        let name = name(target);
+        match names.iter_mut().find(|(known, _)| *known == name) {
+            Some((_, of)) => of.push(target.name),
+            None => names.push((name, vec![target.name])),
+        }
+    }
+    match names.as_slice() {
+        [(name, _)] => format!("`{name}`"),
+        _ => {
+            let each = names.iter().map(|(name, of)| format!("`{name}` ({})", of.join(", ")));
+            each.collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+/// What has the position controller where a target's program often has none.
+fn other_controller(target: &str) -> Option<&'static str> {
+    match target {
+        "twincat" => Some("TwinCAT NC"),
+        "codesys" => Some("SoftMotion"),
+        "scl" => Some("a technology object"),
+        _ => None,
+    }
+}
+
+/// The form in which `axgen params-of` writes a set for a target.
+fn set_form(target: &str) -> &str {
+    match target {
+        "twincat" | "codesys" => "st",
+        other => other,
+    }
+}

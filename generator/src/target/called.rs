@@ -1,0 +1,40 @@
+//! What a target calls what its user meets, for those who write of it: a block, its self-test, its outputs.
+
+use super::{TARGETS, Target};
+use compiler::legalise::{NOTICE, RENAMED};
+
+/// The pass after which a block has the signals of PLCopen.
+const ENABLED: &str = "enabled";
+
+impl Target {
+    /// Whether its blocks have the signals of PLCopen.
+    pub(crate) fn has_enable(&self) -> bool {
+        self.passes.iter().any(|(name, _)| *name == ENABLED)
+    }
+
+    /// The name of a block of an axis, and that of the block's self-test; `short`: the block's name where the axis wants short names in C.
+    pub(crate) fn called(&self, axis: &str, block: &str, short: Option<&str>) -> [String; 2] {
+        (self.called)(axis, block, short)
+    }
+
+    /// The name of an output of a block.
+    pub(crate) fn output<'n>(&self, name: &'n str) -> &'n str {
+        let renamed = RENAMED.into_iter().find(|(own, _)| *own == name && self.has_enable());
+        renamed.map_or(name, |(_, other)| other)
+    }
+
+    /// The name of the output with the id of what is not a fault.
+    pub(crate) fn notice(&self) -> &'static str {
+        if self.has_enable() { NOTICE } else { "error_id" }
+    }
+
+    /// Whether a self-test is a function there, and not a function block.
+    pub(crate) fn tests_by_function(&self) -> bool {
+        ["c", "rust"].contains(&self.name)
+    }
+}
+
+/// The targets of these names, in the order of the registry.
+pub fn of_names(is_named: impl Fn(&str) -> bool) -> Vec<Target> {
+    TARGETS.into_iter().filter(|target| is_named(target.name)).collect()
+}
