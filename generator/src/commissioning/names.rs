@@ -37,7 +37,8 @@ impl Names {
             target.called(&axis.name, kind, short)
         };
         let called = |name: &dyn Fn(&Target) -> String| called(targets, name);
-        let enabled: Vec<&str> = targets.iter().filter(|target| target.has_enable()).map(|target| target.name).collect();
+        let enabled: Vec<&str> =
+            targets.iter().filter(|target| target.has_enable()).map(|target| target.name).collect();
         let others = targets.iter().filter_map(|target| other_controller(target.name));
         Self {
             block: called(&|target| blocks(target, kind)[0].clone()),

@@ -91,7 +91,8 @@ pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &
         state.cycles += 1u32;
         state.asks_velocity = true;
     }
-    let leads = is_led(state, coeffs, inputs, cycle, !is_position || is_displayed(coeffs, inputs, coeffs.position_mode));
+    let leads =
+        is_led(state, coeffs, inputs, cycle, !is_position || is_displayed(coeffs, inputs, coeffs.position_mode));
     let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
     if leads && !is_position && !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
         state.lasting_error = error_to_velocity();
