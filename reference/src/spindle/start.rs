@@ -70,7 +70,7 @@ pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
     }
     if !is_known && inputs.drive_on {
         cycle.sample_error = error_v_actual();
-    } else if !is_found && !(coeffs.only_velocity && inputs.drive_on) {
+    } else if !(is_found || coeffs.only_velocity && inputs.drive_on) {
         cycle.sample_error = error_x_actual();
     }
 }
