@@ -21,8 +21,10 @@ use response_filter::ResponseFilter;
 
 /// The drive of an axis.
 pub(crate) struct AxisDrive {
-    /// what it is, with a gain of the position controller
+    /// what it is, with the gain of the position controller
     pub model: DriveModel,
+    /// that gain [1/s]
+    pub position_gain: f64,
     setup: Setup,
     filter: Option<ResponseFilter>,
 }
@@ -39,14 +41,15 @@ impl AxisDrive {
             },
             false => Setup { cycle, ..otherwise },
         };
+        let position_gain = stated.position_gain.unwrap_or(position_gain);
         let model = DriveModel {
             delay_cycles: Some(setup.delay),
             time_constant: (setup.time_constant > 0.0).then_some(setup.time_constant),
             response: stated.response.clone(),
-            position_gain: Some(stated.position_gain.unwrap_or(position_gain)),
+            position_gain: Some(position_gain),
         };
         let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle));
-        Self { model, setup, filter }
+        Self { model, position_gain, setup, filter }
     }
 
     /// At rest.

@@ -1,94 +1,138 @@
 //! The blocks of a program one after the other, on an axis in its loop: until the program or the scenario ends.
 
-use super::notes::Note;
+use super::notes::{Counted, Note};
 use super::{MOST, Scenario, Step, refused};
 use crate::drive::{AtLimit, Oscillation, margins};
 use crate::subject::Subject;
 use generator::axis::{DriveModel, Enable};
-use generator::blocks::Designed;
+use generator::blocks::{Block, Designed};
 use generator::codes;
 use nc::{Command, Mistake, Program};
 
 /// Within which a limit is one in single precision.
 const ROUNDING: f64 = 1e-6;
+/// Cycles before the first block, and after the last one.
+const REST: usize = 20;
 
-/// An axis in its loop.
-pub(super) trait InLoop {
-    /// Does what a command asks for; is back when that is done, or when the scenario is full.
-    fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake>;
+/// The block of an axis in its loop, and what its cycles show.
+pub(super) struct Run<'d> {
+    pub(super) designed: &'d Designed,
+    pub(super) subject: Subject,
+    /// feeds or speeds above vb_max
+    pub(super) limited: Counted,
+    /// commands of another drive
+    pub(super) other: Counted,
+    at_limit: AtLimit,
+    is_stable: bool,
+    /// the scenario is full with this number of cycles
+    most: usize,
+}
 
-    /// Some cycles without a command.
-    fn rest(&mut self, line: usize) -> Result<(), Mistake>;
-
-    /// What of the program does not act as it says.
-    fn notes(&self) -> Vec<Note>;
-
-    fn designed(&self) -> &Designed;
-
-    fn subject(&self) -> &Subject;
-
-    fn at_limit(&mut self) -> &mut AtLimit;
-
-    /// The scenario is full with this number of cycles.
-    fn most(&self) -> usize;
-
-    fn is_full(&self) -> bool {
-        self.subject().inputs.len() >= self.most()
+impl<'d> Run<'d> {
+    /// Before the first cycle, with the drive that closes the loop.
+    pub(super) fn start(designed: &'d Designed, block: &Block, drive: &DriveModel, most: usize) -> Self {
+        let subject = Subject::start(designed, block);
+        // `v_add` acts if the block starts ON, and puts it out.
+        let acts = designed.axis.ipc.enable == Enable::On && subject.output("v_add").is_some();
+        Self {
+            designed,
+            subject,
+            limited: Counted::default(),
+            other: Counted::default(),
+            at_limit: AtLimit::new(designed.axis.cycle_time()),
+            is_stable: !acts || margins::margins(designed, drive).stable,
+            most,
+        }
     }
 
-    /// Looks at the outputs of a cycle, which is part of a ramp or not.
+    pub(super) fn is_full(&self) -> bool {
+        self.subject.inputs.len() >= self.most
+    }
+
+    /// One cycle with these inputs, which is part of a ramp or not.
     ///
     /// # Errors
     /// The block has an error.
-    fn look(&mut self, is_ramp: bool, line: usize) -> Result<(), Mistake> {
-        let subject = self.subject();
+    pub(super) fn cycle(&mut self, inputs: &[(&str, f64)], is_ramp: bool, line: usize) -> Result<(), Mistake> {
+        let Self { subject, designed, at_limit, .. } = self;
+        for (name, value) in inputs {
+            subject.set(name, *value);
+        }
+        subject.step();
         if subject.get("fault") != 0.0 {
             let found =
                 format!("error {} of the block at sample {}", subject.get("error_id"), subject.inputs.len() - 1);
             let instead = "other parameters, or another program; `axgen explain` says what the error means";
             return Err(refused(line, found, "a scenario without an error", instead));
         }
-        let limit = self.designed().axis.ipc.limit() * (1.0 - ROUNDING);
+        let limit = designed.axis.ipc.limit() * (1.0 - ROUNDING);
         let is_limited = subject.get("v_add") != 0.0 && subject.get("v_add_calculated").abs() >= limit;
-        self.at_limit().count(is_ramp, is_limited);
+        at_limit.count(is_ramp, is_limited);
         Ok(())
     }
 }
 
-/// Whether `v_add` acts in a loop that is stable with that drive: the block starts ON, and puts `v_add` out.
-pub(super) fn is_stable(designed: &Designed, subject: &Subject, drive: &DriveModel) -> bool {
-    let acts = designed.axis.ipc.enable == Enable::On && subject.output("v_add").is_some();
-    !acts || margins::margins(designed, drive).stable
+/// An axis in its loop.
+pub(super) trait InLoop<'d> {
+    /// Does what a command asks for; is back when that is done, or when the scenario is full.
+    fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake>;
+
+    /// A cycle without a command.
+    fn hold(&mut self, line: usize) -> Result<(), Mistake>;
+
+    /// What of the program does not act as it says.
+    fn notes(&self) -> Vec<Note>;
+
+    fn run(&self) -> &Run<'d>;
+
+    /// The end of all cycles.
+    fn into_run(self) -> Run<'d>;
+
+    /// Cycles without a command, as many as a time [s] has.
+    fn dwell(&mut self, seconds: f64, line: usize) -> Result<(), Mistake> {
+        let end = seconds / self.run().designed.axis.cycle_time();
+        let mut cycles = 0_u32;
+        while f64::from(cycles) < end && !self.run().is_full() {
+            self.hold(line)?;
+            cycles += 1;
+        }
+        Ok(())
+    }
 }
 
-/// Runs a program, between rests, in a loop that is stable or not.
-pub(super) fn perform_all(closed: &mut impl InLoop, program: &Program, is_stable: bool) -> Result<Scenario, Mistake> {
-    let steps = steps(closed, program).map_err(|mistake| if is_stable { mistake } else { oscillates(mistake) })?;
+/// Runs a program, between rests.
+pub(super) fn perform_all<'d>(mut closed: impl InLoop<'d>, program: &Program) -> Result<Scenario, Mistake> {
+    let is_stable = closed.run().is_stable;
+    let steps = steps(&mut closed, program).map_err(|mistake| if is_stable { mistake } else { oscillates(mistake) })?;
     let mut notes = closed.notes();
-    if closed.is_full() {
-        notes.push(stopped(closed, program, &steps));
+    let run = closed.into_run();
+    if run.is_full() {
+        notes.push(stopped(&run, program, &steps));
     }
-    let oscillation = Oscillation { is_stable, at_limit: closed.at_limit().time() };
-    let Subject { inputs, outputs, .. } = closed.subject();
-    Ok(Scenario { inputs: inputs.clone(), outputs: outputs.clone(), steps, notes, oscillation })
+    let oscillation = Oscillation { is_stable, at_limit: run.at_limit.time() };
+    Ok(Scenario { inputs: run.subject.inputs, outputs: run.subject.outputs, steps, notes, oscillation })
 }
 
 /// When each block acted, until the scenario is full.
-fn steps(closed: &mut impl InLoop, program: &Program) -> Result<Vec<Step>, Mistake> {
-    closed.rest(program.blocks.first().map_or(1, |block| block.line))?;
+fn steps<'d>(closed: &mut impl InLoop<'d>, program: &Program) -> Result<Vec<Step>, Mistake> {
+    rest(closed, program.blocks.first().map_or(1, |block| block.line))?;
     let mut steps: Vec<Step> = Vec::with_capacity(program.blocks.len());
     for block in &program.blocks {
-        if closed.is_full() {
+        if closed.run().is_full() {
             return Ok(steps);
         }
-        let from = closed.subject().inputs.len();
+        let from = closed.run().subject.inputs.len();
         block.commands.iter().try_for_each(|command| closed.perform(command, block.line))?;
-        steps.push(Step { line: block.line, number: block.number, from, to: closed.subject().inputs.len() });
+        steps.push(Step { line: block.line, number: block.number, from, to: closed.run().subject.inputs.len() });
     }
-    if !closed.is_full() {
-        closed.rest(steps.last().map_or(1, |step| step.line))?;
+    if !closed.run().is_full() {
+        rest(closed, steps.last().map_or(1, |step| step.line))?;
     }
     Ok(steps)
+}
+
+fn rest<'d>(closed: &mut impl InLoop<'d>, line: usize) -> Result<(), Mistake> {
+    (0..REST).try_for_each(|_| closed.hold(line))
 }
 
 /// A mistake in a loop that oscillates, which may be why.
@@ -98,11 +142,11 @@ fn oscillates(mistake: Mistake) -> Mistake {
 }
 
 /// That the program is longer than its scenario.
-fn stopped(closed: &impl InLoop, program: &Program, steps: &[Step]) -> Note {
+fn stopped(run: &Run<'_>, program: &Program, steps: &[Step]) -> Note {
     let line = steps.last().map_or(1, |step| step.line);
     let last = program.blocks.last().map_or(line, |block| block.line);
-    let cycles = closed.most();
-    let seconds = cycles as f64 * closed.designed().axis.cycle_time();
+    let cycles = run.most;
+    let seconds = cycles as f64 * run.designed.axis.cycle_time();
     let found = format!(
         "a program that goes on: the scenario stops after {cycles} cycles, {seconds:.3} s, in line {line} of {last}"
     );

@@ -1,10 +1,9 @@
 //! Scenarios of path axes: moves, dwell, feedforward. The axis follows with the lag of its position controller. No spindle.
 
-use super::in_loop::{InLoop, is_stable, perform_all};
-use super::notes::{Counted, Note};
+use super::in_loop::{InLoop, Run, perform_all};
+use super::notes::Note;
 use super::{Options, Scenario, program_axis, refused};
-use crate::drive::{AtLimit, AxisDrive};
-use crate::subject::Subject;
+use crate::drive::AxisDrive;
 use generator::blocks::{Block, Designed};
 use generator::codes;
 use machine::drive::Setup;
@@ -29,8 +28,6 @@ const HOMING: f64 = 0.1;
 const SHORTEST: f64 = 1e-3;
 /// Within which an axis is at the end of a move [s].
 const LATEST: f64 = 60.0;
-/// Cycles before the first block and behind the last one.
-const REST: usize = 20;
 
 /// Runs a program.
 pub(super) fn run(
@@ -43,78 +40,55 @@ pub(super) fn run(
     let axis = program_axis::of(program, &designed.axis.name, options, &mut notes)?;
     let kv = designed.axis.control.position_control.as_ref().map_or(KV, |control| f64::from(control.kv) / 100.0);
     let drive = AxisDrive::of(designed, Setup { delay: 1.0, ..Setup::DELAY_AND_LAG }, kv);
-    let subject = Subject::start(designed, block);
-    let is_stable = is_stable(designed, &subject, &drive.model);
-    let mut closed = Closed::start(designed, axis, subject, &drive, options.cycles);
-    let mut scenario = perform_all(&mut closed, program, is_stable)?;
+    let run = Run::start(designed, block, &drive.model, options.cycles);
+    let mut scenario = perform_all(Closed::start(axis, run, &drive), program)?;
     scenario.notes.append(&mut notes);
     Ok(scenario)
 }
 
 /// The loop: program, interpolator, block, drive.
 struct Closed<'d> {
-    designed: &'d Designed,
+    run: Run<'d>,
     axis: Axis,
     limits: Limits,
     cycle: f64,
     kv: f64,
-    subject: Subject,
     /// end of the last move [um, 0.001 deg]; 0 of an axis that did not move
     place: BTreeMap<Axis, f64>,
-    /// feeds above vb_max, and commands of spindles
-    limited: Counted,
-    spindle: Counted,
     machine: Box<dyn Machine>,
     actual: Measured,
-    at_limit: AtLimit,
-    /// the scenario is full with this number of cycles
-    most: usize,
 }
 
 impl<'d> Closed<'d> {
-    fn start(designed: &'d Designed, axis: Axis, subject: Subject, drive: &AxisDrive, most: usize) -> Self {
-        let of = &designed.axis;
+    fn start(axis: Axis, run: Run<'d>, drive: &AxisDrive) -> Self {
+        let of = &run.designed.axis;
         let (cycle, velocity) = (of.cycle_time(), of.ipc.v_max);
         let acceleration = velocity / RISE_TIME;
         Self {
-            designed,
+            run,
             axis,
             limits: Limits { velocity, acceleration, jerk: acceleration / JERK_TIME },
             cycle,
-            kv: drive.model.position_gain.unwrap_or(KV),
-            subject,
+            kv: drive.position_gain,
             place: BTreeMap::new(),
-            limited: Counted::default(),
-            spindle: Counted::default(),
             machine: drive.machine(),
             actual: Measured::default(),
-            at_limit: AtLimit::new(cycle),
-            most,
         }
     }
 }
 
-impl InLoop for Closed<'_> {
+impl<'d> InLoop<'d> for Closed<'d> {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match command {
             Command::Feedforward { target: Target::Axes, on } => {
-                self.subject.set("feedforward_active", f64::from(u8::from(*on)));
-                self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
+                self.run.subject.set("feedforward_active", f64::from(u8::from(*on)));
+                self.hold(line)
             }
             Command::Percentage { target: Target::Axis(axis), percent } if *axis == self.axis => {
-                self.subject.set("feedforward_percentage", f64::from(*percent));
-                self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
+                self.run.subject.set("feedforward_percentage", f64::from(*percent));
+                self.hold(line)
             }
-            Command::Dwell { seconds } => {
-                let end = seconds / self.cycle;
-                let at = profile::Sample { x: self.own(), ..Default::default() };
-                let mut cycles = 0_u32;
-                while f64::from(cycles) < end && !self.is_full() {
-                    self.cycle(at, line)?;
-                    cycles += 1;
-                }
-                Ok(())
-            }
+            Command::Dwell { seconds } => self.dwell(*seconds, line),
             Command::Move { axes, feed_mm_min, .. } => {
                 // Without a feed it is G00.
                 let feed = feed_mm_min.map_or(self.limits.velocity, |feed| feed * MM / 60.0);
@@ -124,7 +98,7 @@ impl InLoop for Closed<'_> {
                 self.travel(&[(*axis, 0.0)], self.limits.velocity * HOMING, line)
             }
             Command::Turn { .. } | Command::Stop { .. } | Command::Position { .. } => {
-                self.spindle.push(line);
+                self.run.other.push(line);
                 Ok(())
             }
             // Of spindles, and of other axes.
@@ -133,34 +107,26 @@ impl InLoop for Closed<'_> {
         }
     }
 
-    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
-        let at = profile::Sample { x: self.own(), ..Default::default() };
-        (0..REST).try_for_each(|_| self.cycle(at, line))
+    fn hold(&mut self, line: usize) -> Result<(), Mistake> {
+        self.cycle(profile::Sample { x: self.own(), ..Default::default() }, line)
     }
 
     fn notes(&self) -> Vec<Note> {
         let allowed =
             format!(" above vb_max (P-AXIS-00212), {} mm/min: limited to it", self.limits.velocity * 60.0 / MM);
         let rest = " of a spindle passed over: this is the scenario of an axis";
-        let limited = self.limited.note(codes::NC_LIMITED, "feed", &allowed, "a lower feed, or another vb_max");
-        let other = self.spindle.note(codes::NC_OTHER_DRIVE, "command", rest, "a scenario of its own for the spindle");
+        let limited = self.run.limited.note(codes::NC_LIMITED, "feed", &allowed, "a lower feed, or another vb_max");
+        let other =
+            self.run.other.note(codes::NC_OTHER_DRIVE, "command", rest, "a scenario of its own for the spindle");
         limited.into_iter().chain(other).collect()
     }
 
-    fn designed(&self) -> &Designed {
-        self.designed
+    fn run(&self) -> &Run<'d> {
+        &self.run
     }
 
-    fn subject(&self) -> &Subject {
-        &self.subject
-    }
-
-    fn at_limit(&mut self) -> &mut AtLimit {
-        &mut self.at_limit
-    }
-
-    fn most(&self) -> usize {
-        self.most
+    fn into_run(self) -> Run<'d> {
+        self.run
     }
 }
 
@@ -199,12 +165,12 @@ impl Closed<'_> {
         // G00 asks for vb_max, whatever the share is.
         let is_rapid = (feed - velocity).abs() == 0.0;
         if feed > limits.velocity && !is_rapid {
-            self.limited.push(line);
+            self.run.limited.push(line);
         }
         let mut mover = Mover::at(limits, self.cycle, 0.0, 0.0).map_err(failed)?;
         let feed = if feed > limits.velocity { limits.velocity } else { feed };
         mover.go(length, feed).map_err(failed)?;
-        while !mover.is_done() && !self.is_full() {
+        while !mover.is_done() && !self.run.is_full() {
             let profile::Sample { x, v, a, j } = mover.next();
             self.cycle(profile::Sample { x: start + x * part, v: v * part, a: a * part, j: j * part }, line)?;
         }
@@ -213,15 +179,15 @@ impl Closed<'_> {
 
     /// Waits until the axis is at the end of its move.
     fn arrive(&mut self, line: usize) -> Result<(), Mistake> {
-        let at = profile::Sample { x: self.own(), ..Default::default() };
-        let latest = self.subject.inputs.len() as f64 + LATEST / self.cycle;
-        while (self.actual.x - at.x).abs() > POSITION_WINDOW && !self.is_full() {
-            if self.subject.inputs.len() as f64 > latest {
+        let end = self.own();
+        let latest = self.run.subject.inputs.len() as f64 + LATEST / self.cycle;
+        while (self.actual.x - end).abs() > POSITION_WINDOW && !self.run.is_full() {
+            if self.run.subject.inputs.len() as f64 > latest {
                 let found =
                     format!("an axis that is not within {POSITION_WINDOW} um of the end of its move after {LATEST} s");
                 return Err(refused(line, found, "an axis that follows", "a higher Kv, or other parameters"));
             }
-            self.cycle(at, line)?;
+            self.hold(line)?;
         }
         Ok(())
     }
@@ -246,12 +212,9 @@ impl Closed<'_> {
             ("v_direct", rate(self.actual.v_load)),
             ("position_controlled", 1.0),
         ];
-        for (name, value) in inputs {
-            self.subject.set(name, value);
-        }
-        self.subject.step();
-        self.look(command.a != 0.0, line)?;
-        let v = self.kv * error + self.subject.get("v_feedforward") + self.subject.get("v_add");
+        self.run.cycle(&inputs, command.a != 0.0, line)?;
+        let subject = &self.run.subject;
+        let v = self.kv * error + subject.get("v_feedforward") + subject.get("v_add");
         self.actual = self.machine.step(v);
         Ok(())
     }

@@ -1,11 +1,9 @@
 //! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
 
-use super::in_loop::{InLoop, is_stable, perform_all};
-use super::notes::{Counted, Note};
+use super::in_loop::{InLoop, Run, perform_all};
+use super::notes::Note;
 use super::spindle_machine::{self, Machine};
 use super::{Options, Scenario, refused};
-use crate::drive::AtLimit;
-use crate::subject::Subject;
 use generator::axis::{Axis, Spindle};
 use generator::blocks::{Block, Designed};
 use generator::codes;
@@ -25,8 +23,6 @@ const POSITION_WINDOW: f64 = 100.0;
 const SPEED_WINDOW: f64 = 0.01;
 /// Speed of M19 without an S word, if the velocity of position control is 0 [0.001 deg/s].
 const SLOW: f64 = 300_000.0;
-/// Cycles before the first block and behind the last one.
-const REST: usize = 20;
 
 /// Runs a program.
 pub(super) fn run(
@@ -41,11 +37,9 @@ pub(super) fn run(
         let found = format!("axis `{}` does not change over", axis.name);
         return Err(refused(line, found, "an axis with the block `spindle`", "another axis"));
     };
-    let subject = Subject::start(designed, block);
-    let is_stable = is_stable(designed, &subject, &Machine::model(axis, spindle));
-    let mut closed =
-        Closed::start(designed, spindle, subject, options.cycles).map_err(|error| no_motion(line, &error))?;
-    perform_all(&mut closed, program, is_stable)
+    let run = Run::start(designed, block, &Machine::model(axis, spindle), options.cycles);
+    let closed = Closed::start(spindle, run).map_err(|error| no_motion(line, &error))?;
+    perform_all(closed, program)
 }
 
 fn no_motion(line: usize, error: &profile::Error) -> Mistake {
@@ -54,51 +48,27 @@ fn no_motion(line: usize, error: &profile::Error) -> Mistake {
 
 /// The loop: program, interpolator, block, drive.
 struct Closed<'a> {
-    designed: &'a Designed,
+    run: Run<'a>,
     axis: &'a Axis,
     spindle: &'a Spindle,
-    subject: Subject,
     machine: Machine<'a>,
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
     is_done: bool,
-    /// speeds above vb_max, and motions of path axes
-    limited: Counted,
-    path: Counted,
     /// velocity of the cycle before
     v_before: f64,
-    at_limit: AtLimit,
-    /// the scenario is full with this number of cycles
-    most: usize,
 }
 
 impl<'a> Closed<'a> {
-    fn start(
-        designed: &'a Designed,
-        spindle: &'a Spindle,
-        mut subject: Subject,
-        most: usize,
-    ) -> Result<Self, profile::Error> {
-        subject.set("drive_on", 1.0);
-        let axis = &designed.axis;
-        Ok(Self {
-            designed,
-            machine: Machine::start(axis, spindle, START)?,
-            axis,
-            spindle,
-            subject,
-            feedforward: [0.0, 100.0],
-            is_done: false,
-            v_before: 0.0,
-            at_limit: AtLimit::new(axis.cycle_time()),
-            most,
-            limited: Counted::default(),
-            path: Counted::default(),
-        })
+    fn start(spindle: &'a Spindle, mut run: Run<'a>) -> Result<Self, profile::Error> {
+        run.subject.set("drive_on", 1.0);
+        let axis = &run.designed.axis;
+        let machine = Machine::start(axis, spindle, START)?;
+        Ok(Self { run, axis, spindle, machine, feedforward: [0.0, 100.0], is_done: false, v_before: 0.0 })
     }
 }
 
-impl InLoop for Closed<'_> {
+impl<'a> InLoop<'a> for Closed<'a> {
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake> {
         match *command {
             Command::Feedforward { target: Target::Spindle(1), on } => self.feedforward[0] = f64::from(u8::from(on)),
@@ -108,13 +78,13 @@ impl InLoop for Closed<'_> {
                 let is_negative = direction == Direction::Negative;
                 self.request(if is_negative { &["m4"] } else { &["m3"] }, speed, 0.0, Job::Turn, line)?;
                 let v = if is_negative { -speed } else { speed };
-                while !self.turns(v) && !self.is_full() {
+                while !self.turns(v) && !self.run.is_full() {
                     self.cycle(line)?;
                 }
             }
             Command::Stop { .. } => {
                 self.request(&["m5"], 0.0, 0.0, Job::Stop, line)?;
-                while !self.turns(0.0) && !self.is_full() {
+                while !self.turns(0.0) && !self.run.is_full() {
                     self.cycle(line)?;
                 }
             }
@@ -129,15 +99,8 @@ impl InLoop for Closed<'_> {
                 self.request(&["putax"], 0.0, 0.0, Job::Release, line)?;
                 self.until_done(line)?;
             }
-            Command::Dwell { seconds } => {
-                let end = seconds / self.axis.cycle_time();
-                let mut cycles = 0_u32;
-                while f64::from(cycles) < end && !self.is_full() {
-                    self.cycle(line)?;
-                    cycles += 1;
-                }
-            }
-            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => self.path.push(line),
+            Command::Dwell { seconds } => self.dwell(seconds, line)?,
+            Command::Move { .. } | Command::Home { target: Target::Axis(_) } => self.run.other.push(line),
             // Of other spindles, and of path axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => {}
             Command::Home { .. } | Command::Release { .. } | Command::End => {}
@@ -145,32 +108,24 @@ impl InLoop for Closed<'_> {
         Ok(())
     }
 
-    fn rest(&mut self, line: usize) -> Result<(), Mistake> {
-        (0..REST).try_for_each(|_| self.cycle(line))
+    fn hold(&mut self, line: usize) -> Result<(), Mistake> {
+        self.cycle(line)
     }
 
     fn notes(&self) -> Vec<Note> {
         let allowed = format!(" above vb_max (P-AXIS-00212), {} rpm: limited to it", self.axis.ipc.v_max / RPM);
         let rest = " of path axes passed over, which take no time: this is the scenario of a spindle";
-        let limited = self.limited.note(codes::NC_LIMITED, "speed", &allowed, "a lower speed, or another vb_max");
-        let other = self.path.note(codes::NC_OTHER_DRIVE, "motion", rest, "a scenario of its own for the axis");
+        let limited = self.run.limited.note(codes::NC_LIMITED, "speed", &allowed, "a lower speed, or another vb_max");
+        let other = self.run.other.note(codes::NC_OTHER_DRIVE, "motion", rest, "a scenario of its own for the axis");
         limited.into_iter().chain(other).collect()
     }
 
-    fn designed(&self) -> &Designed {
-        self.designed
+    fn run(&self) -> &Run<'a> {
+        &self.run
     }
 
-    fn subject(&self) -> &Subject {
-        &self.subject
-    }
-
-    fn at_limit(&mut self) -> &mut AtLimit {
-        &mut self.at_limit
-    }
-
-    fn most(&self) -> usize {
-        self.most
+    fn into_run(self) -> Run<'a> {
+        self.run
     }
 }
 
@@ -194,7 +149,7 @@ impl Closed<'_> {
             return Err(refused(line, "`M19` with the speed 0", "a speed above 0", instead));
         }
         let target = angle(degrees * 1000.0);
-        let v = self.subject.get("v_spindle");
+        let v = self.run.subject.get("v_spindle");
         let is_negative = match direction {
             Some(direction) => direction == Direction::Negative,
             None if v == 0.0 => shortest(target - self.machine.actual.x) < 0.0,
@@ -208,7 +163,7 @@ impl Closed<'_> {
     fn speed(&mut self, rpm: f64, line: usize) -> f64 {
         let (speed, largest) = (rpm * RPM, self.axis.ipc.v_max);
         if speed > largest {
-            self.limited.push(line);
+            self.run.limited.push(line);
             return largest;
         }
         speed
@@ -216,18 +171,21 @@ impl Closed<'_> {
 
     /// Gives a request for one cycle, and waits until it is the job.
     fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
-        let number = self.subject.get("job_number");
+        let number = self.run.subject.get("job_number");
         for input in inputs {
-            self.subject.set(input, 1.0);
+            self.run.subject.set(input, 1.0);
         }
-        self.subject.set("s_word", speed);
-        self.subject.set("s_position", target);
+        self.run.subject.set("s_word", speed);
+        self.run.subject.set("s_position", target);
         self.cycle(line)?;
         for input in inputs.iter().chain(&["s_word", "s_position"]) {
-            self.subject.set(input, 0.0);
+            self.run.subject.set(input, 0.0);
         }
-        while self.subject.get("job_number") <= number || self.subject.get("waiting") > 0.0 || self.seen().job != job {
-            if self.is_full() {
+        while self.run.subject.get("job_number") <= number
+            || self.run.subject.get("waiting") > 0.0
+            || self.seen().job != job
+        {
+            if self.run.is_full() {
                 break;
             }
             self.cycle(line)?;
@@ -238,7 +196,7 @@ impl Closed<'_> {
     fn until_done(&mut self, line: usize) -> Result<(), Mistake> {
         loop {
             self.cycle(line)?;
-            if self.is_done || self.is_full() {
+            if self.is_done || self.run.is_full() {
                 return Ok(());
             }
         }
@@ -253,7 +211,7 @@ impl Closed<'_> {
             _ => false,
         };
         let window = (v.abs() * SPEED_WINDOW).larger(RPM);
-        is_there && (self.machine.actual.v - v).abs() <= window && (self.subject.get("v_spindle") - v).abs() < 1.0
+        is_there && (self.machine.actual.v - v).abs() <= window && (self.run.subject.get("v_spindle") - v).abs() < 1.0
     }
 
     /// One cycle: actual values, interpolator, block, drive.
@@ -273,17 +231,13 @@ impl Closed<'_> {
             ("feedforward_active", self.feedforward[0]),
             ("feedforward_percentage", self.feedforward[1]),
         ];
-        for (name, value) in inputs {
-            self.subject.set(name, value);
-        }
-        self.subject.step();
-        self.look(commanded.v.to_bits() != self.v_before.to_bits(), line)?;
+        self.run.cycle(&inputs, commanded.v.to_bits() != self.v_before.to_bits(), line)?;
         self.v_before = commanded.v;
-        self.machine.obey(&|name| self.subject.output(name), self.feedforward);
+        self.machine.obey(&|name| self.run.subject.output(name), self.feedforward);
         Ok(())
     }
 
     fn seen(&self) -> Seen {
-        spindle_machine::seen(&|name| self.subject.output(name))
+        spindle_machine::seen(&|name| self.run.subject.output(name))
     }
 }
