@@ -3,7 +3,6 @@
 
 use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Plane, Point};
 use generator::analysis::{Analysis, OfDrive, summary};
-use generator::axis::Stage;
 use generator::blocks::Designed;
 use portable::Extreme;
 use stability::{Complex64, MAX_MS};
@@ -24,12 +23,12 @@ const JUMP: f64 = 180.0;
 pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     let first = analysis.drives.first()?;
     let nyquist = 0.5 / designed.axis.cycle_time();
-    let f0 = designed.axis.ipc.stage.iter().flatten().map(|stage| stage.f0());
-    let from = f0.fold(nyquist, f64::smaller) * LOWEST;
+    let stages: Vec<(usize, f64)> = stages(designed).collect();
+    let from = stages.iter().map(|(_, f0)| *f0).fold(nyquist, f64::smaller) * LOWEST;
     let bode = bode(first);
     let of_drives = |value: fn(f64, Complex64) -> Point| -> Vec<Curve> {
         let points = |of: &OfDrive| of.curve.iter().map(|at| value(at.hz, at.open)).collect();
-        (analysis.drives.iter()).map(|of| Curve { name: of.drive.short(), pieces: vec![points(of)] }).collect()
+        analysis.drives.iter().map(|of| Curve::new(of.drive.short(), points(of))).collect()
     };
     let shown = |curves: Vec<Curve>| curves.into_iter().map(|curve| within(curve, from, nyquist)).collect();
     let panel = |name: &str, scale, curves, marks: &[(f64, &str)]| {
@@ -39,7 +38,7 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     let sensitivity = of_drives(|hz, open| (hz, decibels(1.0 / (1.0 + open))));
     let over = Over {
         across: Across::Frequency { from, to: nyquist },
-        events: f0_names(designed),
+        events: f0_events(&stages),
         panels: vec![
             panel(&format!("magnitude [dB], {}", first.drive.short()), MAGNITUDE, bode.magnitude, &[]),
             panel("phase [deg]", PHASE, bode.phase, &[]),
@@ -74,29 +73,17 @@ fn bode(of: &OfDrive) -> Bode {
     let open = ("L".to_owned(), of.curve.iter().map(|at| (at.hz, at.open)).collect());
     let all: Vec<(String, Vec<(f64, Complex64)>)> = named.chain([open]).collect();
     let magnitude = |(name, values): &(String, Vec<(f64, Complex64)>)| {
-        let points = values.iter().map(|(hz, value)| (*hz, decibels(*value))).collect();
-        Curve { name: name.clone(), pieces: vec![points] }
+        Curve::new(name, values.iter().map(|(hz, value)| (*hz, decibels(*value))).collect())
     };
-    let phase = |(name, values): &(String, Vec<(f64, Complex64)>)| Curve { name: name.clone(), pieces: phases(values) };
+    let phase = |(name, values): &(String, Vec<(f64, Complex64)>)| {
+        let degrees = |value: &Complex64| libm::atan2(value.im, value.re).to_degrees();
+        Curve::broken(name, values.iter().map(|(hz, value)| (*hz, degrees(value))), JUMP)
+    };
     Bode { magnitude: all.iter().map(magnitude).collect(), phase: all.iter().map(phase).collect() }
 }
 
 fn decibels(value: Complex64) -> f64 {
     10.0 * libm::log10(value.norm_sqr())
-}
-
-/// The phase [degrees], broken where it passes 180.
-fn phases(values: &[(f64, Complex64)]) -> Vec<Vec<Point>> {
-    let mut pieces: Vec<Vec<Point>> = Vec::new();
-    for (hz, value) in values {
-        let phase = libm::atan2(value.im, value.re).to_degrees();
-        let jumps = |last: &Point| (last.1 - phase).abs() > JUMP;
-        match pieces.last_mut().filter(|piece| !piece.last().is_some_and(jumps)) {
-            Some(piece) => piece.push((*hz, phase)),
-            None => pieces.push(vec![(*hz, phase)]),
-        }
-    }
-    pieces
 }
 
 /// The part of a curve between two frequencies.
@@ -108,10 +95,16 @@ fn within(mut curve: Curve, from: f64, to: f64) -> Curve {
     curve
 }
 
-fn f0_names(designed: &Designed) -> Vec<(f64, String)> {
-    let stages = designed.axis.ipc.stage.iter().enumerate();
-    let name = |(index, stage): (usize, &Option<Stage>)| Some((stage.as_ref()?.f0(), format!("f0 of stage {index}")));
-    let mut names: Vec<(f64, String)> = stages.filter_map(name).collect();
-    names.sort_by(|a, b| a.0.total_cmp(&b.0));
-    names
+/// The active stages of an axis with their f0 [Hz].
+pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = (usize, f64)> {
+    let all = designed.axis.ipc.stage.iter().enumerate();
+    all.filter_map(|(index, stage)| Some((index, stage.as_ref()?.f0())))
+}
+
+/// The f0 of stages, as events over frequency.
+pub(crate) fn f0_events(stages: &[(usize, f64)]) -> Vec<(f64, String)> {
+    let mut events: Vec<(f64, String)> =
+        stages.iter().map(|(index, f0)| (*f0, format!("f0 of stage {index}"))).collect();
+    events.sort_by(|a, b| a.0.total_cmp(&b.0));
+    events
 }

@@ -44,15 +44,20 @@ impl<'t> Instants<'t> {
 
     /// Nanoseconds of what the column counts; of a time without a unit the one in which the block's cycle is the step.
     fn unit(&self, cycle_time_ns: u32) -> Option<i64> {
+        self.stated_unit().or_else(|| {
+            let step = self.step().filter(|_| self.column.unit == Unit::Unsaid)?;
+            let is_cycle = |unit: i64| is_near(nanoseconds(step, unit), f64::from(cycle_time_ns));
+            UNSAID.iter().map(|(unit, _)| *unit).find(|unit| is_cycle(*unit))
+        })
+    }
+
+    /// The same as far as the name, or the form of an export, says it.
+    fn stated_unit(&self) -> Option<i64> {
         match self.column.unit {
             Unit::Nanoseconds(unit) => Some(unit),
             Unit::OfExport if self.first? / 1_000_000_000 >= LEAST_FILE_TIME => Some(100),
             Unit::OfExport => Some(1_000_000),
-            Unit::Unsaid => {
-                let step = self.step()?;
-                let is_cycle = |unit: i64| is_near(nanoseconds(step, unit), f64::from(cycle_time_ns));
-                UNSAID.iter().map(|(unit, _)| *unit).find(|unit| is_cycle(*unit))
-            }
+            Unit::Unsaid => None,
         }
     }
 
@@ -66,12 +71,7 @@ impl<'t> Instants<'t> {
 
     /// When the first sample was taken [ns].
     pub(crate) fn first(&self) -> Option<i128> {
-        let unit = match self.column.unit {
-            Unit::Nanoseconds(unit) => unit,
-            Unit::OfExport if self.first? / 1_000_000_000 >= LEAST_FILE_TIME => 100,
-            Unit::OfExport => 1_000_000,
-            Unit::Unsaid => return None,
-        };
+        let unit = self.stated_unit()?;
         Some(self.first? * i128::from(unit) / 1_000_000_000)
     }
 }

@@ -5,7 +5,7 @@ use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
 use crate::table::{Column, Row, Table, TimeColumn};
 use crate::value::{allowed, instead, parse};
-use crate::written::{Precision, Written};
+use crate::written::Precision;
 use portable::{Literal, RealKind};
 
 /// What the columns of a table hold.
@@ -26,7 +26,7 @@ struct Series<'t> {
     column: &'t Column<'t>,
     values: Samples,
     lines: Vec<usize>,
-    written: Written,
+    written: Precision,
     wrong: Wrong,
     /// cells without a value since the last one: where, and how many
     blank: Option<([usize; 2], usize)>,
@@ -145,7 +145,7 @@ impl<'t> Series<'t> {
     fn new(column: &'t Column<'t>, signal: usize, shape: &Shape) -> Self {
         let own = Shape { real: shape.real, signals: vec![shape.signals[signal].clone()] };
         let values = Samples::with_capacity(own, 0);
-        let (written, wrong) = (Written::default(), Wrong::default());
+        let (written, wrong) = (Precision::default(), Wrong::default());
         Self { signal, column, values, lines: Vec::new(), written, wrong, blank: None, missing: None }
     }
 
@@ -202,7 +202,7 @@ fn together(series: &[Series<'_>], offsets: &[usize], shape: &Shape, rows: Vec<u
         for (sample, value) in bytes.chunks_exact_mut(frame).zip(values) {
             sample[range.clone()].copy_from_slice(value);
         }
-        precision[series.signal] = series.written.precision(shape.real);
+        precision[series.signal] = series.written.of_column(shape.real);
     }
     let lines = with().next().map_or(rows, |(series, offset)| series.lines[*offset..].to_vec());
     let skipped = with().filter(|(_, offset)| **offset > 0).map(|(series, offset)| (series.signal, *offset));

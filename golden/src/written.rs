@@ -1,7 +1,6 @@
 //! How many digits of the values of a column were written, and what the last of them was worth.
 
-use portable::Extreme;
-use portable::{Literal, RealKind};
+use portable::{Extreme, Literal, RealKind};
 
 /// How many digits of the values of a column were written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -10,35 +9,6 @@ pub struct Precision {
     pub digits: usize,
     /// the most digits after the point
     decimals: i32,
-}
-
-/// The same while the column is read.
-#[derive(Default)]
-pub(crate) struct Written {
-    digits: usize,
-    decimals: i32,
-}
-
-impl Written {
-    /// One value more; only reals have digits.
-    pub(crate) fn add(&mut self, cell: &str, value: Literal) {
-        if matches!(value, Literal::F64(_) | Literal::F32(_)) {
-            let (digits, decimals) = written(cell);
-            self.digits = self.digits.max(digits);
-            self.decimals = self.decimals.max(decimals);
-        }
-    }
-
-    pub(crate) fn precision(&self, real: RealKind) -> Precision {
-        let full = match real {
-            RealKind::F64 => 16,
-            RealKind::F32 => 8,
-        };
-        match self.digits > full {
-            true => Precision::default(),
-            false => Precision { digits: self.digits, decimals: self.decimals },
-        }
-    }
 }
 
 /// Significant digits and digits after the point of a number as it was written; all of them if it is written in bits.
@@ -53,6 +23,24 @@ fn written(cell: &str) -> (usize, i32) {
 }
 
 impl Precision {
+    /// One value more; only reals have digits.
+    pub(crate) fn add(&mut self, cell: &str, value: Literal) {
+        if matches!(value, Literal::F64(_) | Literal::F32(_)) {
+            let (digits, decimals) = written(cell);
+            self.digits = self.digits.max(digits);
+            self.decimals = self.decimals.max(decimals);
+        }
+    }
+
+    /// Of a whole column: all digits are there if a value has more than the type.
+    pub(crate) fn of_column(self, real: RealKind) -> Self {
+        let full = match real {
+            RealKind::F64 => 16,
+            RealKind::F32 => 8,
+        };
+        if self.digits > full { Self::default() } else { self }
+    }
+
     /// The same of a value that was rounded once more, when it was multiplied by a factor.
     pub(crate) fn inexact(self, real: RealKind, factor: f64) -> Self {
         let full = match real {

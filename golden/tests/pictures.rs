@@ -67,21 +67,17 @@ fn the_curves_read_on_white_and_on_black() {
     }
 }
 
-fn curve(name: &str, points: Vec<(f64, f64)>) -> Curve {
-    Curve { name: name.to_owned(), pieces: vec![points] }
-}
-
 /// Every form of panel, with names that XML has other uses for.
 fn everything() -> Picture {
     let curves = Curves {
         name: "a < b & c".to_owned(),
-        curves: vec![curve("<>", vec![(0.0, 1.0), (2.0, 3.0)])],
+        curves: vec![Curve::new("<>", vec![(0.0, 1.0), (2.0, 3.0)])],
         ..Curves::default()
     };
     let rows = Rows { rows: vec![("row".to_owned(), vec![[0.5, 1.0]])] };
     let beyond = Curves {
         scale: Some([0.0, 1.0, 0.5]),
-        curves: vec![curve("beyond", vec![(10.0, 0.5), (100.0, 7.0)])],
+        curves: vec![Curve::new("beyond", vec![(10.0, 0.5), (100.0, 7.0)])],
         ..Curves::default()
     };
     let plane = Plane {
@@ -89,7 +85,7 @@ fn everything() -> Picture {
         across: [-3.0, 1.5],
         circles: vec![((-1.0, 0.0), 0.5, "circle".to_owned())],
         marks: vec![((-1.0, 0.0), "-1".to_owned())],
-        curves: vec![curve("L", vec![(0.0, 0.0), (1.0, 1.0)])],
+        curves: vec![Curve::new("L", vec![(0.0, 0.0), (1.0, 1.0)])],
     };
     let time = Over {
         across: Across::Time { until: 2.0 },

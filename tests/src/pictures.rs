@@ -2,7 +2,7 @@
 //! not how.
 
 use crate::simulation::{Bench, KV, run};
-use golden::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Point};
+use golden::svg::{Across, Curve, Over, Panel, Part, Picture, Point};
 use machine::seven_phases::{Move, seconds};
 use machine::velocity_loop::Loop;
 
@@ -50,11 +50,9 @@ fn picture(title: &str, feedforward: &str) -> String {
     let largest = samples.iter().fold(0.0, |largest, sample| f64::max(largest, sample.lag.abs()));
     let lag: Vec<Point> = samples.iter().step_by(2).map(|sample| (seconds(sample.ns), sample.lag)).collect();
     let velocity = samples.iter().step_by(5).map(|sample| (seconds(sample.ns), sample.v / UM_S)).collect();
-    let curve = |name: &str, points: Vec<Point>| Curve { name: name.to_owned(), pieces: vec![points] };
-    let panel = |name: String, curve| Panel::Curves(Curves { name, curves: vec![curve], ..Curves::default() });
     let panels = vec![
-        panel(format!("position lag [µm], largest {largest:.1}"), curve("lag", lag)),
-        panel("velocity [m/min]".to_owned(), curve("command", velocity)),
+        Panel::curves(format!("position lag [µm], largest {largest:.1}"), vec![Curve::new("lag", lag)]),
+        Panel::curves("velocity [m/min]", vec![Curve::new("command", velocity)]),
     ];
     let over = Over { across: Across::Time { until: seconds(UNTIL_NS) }, events: Vec::new(), panels };
     let setup = vec![format!("Simulated: Kv {KV}/s, {SETUP}")];

@@ -8,6 +8,8 @@ use portable::Extreme;
 
 /// 1 rpm [0.001 deg/s], and 1 rpm/s [0.001 deg/s^2].
 const RPM: f64 = 6000.0;
+/// Units of a velocity of which one may be meant.
+const SPEED: [&str; 2] = ["rpm", "deg/s"];
 /// 10 rpm, which may be a threshold of a slow spindle [0.001 deg/s].
 const LOW: f64 = 60_000.0;
 /// No ramp of a spindle takes so long [s].
@@ -35,7 +37,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let value = f64::from(value);
         // 0 has a meaning of its own. A threshold is more than a part in 6000 of the largest velocity.
         if value > 0.0 && (value < RPM || value < LOW && value * RPM <= largest) {
-            in_rpm(e, at, value, "rpm", "deg/s");
+            in_rpm(e, at, value, SPEED, "");
         }
     }
     braking(axis, spindle, e);
@@ -43,8 +45,8 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
 }
 
 /// Says that a number is 6000 times too small, if rpm were meant.
-fn in_rpm(e: &mut Effective<'_>, at: Key, value: f64, of_minute: &str, of_second: &str) {
-    let found = format!("{} is {value}, which is only {} {of_minute}", e.title(at), rounded(value / RPM));
+fn in_rpm(e: &mut Effective<'_>, at: Key, value: f64, [of_minute, of_second]: [&str; 2], why: &str) {
+    let found = format!("{} is {value}, which is only {} {of_minute}{why}", e.title(at), rounded(value / RPM));
     let instead = format!(
         "{}, if {value} {of_minute} is meant, or {}, if {value} {of_second} is meant: the unit is 0.001 {of_second}",
         value * RPM,
@@ -61,19 +63,8 @@ fn braking(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     if e.given(at).is_none() || time < LONGEST_RAMP {
         return;
     }
-    let value = spindle.deceleration;
-    let found = format!(
-        "{} is {value}, which is only {} rpm/s: braking from vb_max takes {} s",
-        e.title(at),
-        rounded(value / RPM),
-        rounded(time)
-    );
-    let instead = format!(
-        "{}, if {value} rpm/s is meant, or {}, if {value} deg/s^2 is meant: the unit is 0.001 deg/s^2",
-        value * RPM,
-        value * 1e3
-    );
-    e.warn(codes::SPINDLE_UNIT, at, found, instead);
+    let braking = format!(": braking from vb_max takes {} s", rounded(time));
+    in_rpm(e, at, spindle.deceleration, ["rpm/s", "deg/s^2"], &braking);
 }
 
 /// Windows in rpm and in degrees.
@@ -81,7 +72,7 @@ fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
     let [window, takeover] = [Name::SpindleWindow, Name::SpindleTakeoverWindow].map(key);
     let least = spindle.window.larger(f64::from(spindle.v_position_control_on) / 100.0);
     if e.given(window).is_some() && least < SMALL_WINDOW {
-        in_rpm(e, window, spindle.window, "rpm", "deg/s");
+        in_rpm(e, window, spindle.window, SPEED, "");
     }
     if e.given(takeover).is_some() && spindle.takeover_window < SMALL_TAKEOVER {
         let value = spindle.takeover_window;

@@ -75,6 +75,14 @@ fn mean(values: impl Iterator<Item = f64>) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
+/// Values without their mean.
+#[must_use]
+pub fn without_mean(values: impl Iterator<Item = f64>) -> Vec<f64> {
+    let values: Vec<f64> = values.collect();
+    let mean = values.iter().sum::<f64>() / values.len() as f64;
+    values.iter().map(|value| value - mean).collect()
+}
+
 /// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of amplitude 1.
 #[must_use]
 pub fn amplitude(samples: &[f64], cycle: f64, band: [f64; 2]) -> f64 {

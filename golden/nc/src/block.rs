@@ -17,8 +17,8 @@ pub(crate) struct InForce {
 
 /// The commands of a block, whose number is taken off.
 pub(crate) fn commands(words: Vec<Placed<'_>>, force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
-    let words = parameters(passed(words, mistakes), mistakes);
-    let words = once(words, mistakes);
+    note_passed(&words, mistakes);
+    let words = once(parameters(words, mistakes), mistakes);
     let mut commands = spindle::commands(&words, &mut force.spindle, mistakes);
     commands.extend(axes::commands(&words, &mut force.axes, mistakes));
     if words.iter().any(|placed| placed.word == Word::End) {
@@ -28,15 +28,14 @@ pub(crate) fn commands(words: Vec<Placed<'_>>, force: &mut InForce, mistakes: &m
 }
 
 /// Notes the words that are passed over.
-fn passed<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> {
-    for Placed { column, text, word } in &words {
+fn note_passed(words: &[Placed<'_>], mistakes: &mut Mistakes) {
+    for Placed { column, text, word } in words {
         match word {
             Word::Passed(kind, _) => mistakes.pass(*kind, *column, &spelt(*kind, text)),
             Word::Skip => mistakes.pass(Kind::Skip, *column, ""),
             _ => {}
         }
     }
-    words
 }
 
 /// A word as a note has it: numbers of programs and of tools, and texts, are the word's letter.

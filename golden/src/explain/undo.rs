@@ -86,22 +86,21 @@ fn times(value: Literal, factor: f64) -> Literal {
 }
 
 fn swapped(recording: &Recording, one: At, other: At) -> Recording {
-    let mut swapped = each(recording, |inputs, outputs| match (one, other) {
+    let mut swapped = each(recording, |inputs, outputs| swap(inputs, outputs, one, other));
+    let Recording { input_precision, output_precision, .. } = &mut swapped;
+    swap(input_precision, output_precision, one, other);
+    swapped
+}
+
+/// Swaps what belongs to two columns.
+fn swap<T>(inputs: &mut [T], outputs: &mut [T], one: At, other: At) {
+    match (one, other) {
         ((Side::Input, one), (Side::Input, other)) => inputs.swap(one, other),
         ((Side::Output, one), (Side::Output, other)) => outputs.swap(one, other),
         ((Side::Input, input), (Side::Output, output)) | ((Side::Output, output), (Side::Input, input)) => {
             std::mem::swap(&mut inputs[input], &mut outputs[output]);
         }
-    });
-    let Recording { input_precision, output_precision, .. } = &mut swapped;
-    match (one, other) {
-        ((Side::Input, one), (Side::Input, other)) => input_precision.swap(one, other),
-        ((Side::Output, one), (Side::Output, other)) => output_precision.swap(one, other),
-        ((Side::Input, input), (Side::Output, output)) | ((Side::Output, output), (Side::Input, input)) => {
-            std::mem::swap(&mut input_precision[input], &mut output_precision[output]);
-        }
     }
-    swapped
 }
 
 /// The outputs against inputs of other samples; what has no partner is left out.

@@ -3,7 +3,7 @@
 use super::Scenario;
 use crate::samples::Samples;
 use crate::subject::number;
-use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Point, Rows};
+use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Rows};
 use generator::axis::Changeover;
 use generator::blocks::Designed;
 
@@ -98,9 +98,7 @@ fn path(run: &Run<'_>) -> Vec<Panel> {
     let [command, actual] = ["x_command", "x_actual"].map(|name| run.values(name));
     if !actual.is_empty() {
         let lag: Vec<f64> = command.iter().zip(&actual).map(|(command, actual)| command - actual).collect();
-        let curves = vec![run.curve("lag", &lag, MM, None)];
-        let name = "position lag [mm]".to_owned();
-        panels.push(Some(Panel::Curves(Curves { name, curves, ..Curves::default() })));
+        panels.push(Some(Panel::curves("position lag [mm]", vec![run.curve("lag", &lag, MM, None)])));
     }
     if run.values("v_add").iter().any(|v_add| *v_add != 0.0) {
         panels.push(panel("v_add [mm/s]", None, &[("v_add", "v_add")], MM));
@@ -143,16 +141,9 @@ impl Run<'_> {
     /// Some of the values as a curve, broken where it jumps by more than that.
     fn curve(&self, name: &str, values: &[f64], unit: f64, jump: Option<f64>) -> Curve {
         let step = values.len().div_ceil(MOST).max(1);
-        let mut pieces: Vec<Vec<Point>> = Vec::new();
-        for (sample, value) in values.iter().enumerate().step_by(step) {
-            let point = (self.time(sample), value / unit);
-            let jumps = |last: &Point| jump.is_some_and(|jump| (last.1 - point.1).abs() > jump);
-            match pieces.last_mut().filter(|piece| !piece.last().is_some_and(jumps)) {
-                Some(piece) => piece.push(point),
-                None => pieces.push(vec![point]),
-            }
-        }
-        Curve { name: name.to_owned(), pieces }
+        let points = values.iter().enumerate().step_by(step);
+        let points = points.map(|(sample, value)| (self.time(sample), value / unit));
+        Curve::broken(name, points, jump.unwrap_or(f64::INFINITY))
     }
 
     /// When a signal has a value: from the first of its samples to the first one behind them.

@@ -16,9 +16,10 @@ mod row;
 mod setting;
 pub mod text;
 
+use crate::analysis::stages;
 use generator::blocks::Designed;
 pub use row::{Moved, Row, Simulation};
-use setting::{OFF, ON, Setting, only, stages};
+use setting::{OFF, ON, Setting, only};
 
 /// Runs an axis; a dwell [s] takes the place of the usual one.
 ///
@@ -34,6 +35,5 @@ pub fn run(designed: &Designed, moved: Moved, dwell: Option<f64>) -> Result<Simu
         }
     }
     rows.push(set.row("all", designed, ON)?);
-    let deviation = set.drive.deviation();
-    Ok(Simulation { moved, kv: set.position.kv, rows, deviation, stages })
+    Ok(Simulation { moved, kv: set.position.kv, rows, deviation: set.deviation(), stages })
 }

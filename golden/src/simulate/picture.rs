@@ -1,7 +1,8 @@
 //! The picture of a simulation: off against on, over time and as spectra, and what was added. How a picture is drawn is in `svg`.
 
 use super::{Moved, Row, Simulation};
-use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture};
+use crate::analysis::f0_events;
+use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
 use machine::closed_loop::Record;
 use machine::measure::{self, Window, spectrum};
 use portable::Extreme;
@@ -32,8 +33,8 @@ pub fn svg(simulation: &Simulation, axis: &str) -> String {
         across: Across::Time { until: on.record.command.len() as f64 * on.record.cycle },
         events: Vec::new(),
         panels: vec![
-            panel(&format!("{name} [{unit}]"), both.map(|(name, record)| curve(name, record, seen)).into()),
-            panel("v_add [mm/s]", vec![curve("v_add", &on.record, |record, n| record.v_add[n] / 1e3)]),
+            Panel::curves(format!("{name} [{unit}]"), both.map(|(name, record)| curve(name, record, seen)).into()),
+            Panel::curves("v_add [mm/s]", vec![curve("v_add", &on.record, |record, n| record.v_add[n] / 1e3)]),
         ],
     };
     let nyquist = 0.5 / on.record.cycle;
@@ -43,14 +44,15 @@ pub fn svg(simulation: &Simulation, axis: &str) -> String {
         both.map(|(name, record)| of_spectrum(name, record, &windows(record), seen, [LOWEST, to])).into()
     };
     let mut panels =
-        vec![panel(&format!("at constant speed [{unit}]"), spectra(|record| measure::dwells(record).collect()))];
+        vec![Panel::curves(format!("at constant speed [{unit}]"), spectra(|record| measure::dwells(record).collect()))];
     if simulation.moved == Moved::Demonstration {
-        panels.push(panel(&format!("around the ramps [{unit}]"), spectra(|record| measure::ramps(record).collect())));
+        panels.push(Panel::curves(
+            format!("around the ramps [{unit}]"),
+            spectra(|record| measure::ramps(record).collect()),
+        ));
     }
-    let events = simulation.stages.iter().map(|(stage, f0)| (*f0, format!("f0 of stage {stage}")));
-    let mut events: Vec<(f64, String)> = events.collect();
-    events.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let frequency = Over { across: Across::Frequency { from: LOWEST, to }, events, panels };
+    let frequency =
+        Over { across: Across::Frequency { from: LOWEST, to }, events: f0_events(&simulation.stages), panels };
     Picture {
         title: format!("axis {axis}"),
         setup: [setup.to_owned()].into_iter().chain([off, on].map(numbers)).collect(),
@@ -70,14 +72,10 @@ fn numbers(row: &Row) -> String {
     )
 }
 
-fn panel(name: &str, curves: Vec<Curve>) -> Panel {
-    Panel::Curves(Curves { name: name.to_owned(), curves, ..Curves::default() })
-}
-
 fn curve(name: &str, record: &Record, value: Signal) -> Curve {
     let step = record.command.len().div_ceil(MOST).max(1);
     let points = (0..record.command.len()).step_by(step).map(|n| (n as f64 * record.cycle, value(record, n)));
-    Curve { name: name.to_owned(), pieces: vec![points.collect()] }
+    Curve::new(name, points.collect())
 }
 
 /// The mean amplitude over some windows, line by line.
@@ -85,9 +83,7 @@ fn of_spectrum(name: &str, record: &Record, windows: &[Window], seen: Signal, ba
     let shortest = windows.iter().map(ExactSizeIterator::len).min().unwrap_or(0);
     let mut sum: Vec<[f64; 2]> = Vec::new();
     for window in windows {
-        let values: Vec<f64> = window.clone().take(shortest).map(|n| seen(record, n)).collect();
-        let mean = values.iter().sum::<f64>() / shortest as f64;
-        let values: Vec<f64> = values.iter().map(|value| value - mean).collect();
+        let values = measure::without_mean(window.clone().take(shortest).map(|n| seen(record, n)));
         let lines = spectrum(&values, record.cycle, band);
         if sum.is_empty() {
             sum = lines;
@@ -96,5 +92,5 @@ fn of_spectrum(name: &str, record: &Record, windows: &[Window], seen: Signal, ba
         }
     }
     let points = sum.iter().map(|[hz, amplitude]| (*hz, amplitude / windows.len() as f64)).collect();
-    Curve { name: name.to_owned(), pieces: vec![points] }
+    Curve::new(name, points)
 }

@@ -36,9 +36,17 @@ pub struct Row {
     pub peak_v_add: f64,
     /// none: unstable, or perhaps so
     pub ms: Option<f64>,
-    /// whether the loop oscillates
-    pub oscillation: Oscillation,
+    /// how long v_add was at its limit where no ramp is [s]
+    pub at_limit: f64,
     /// what the block said of itself: its first error id
     pub error_id: Option<f64>,
     pub record: Record,
+}
+
+impl Row {
+    /// Whether the loop oscillates.
+    #[must_use]
+    pub fn oscillation(&self) -> Oscillation {
+        Oscillation { is_stable: self.ms.is_some(), at_limit: self.at_limit }
+    }
 }

@@ -4,7 +4,7 @@ use super::of_plant::OfPlant;
 use super::ripple::Ripple;
 use super::row::{Moved, Row};
 use crate::case::named_block;
-use crate::drive::{AtLimit, AxisDrive, Oscillation, margins};
+use crate::drive::{AtLimit, AxisDrive, margins};
 use crate::subject::Subject;
 use generator::blocks::Designed;
 use machine::Machine;
@@ -22,12 +22,6 @@ pub(super) const ON: f64 = 1.0;
 const PERIODS: f64 = 20.0;
 const BEFORE: f64 = 0.4;
 
-/// Its active stages with their f0 [Hz].
-pub(super) fn stages(designed: &Designed) -> impl Iterator<Item = (usize, f64)> {
-    let all = designed.axis.ipc.stage.iter().enumerate();
-    all.filter_map(|(index, stage)| Some((index, stage.as_ref()?.f0())))
-}
-
 /// The axis with one of its stages, or with none.
 pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
     let mut axis = designed.axis.clone();
@@ -39,11 +33,15 @@ pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
     Designed::from(axis)
 }
 
+/// What moves in the loop.
+pub(super) enum Moving {
+    Drive(AxisDrive),
+    Plant(Box<OfPlant>),
+}
+
 /// What all runs share.
 pub(super) struct Setting {
-    moved: Moved,
-    pub(super) drive: AxisDrive,
-    of_plant: Option<OfPlant>,
+    pub(super) moving: Moving,
     pub(super) position: Position,
     sequence: Sequence,
     cycle: f64,
@@ -56,17 +54,16 @@ impl Setting {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a fade is below 2^24 cycles")]
     pub(super) fn new(designed: &Designed, moved: Moved, dwell: Option<f64>, stages: &[(usize, f64)]) -> Self {
         let axis = &designed.axis;
-        let cycle = axis.cycle_time();
-        let drive = AxisDrive::of(designed, Setup::DELAY, Position::DEMONSTRATION.kv);
-        let kv = match moved {
-            Moved::Demonstration => Position::DEMONSTRATION.kv,
-            Moved::Drive => drive.model.position_gain.unwrap_or(Position::DEMONSTRATION.kv),
-        };
-        let of_plant = (moved == Moved::Demonstration).then(|| OfPlant::new(&plant(cycle), kv));
+        let (cycle, kv) = (axis.cycle_time(), Position::DEMONSTRATION.kv);
         let lowest = stages.iter().map(|(_, f0)| *f0).fold(f64::INFINITY, f64::smaller);
-        let usual = match moved {
-            Moved::Demonstration => Sequence::DEMONSTRATION.dwell,
-            Moved::Drive => Sequence::DEMONSTRATION.dwell.larger(BEFORE + PERIODS / lowest),
+        let usual = Sequence::DEMONSTRATION.dwell;
+        let (moving, kv, usual) = match moved {
+            Moved::Demonstration => (Moving::Plant(Box::new(OfPlant::new(&plant(cycle), kv))), kv, usual),
+            Moved::Drive => {
+                let drive = AxisDrive::of(designed, Setup::DELAY, kv);
+                let kv = drive.position_gain;
+                (Moving::Drive(drive), kv, usual.larger(BEFORE + PERIODS / lowest))
+            }
         };
         let speed = Sequence::DEMONSTRATION.speed.smaller(axis.ipc.v_max / UM);
         let sequence = Sequence { speed, dwell: dwell.unwrap_or(usual), ..Sequence::DEMONSTRATION };
@@ -74,13 +71,21 @@ impl Setting {
         let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;
         let frequencies = stages.iter().map(|(_, f0)| *f0).collect();
         let position = Position { kv, ..Position::DEMONSTRATION };
-        Self { moved, drive, of_plant, position, sequence, cycle, frequencies, fade }
+        Self { moving, position, sequence, cycle, frequencies, fade }
+    }
+
+    /// How far the filter of a measured response is from it, and where [Hz].
+    pub(super) fn deviation(&self) -> Option<[f64; 2]> {
+        match &self.moving {
+            Moving::Drive(drive) => drive.deviation(),
+            Moving::Plant(_) => None,
+        }
     }
 
     fn machine(&self) -> Box<dyn Machine> {
-        match self.moved {
-            Moved::Demonstration => Box::new(plant(self.cycle).at_rest()),
-            Moved::Drive => Box::new(Ripple::new(self.drive.machine(), self.frequencies.clone())),
+        match &self.moving {
+            Moving::Plant(_) => Box::new(plant(self.cycle).at_rest()),
+            Moving::Drive(drive) => Box::new(Ripple::new(drive.machine(), self.frequencies.clone())),
         }
     }
 
@@ -105,9 +110,9 @@ impl Setting {
         (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
         let record = closed_loop::run(self.machine(), &self.position, &self.sequence, &mut cycle);
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
-        let ms = match &self.of_plant {
-            Some(of_plant) => of_plant.ms(&loop_of),
-            None => margins::ms(&loop_of, &self.drive.model),
+        let ms = match &self.moving {
+            Moving::Plant(of_plant) => of_plant.ms(&loop_of),
+            Moving::Drive(drive) => margins::ms(&loop_of, &drive.model),
         };
         Ok(Row {
             name: name.to_owned(),
@@ -115,7 +120,7 @@ impl Setting {
             following_error: measure::following_error(&record) * 1e3,
             peak_v_add: peak(&record.v_add),
             ms,
-            oscillation: Oscillation { is_stable: ms.is_some(), at_limit: at_limit(&record, &limited[self.fade..]) },
+            at_limit: at_limit(&record, &limited[self.fade..]),
             error_id,
             record,
         })
@@ -123,12 +128,12 @@ impl Setting {
 
     /// The amplitudes of a row.
     fn amplitudes(&self, record: &Record) -> Vec<f64> {
-        match self.moved {
-            Moved::Demonstration => {
+        match self.moving {
+            Moving::Plant(_) => {
                 let of = figures(record);
                 vec![of.at_speed, of.at_ramps, of.ring_down]
             }
-            Moved::Drive => self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect(),
+            Moving::Drive(_) => self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect(),
         }
     }
 }
@@ -142,9 +147,7 @@ fn plant(cycle: f64) -> Plant {
 fn of_ripple(record: &Record, f0: f64) -> f64 {
     let (mut sum, mut ways) = (0.0, 0.0);
     for window in measure::dwells(record) {
-        let v: Vec<f64> = record.signals[window].iter().map(|of| of.v_motor / 1e3).collect();
-        let mean = v.iter().sum::<f64>() / v.len() as f64;
-        let v: Vec<f64> = v.iter().map(|v| v - mean).collect();
+        let v = measure::without_mean(record.signals[window].iter().map(|of| of.v_motor / 1e3));
         sum += measure::amplitude(&v, record.cycle, [0.99 * f0, 1.01 * f0]);
         ways += 1.0;
     }

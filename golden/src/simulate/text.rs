@@ -60,7 +60,7 @@ fn verdicts(simulation: &Simulation) -> String {
 
 fn verdict(row: &Row) -> Option<String> {
     let of_block = |id| format!("error {id} of the block; `axgen explain {id}` says what it means");
-    let said = row.oscillation.verdict().or_else(|| row.error_id.map(of_block))?;
+    let said = row.oscillation().verdict().or_else(|| row.error_id.map(of_block))?;
     Some(format!("{}: {said}\n", row.name))
 }
 

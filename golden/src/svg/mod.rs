@@ -124,6 +124,36 @@ const GAP: f64 = 16.0;
 /// Below the last panel of a part: the numbers and the name of its axis.
 const FOOT: f64 = 44.0;
 
+impl Panel {
+    /// Curves on a scale that they need.
+    #[must_use]
+    pub fn curves(name: impl Into<String>, curves: Vec<Curve>) -> Self {
+        Self::Curves(Curves { name: name.into(), curves, ..Curves::default() })
+    }
+}
+
+impl Curve {
+    /// A curve in one piece.
+    #[must_use]
+    pub fn new(name: impl Into<String>, points: Vec<Point>) -> Self {
+        Self { name: name.into(), pieces: vec![points] }
+    }
+
+    /// A curve that is broken where it jumps by more than that.
+    #[must_use]
+    pub fn broken(name: impl Into<String>, points: impl Iterator<Item = Point>, jump: f64) -> Self {
+        let mut pieces: Vec<Vec<Point>> = Vec::new();
+        for point in points {
+            let jumps = |last: &Point| (last.1 - point.1).abs() > jump;
+            match pieces.last_mut().filter(|piece| !piece.last().is_some_and(jumps)) {
+                Some(piece) => piece.push(point),
+                None => pieces.push(vec![point]),
+            }
+        }
+        Self { name: name.into(), pieces }
+    }
+}
+
 impl Picture {
     /// The file.
     #[must_use]
