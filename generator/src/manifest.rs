@@ -1,7 +1,7 @@
 //! The manifest of an output folder: which set has generated which of its files. Text only: what is on the disk others look up.
 //!
-//! A line a file and set, sorted, and every line stands alone: version control merges two versions by keeping the lines of both. There
-//! is no digest in it, which would change with every parameter: each file bears its own.
+//! One line for each file and set, sorted. Every line stands alone: version control merges two versions by keeping the lines of both.
+//! The manifest has no digests, which would change with every parameter: each file has its own.
 
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};

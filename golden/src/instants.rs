@@ -27,7 +27,7 @@ impl<'t> Instants<'t> {
         Self { column, first: None, since: Vec::new(), lines: Vec::new(), is_text: false }
     }
 
-    /// One cell of the column; an empty one is no time.
+    /// One cell of the column; an empty one is not a time.
     pub(crate) fn read(&mut self, cell: &str, line: usize) {
         if cell.is_empty() || self.is_text {
             return;

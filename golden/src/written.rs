@@ -5,7 +5,7 @@ use portable::{Extreme, Literal, RealKind};
 /// How many digits of the values of a column were written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Precision {
-    /// the most significant digits of a value; 0: all are there, or there is no column
+    /// the most significant digits of a value; 0: all are there, or the signal has no column
     pub digits: usize,
     /// the most digits after the point
     decimals: i32,

@@ -46,7 +46,7 @@ pub enum Command {
         /// Overwrite files that were changed by hand
         #[arg(long)]
         force: bool,
-        /// Write nothing; name the files on disk that differ from the generated ones, or are no longer generated; exit code 1 if there are any
+        /// Write nothing; list the files that differ or are no longer generated; exit code 1 if there are any
         #[arg(long, conflicts_with_all = ["diff", "emit", "force"])]
         check: bool,
         /// As --check, and show the lines that differ

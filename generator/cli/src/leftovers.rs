@@ -51,7 +51,7 @@ impl<'s> Scope<'s> {
     }
 }
 
-/// What a run finds in a folder beside the files that it makes.
+/// What a run finds in a folder in addition to the files that it makes.
 #[derive(Debug, Default)]
 pub struct Leftovers {
     /// files that go: ours, as they were generated

@@ -98,7 +98,7 @@ impl<'p> Plan<'p> {
     }
 }
 
-/// What was made; a defect is ours, and never anybody's input.
+/// What was made; a defect is one of axgen, not of its input.
 fn made<T>(result: Result<T, Defect>) -> T {
     result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
 }

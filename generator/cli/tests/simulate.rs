@@ -12,8 +12,13 @@ const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/rack-
 
 /// The exit code and what was printed.
 fn simulate(at: &Path, arguments: &str) -> (i32, String) {
+    simulate_set(at, &format!("example.lis --cycle-time 1ms {arguments}"))
+}
+
+/// The same of any set.
+fn simulate_set(at: &Path, arguments: &str) -> (i32, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
-    command.current_dir(at).args(["simulate", "example.lis", "--cycle-time", "1ms"]).args(arguments.split_whitespace());
+    command.current_dir(at).arg("simulate").args(arguments.split_whitespace());
     let output = command.output().unwrap();
     (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
 }
@@ -109,6 +114,11 @@ fn a_response_drives_as_what_it_was_measured_on() {
     let deviation = measured.lines().find_map(|line| line.strip_prefix("its filter differs from the response by "));
     let deviation: f64 = deviation.unwrap().split(' ').next().unwrap().parse().unwrap();
     assert!(deviation < 1.0, "{measured}");
+    // The plant takes the place of the drive that a set states: nothing is said of its response.
+    let set = "cycle_time = \"1ms\"\n[axis.X]\nlist = \"example.lis\"\ndrive.response = \"p.csv\"\n";
+    fs::write(folder.path().join("set.toml"), set).unwrap();
+    let (code, plant) = simulate_set(folder.path(), "set.toml --plant demonstration");
+    assert!(code == 0 && !plant.contains("its filter differs"), "{plant}");
     let (_, stated) = simulate(folder.path(), "--delay 2 --time-constant 3ms");
     for name in ["off", "stage 0 alone", "stage 1 alone", "all"] {
         for (found, expected) in row(&measured, name).into_iter().zip(row(&stated, name)) {

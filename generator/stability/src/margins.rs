@@ -15,7 +15,7 @@ const LARGEST_FACTOR: f64 = 1e6;
 /// Halvings of an interval in which 1 + L turns by more than a quarter.
 const DEPTH: u32 = 40;
 /// A local minimum within that factor of the least one may be the least one between the points: where two stages and the position controller
-/// meet, a point missed the minimum beside it by a half.
+/// meet, a point missed the minimum next to it by a half.
 const NEAR: f64 = 4.0;
 
 /// What is known of a closed loop. Every figure is the worst within two standard errors of a measured response.

@@ -84,7 +84,7 @@ fn block_comment(rest: &str, word: &str) -> Option<usize> {
 /// A comment need not be closed, since programs with open ones are about: then it goes on to the end of its line. One inside of another
 /// belongs to it if both are closed.
 fn parenthesis_end(rest: &str) -> usize {
-    /// Further away nobody closes a comment.
+    /// No comment is longer [characters].
     const LONGEST: usize = 1000;
     let mut depth = 0_usize;
     for (at, letter) in rest.char_indices().take(LONGEST) {

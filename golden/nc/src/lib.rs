@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! program        what a program says: blocks and their commands
-//! passed         what a program says and nobody acts on, kind by kind
+//! passed         words without effect, kind by kind
 //! foreign        words of NC languages that are not read, by what they are
 //! mistake        what is wrong, and where
 //! number         the forms of numbers

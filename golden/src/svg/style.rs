@@ -87,7 +87,7 @@ pub(super) fn framed(
     lines.push("</svg>".to_owned());
 }
 
-/// Coordinates of points, some on each line of the file. Of several that nobody can distinguish the first one is drawn.
+/// Coordinates of points, some on each line of the file. Of several points closer than `NEAR` the first one is drawn.
 fn points(points: impl Iterator<Item = Place>) -> String {
     let mut kept: Vec<Place> = Vec::new();
     let mut points = points.peekable();

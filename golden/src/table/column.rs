@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-/// A column that is no time.
+/// A column that is not a time.
 #[derive(Clone, Debug)]
 pub struct Column<'t> {
     /// its name, in an export the channel's; empty: it has none of its own
@@ -61,7 +61,7 @@ const TIMES: [&str; 4] = ["time", "timestamp", "zeit", "zeitstempel"];
 const UNITS: [(&str, i64); 6] =
     [("s", 1_000_000_000), ("ms", 1_000_000), ("us", 1_000), ("\u{b5}s", 1_000), ("\u{3bc}s", 1_000), ("ns", 1)];
 
-/// The names of columns, for a message: not more than anybody reads.
+/// The names of columns for a message: the first 12 are shown.
 pub(crate) fn listed<'t>(names: impl Iterator<Item = &'t str>) -> String {
     const MOST: usize = 12;
     let mut seen = BTreeSet::new();

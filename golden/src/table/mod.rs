@@ -75,7 +75,7 @@ impl<'t> Table<'t> {
         cells::number(cell, self.separator)
     }
 
-    /// Whether a comma separates cells, so that it is no decimal mark.
+    /// Whether a comma separates cells, so that it is not a decimal mark.
     pub(crate) fn has_commas(&self) -> bool {
         self.separator == ','
     }

@@ -125,7 +125,7 @@ impl<'t> Rows<'t> {
         columns
     }
 
-    /// The names where their row has another number of cells, as far as they can be told apart.
+    /// The names where their row has another number of cells, as far as they can be separated.
     fn split_names(&self, layout: &Row<'t>, wanted: &[&str]) -> Vec<&'t str> {
         let names = self.names.as_ref().filter(|row| row.cells.len() != layout.cells.len());
         let counts: Vec<usize> =
