@@ -62,8 +62,8 @@ codes! {
         "The axis, the target, the stage, the engine, the block, the parameter or the code that the command line names does \
          not exist.";
     EDITED = "AX013", "a generated file that was changed by hand",
-        "The digest in its line `checksum` is no longer that of its content. Overwriting it would lose the change: make it in the set, \
-         or give --force.";
+        "The digest in its line `checksum` is no longer that of its content. Overwriting it would lose the change: make it in \
+         the set, or give --force.";
     NOT_OURS = "AX014", "a file that would be lost",
         "Where the command would write there is a file that it did not make, or that it reads itself. Give another name; \
          --force, where the command has it, replaces a file that it does not read.";
@@ -77,29 +77,30 @@ codes! {
         "The system does not let the command write to the file, the folder or the standard output: no permission, no space, or \
          something else is in the way. This is no mistake in the set.";
     NO_ENGINE = "AX018", "an engine that cannot run",
-        "The engine needs a program that is not there, or that does not work: mostly the C compiler, `cc` or what the variable CC \
-         names. This is no mistake in the set.";
+        "The engine needs a program that is not there, or that does not work: mostly the C compiler, `cc` or what the variable \
+         CC names. This is no mistake in the set.";
     NC_PROGRAM = "AX019", "a mistake in an NC program",
-        "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis named X, Y or Z. \
-         Every block must be over at some time, and no error of the generated block may occur.";
+        "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis \
+         named X, Y or Z. Every block must be over at some time, and no error of the generated block may occur.";
     NO_SETS = "AX020", "an axis that takes no parameter sets",
-        "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on the machine was \
-         generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
+        "A parameter set is for the block of an axis with the key `tunable = \"all\"`. The set of parameters that the block on \
+         the machine was generated from must have the key, and the new one too. Add it to both, and generate the block anew.";
     OTHER_STRUCTURE = "AX021", "a parameter set for another block",
-        "The real type, the cycle time, the fade in cycles, the stages, their modes and filters and the cycles of the watch are the structure of a block: it \
-         refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 than before can make the fade longer, which is \
-         one period of the lowest f0 at least: with the key `fade` large enough in both sets, other frequencies are a matter of a parameter set.";
+        "The real type, the cycle time, the fade in cycles, the stages, their modes and filters and the cycles of the watch are \
+         the structure of a block: it refuses a set of another structure with error_id 6. Generate the block anew. A lower f0 \
+         than before can make the fade longer, which is one period of the lowest f0 at least: with the key `fade` large enough \
+         in both sets, other frequencies are a matter of a parameter set.";
     SET_REFUSED = "AX022", "a parameter set that the block refuses",
-        "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it refuses the set with \
-         error_id 7. Take a smaller limit, or generate the block anew.";
+        "The block on the machine takes no limit above the one that it was generated with, and no number beyond its ranges: it \
+         refuses the set with error_id 7. Take a smaller limit, or generate the block anew.";
     RESPONSE_TABLE = "AX023", "a file without the table of a frequency response",
         "A measured response is text: a line of column names, below it a line of numbers for each frequency, separated by \
          tabs, semicolons, commas or blanks. docs/response.md says what is read. XML and binary files are not read: \
          export the response as text.";
 
     LINE = "AX101", "no line of an axis list",
-        "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the end of \
-         the line.";
+        "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the \
+         end of the line.";
     BYTE = "AX102", "a byte outside of ASCII",
         "Bytes that are not printable ASCII are legal in comments, and in the values of other functions' parameters.";
     NO_VALUE = "AX103", "a parameter without a value",
@@ -120,25 +121,27 @@ codes! {
     KEY_OF_A_SET = "AX109", "a key of a set in an axis list",
         "The name is a key of axgen's own, which no controller knows. Write it in a TOML set whose axis names this list.";
     NO_LIST = "AX110", "not an axis list",
-        "The file is of another kind: no line of it gives a parameter of an axis, or so many lines cannot be read. What the file seems to \
-         be is said. The name of a set in TOML ends with .toml; every other file is taken for an axis list.";
+        "The file is of another kind: no line of it gives a parameter of an axis, or so many lines cannot be read. What the \
+         file seems to be is said. The name of a set in TOML ends with .toml; every other file is taken for an axis list.";
     TEXT_BEHIND = "AX111", "text behind a value",
-        "A controller takes what stands behind a value for a comment, and so does axgen. Write a `#` before it: a unit or a second value \
-         that somebody relies on would be lost otherwise.";
+        "A controller takes what stands behind a value for a comment, and so does axgen. Write a `#` before it: a unit or a \
+         second value that somebody relies on would be lost otherwise.";
     WRAPPED = "AX112", "a comment without its sign",
-        "Manuals print long comments over several lines, and such a line is taken for the rest of the comment above; so are words that are no \
-         path. A controller may take them for a parameter: begin them with `#`.";
+        "Manuals print long comments over several lines, and such a line is taken for the rest of the comment above; so are \
+         words that are no path. A controller may take them for a parameter: begin them with `#`.";
     COMMENT = "AX113", "text behind a comment",
-        "A comment that begins with /* ends with its line, whatever follows */. The controller does not read the parameter behind it.";
+        "A comment that begins with /* ends with its line, whatever follows */. The controller does not read the parameter \
+         behind it.";
     BEHIND_END = "AX114", "a parameter behind the end of a list",
         "A line `Ende` ends a list: the controller reads nothing behind it.";
     NC_WORD = "AX115", "a word of an NC program",
-        "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: feedforward_active is TRUE from \
-         G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
+        "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: \
+         feedforward_active is TRUE from G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
     PROJECT = "AX116", "XML without an axis list",
-        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA. \
-         Of an axis of the NC it reads what the message AX478 names. An NC project whose axes are in files of their own has none: take the file of \
-         the axis. XML with a document type, with 1,000 attributes in an element or 200 name spaces is not a project.";
+        "Of XML, axgen reads the axis lists in projects of TwinCAT (.xti, .tsproj): each element AchsMds holds one as CDATA. Of \
+         an axis of the NC it reads what the message AX478 names. An NC project whose axes are in files of their own has none: \
+         take the file of the axis. XML with a document type, with 1,000 attributes in an element or 200 name spaces is not a \
+         project.";
     RESPONSE_COLUMN = "AX117", "a frequency response without a column that it needs",
         "A response has a frequency, and real and imaginary part or magnitude and phase. A column is recognised by its \
          name, in English or German, with its unit in brackets. docs/response.md lists the names.";
@@ -222,15 +225,16 @@ codes! {
          step would have its default, and without Kv there would be no position control. Name one of the steps that are given.";
 
     NUMBER_TWICE = "AX318", "a logical axis number that two axes have",
-        "A logical axis number (P-AXIS-00016) names one axis of a controller. Two axes of a set with one number are mostly one list that was \
-         copied, or named twice. Give each axis its own number; a key below the axis of a set overrides its list.";
+        "A logical axis number (P-AXIS-00016) names one axis of a controller. Two axes of a set with one number are mostly one \
+         list that was copied, or named twice. Give each axis its own number; a key below the axis of a set overrides its list.";
     GEAR_RATIO = "AX319", "a gear ratio in other parameters",
         "The angle that the motor turns by is computed from the increments per revolution (P-AXIS-00092), the feed constant \
-         (P-AXIS-00362/00363) and the gear ratio in wegaufz and wegaufn (P-AXIS-00234/00233). A list may have the ratio in gear_fact_num and \
-         gear_fact_denom (P-AXIS-00511/00512) instead: it would be lost, and every increment would be wrong by that factor.";
+         (P-AXIS-00362/00363) and the gear ratio in wegaufz and wegaufn (P-AXIS-00234/00233). A list may have the ratio in \
+         gear_fact_num and gear_fact_denom (P-AXIS-00511/00512) instead: it would be lost, and every increment would be wrong \
+         by that factor.";
     CHANGEOVER = "AX320", "changeover velocities the wrong way round",
-        "A spindle changes to velocity control at P-AXIS-00767 and back at P-AXIS-00768, which is not above it. The manual's second example has \
-         its values one line too low: it changes at 0.001 deg/s, if it is taken as it stands.";
+        "A spindle changes to velocity control at P-AXIS-00767 and back at P-AXIS-00768, which is not above it. The manual's \
+         second example has its values one line too low: it changes at 0.001 deg/s, if it is taken as it stands.";
     NO_CHANGEOVER = "AX321", "a drive that does not change its operation mode",
         "Where the drive controls the position, it changes to velocity control itself: it gets the operation mode and displays \
          it. The controller does so with SERCOS and CANopen drives only. With position control in the CNC (P-AXIS-00320) any \
@@ -267,9 +271,9 @@ codes! {
         "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
          (P-AXIS-00206) is 0.";
     LOOP_LAG = "AX331", "a position lag near half a revolution",
-        "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other way. \
-         The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv \
-         (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
+        "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other \
+         way. The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger \
+         Kv (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
     NOT_RISING = "AX332", "frequencies of a response that do not rise",
         "The lines are sorted by frequency, and each frequency stands once. Two measurements in one file, one after the \
          other, look like that.";
@@ -311,12 +315,12 @@ codes! {
         "The open speed plant with Kp and Tn is above 1 at the lowest line and below 1 at the highest. If it is not, Kp \
          has another unit than the plant, or the lines do not reach far enough.";
     UNSTABLE = "AX345", "a block that starts ON and is unstable",
-        "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle before (or is the \
-         drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of order n; with a large weight the loop \
-         is lost where the gain is still 1 and the phase has turned by 180. Write the smaller weight, a higher damping ratio or q_factor, \
-         a lower order. A stage whose all-pass is made for the lag of a real drive is stable on that drive only: state it \
-         (drive.delay, drive.time_constant, or drive.response with a measured response), or start with DRYRUN. On a test stand without a \
-         machine the key accept_unstable makes a warning of it.";
+        "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle \
+         before (or is the drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of \
+         order n; with a large weight the loop is lost where the gain is still 1 and the phase has turned by 180. Write the \
+         smaller weight, a higher damping ratio or q_factor, a lower order. A stage whose all-pass is made for the lag of a \
+         real drive is stable on that drive only: state it (drive.delay, drive.time_constant, or drive.response with a measured \
+         response), or start with DRYRUN. On a test stand without a machine the key accept_unstable makes a warning of it.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -342,14 +346,14 @@ codes! {
          cycle time, or keep fg_f0 below 0.35 of the sampling frequency; if neither is possible, nothing else is wrong with it.";
     DELAY = "AX408", "the delay turns the phase",
         "The delay costs 360 f0 Ts (cycles + 0.5) degrees at f0: the cycles of P-AXIS-00191 (antr.nbr_delay_cycles), where the \
-         list has it, else one at the least, and half a cycle for the hold. Drive and mechanics come on top. Beyond 90 degrees the stage excites the vibration, unless an all-pass turns the \
-         phase back.";
+         list has it, else one at the least, and half a cycle for the hold. Drive and mechanics come on top. Beyond 90 degrees \
+         the stage excites the vibration, unless an all-pass turns the phase back.";
     OVERLAP = "AX409", "stages overlap",
         "The -3 dB bands of two stages intersect, so that each acts on the other's vibration. Put them in operation together, \
          with small weights.";
     POLARITY = "AX410", "an all-pass that inverts",
-        "At its own frequency, and close to it, an all-pass turns by 180 degrees: the stage pushes where it pulled. That is right only where the \
-         lag is near 180 degrees.";
+        "At its own frequency, and close to it, an all-pass turns by 180 degrees: the stage pushes where it pulled. That is \
+         right only where the lag is near 180 degrees.";
     NO_TYPE = "AX411", "a filter without a type",
         "filter[1] is NO_FILTER unless its type says otherwise; its other parameters then have no effect.";
     SLAVE_STAGES = "AX412", "stages on a gantry slave",
@@ -393,7 +397,8 @@ codes! {
          on, a scaling of a command that the drive does not get, process data that are not put out.";
     SCALINGS = "AX427", "unequal scalings in a gantry",
         "A slave puts out its master's additive velocity in its own scaling. Where the scalings differ, so do the increments: \
-         that is right for unequal drives only. Where one of the two turns and the other does not, not even the unit is the same.";
+         that is right for unequal drives only. Where one of the two turns and the other does not, not even the unit is the \
+         same.";
     MASTER_UNKNOWN = "AX428", "the master of a gantry is not there",
         "A list that stands alone has no master beside it. In a set with both, the slave's block `axis` puts out the master's \
          additive velocity.";
@@ -423,21 +428,21 @@ codes! {
          multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
          and look at the additive velocity in DRYRUN first.";
     CAPPED = "AX437", "a weight above the cap",
-        "A weight (P-AXIS-00754/00755) above 7 is 7. The controller caps it without a message. Mostly the denominator is missing, \
-         which is 1 then: 700 is meant as 700/100.";
+        "A weight (P-AXIS-00754/00755) above 7 is 7. The controller caps it without a message. Mostly the denominator is \
+         missing, which is 1 then: 700 is meant as 700/100.";
     SLOW = "AX438", "a largest velocity that looks like another unit",
-        "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly written \
-         in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
+        "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly \
+         written in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
     STARTS_ON = "AX439", "a block that starts ON with the whole velocity as its limit",
-        "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that excites the \
-         vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
+        "The block acts as soon as it is called, and its limit lets it add the largest velocity of the axis: a stage that \
+         excites the vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
          v_add_max_fact (P-AXIS-00757) that is a little more than what the vibration needs.";
     ASSUMED = "AX440", "a default that motion depends on",
-        "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: write the value, \
-         also where it is the default. The line `assumed` of check and generate lists all such parameters.";
+        "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: \
+         write the value, also where it is the default. The line `assumed` of check and generate lists all such parameters.";
     PROBE = "AX441", "a measuring probe beside feedforward",
-        "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not count in a \
-         measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
+        "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not \
+         count in a measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
     PREDECESSOR = "AX442", "the predecessor of a parameter",
         "P-AXIS-00265 and P-AXIS-00266 still work, and their values are adopted. New lists have P-AXIS-00767 and P-AXIS-00768 in \
          their place.";
@@ -455,15 +460,15 @@ codes! {
         "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS \
          S-0-0296, CANopen 3062h).";
     NOT_IN_SET = "AX447", "a change that no parameter set carries",
-        "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below which a sum counts as 0, \
-         the other blocks of the axis. Generate the blocks anew where they are to follow.";
+        "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below \
+         which a sum counts as 0, the other blocks of the axis. Generate the blocks anew where they are to follow.";
     LAG_ALONE = "AX449", "a position lag near half a revolution without feedforward",
-        "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v / Kv, and \
-         the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a lower \
-         v_velocity_control_on, or vorsteuer.default_active TRUE (P-AXIS-00255).";
+        "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v \
+         / Kv, and the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a \
+         lower v_velocity_control_on, or vorsteuer.default_active TRUE (P-AXIS-00255).";
     NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
-        "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is within \
-         spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
+        "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is \
+         within spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
     WITHOUT_ERRORS = "AX451", "a frequency response without standard errors",
         "The margins are those of exactly this response. With coherence and the number of averages, or with a standard \
          error, they are lowered by what is uncertain.";
@@ -492,88 +497,92 @@ codes! {
         "The number of averages is unknown, so that no standard error follows from the coherence. With few averages this \
          response says nothing at f0.";
     WOULD_BE_UNSTABLE = "AX461", "weights with which an ideal drive oscillates",
-        "The motor does exactly what was commanded one cycle before, which no drive can better, and the loop oscillates all the same as soon as \
-         the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a higher damping ratio or q_factor, \
-         or a lower order. An all-pass that is made for the lag of a real drive is the one good reason: then state the drive \
-         (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the loop with it.";
+        "The motor does exactly what was commanded one cycle before, which no drive can better, and the loop oscillates all the \
+         same as soon as the mode is ON. Write the weight of the message, up to which the largest |S| of the loop is 2, or a \
+         higher damping ratio or q_factor, or a lower order. An all-pass that is made for the lag of a real drive is the one \
+         good reason: then state the drive (drive.delay, drive.time_constant, drive.response), and `axgen analyze` shows the \
+         loop with it.";
     SPINDLE_UNIT = "AX462", "a velocity of a spindle that looks like another unit",
-        "The velocities of a spindle are in 0.001 deg/s: 1 rpm is 6000. Its deceleration is in 0.001 deg/s^2: 1 rpm/s is 6000. A number written in \
-         rpm is 6000 times too small: the changeover then begins at a standstill, or braking takes an hour.";
+        "The velocities of a spindle are in 0.001 deg/s: 1 rpm is 6000. Its deceleration is in 0.001 deg/s^2: 1 rpm/s is 6000. \
+         A number written in rpm is 6000 times too small: the changeover then begins at a standstill, or braking takes an hour.";
     KV_UNIT = "AX463", "a gain of the position controller that looks like another unit",
-        "P-AXIS-00099 is in 0.01/s: 2000 is 20/s. A number written in 1/s is 100 times too small, and the position lag, v / Kv, 100 times too \
-         large.";
+        "P-AXIS-00099 is in 0.01/s: 2000 is 20/s. A number written in 1/s is 100 times too small, and the position lag, v / Kv, \
+         100 times too large.";
     GANTRY_KV = "AX464", "unequal gains of the position controllers in a gantry",
-        "Without feedforward an axis lags by v / Kv. With unequal Kv (P-AXIS-00099) the axes of a gantry lag differently, and the bridge is askew \
-         by (1/Kv1 - 1/Kv2) v while it moves.";
+        "Without feedforward an axis lags by v / Kv. With unequal Kv (P-AXIS-00099) the axes of a gantry lag differently, and \
+         the bridge is askew by (1/Kv1 - 1/Kv2) v while it moves.";
     NO_DENOMINATOR = "AX465", "a weight without its denominator",
-        "A weight is P-AXIS-00754 / P-AXIS-00755, and without a line the denominator is 1: a numerator of 5 is a weight of 5, 500 %. Write both.";
+        "A weight is P-AXIS-00754 / P-AXIS-00755, and without a line the denominator is 1: a numerator of 5 is a weight of 5, \
+         500 %. Write both.";
     OTHER_AXIS = "AX466", "a list of another axis",
-        "The list that an axis of a set names has the name of another axis (kopf.log_achs_name). Mostly it is the wrong file, and the block \
-         would be made from the parameters of another machine part. Name the right list, or give the axis of the set the name in the list.";
+        "The list that an axis of a set names has the name of another axis (kopf.log_achs_name). Mostly it is the wrong file, \
+         and the block would be made from the parameters of another machine part. Name the right list, or give the axis of the \
+         set the name in the list.";
     COMMAND_FILTER = "AX467", "a command filter beside improved position control",
-        "The list has a filter of the position command that is on: filter[i] (P-AXIS-00319, 00140), filter_fir (P-AXIS-00573, 00586) or an HSC \
-         filter, which the NC program switches on. It delays the command and turns its phase. A stage in the mode SET_POINT takes the \
-         command, and a comparison of the axis with and without stages includes the filter. Tune the stages with the filters that the machine \
-         runs with, and tune again when a filter changes.";
+        "The list has a filter of the position command that is on: filter[i] (P-AXIS-00319, 00140), filter_fir (P-AXIS-00573, \
+         00586) or an HSC filter, which the NC program switches on. It delays the command and turns its phase. A stage in the \
+         mode SET_POINT takes the command, and a comparison of the axis with and without stages includes the filter. Tune the \
+         stages with the filters that the machine runs with, and tune again when a filter changes.";
     BLIND_WATCH = "AX468", "a watch that can see nothing in time",
-        "The watch over the loop (key watch) looks for a sum of the stages that reaches the limit (P-AXIS-00757) again and again. With a limit of 0, \
-         without a stage and on a gantry slave it looks at nothing. With a limit of the whole of vb_max the axis oscillates at full speed \
-         before the watch sees it.";
+        "The watch over the loop (key watch) looks for a sum of the stages that reaches the limit (P-AXIS-00757) again and \
+         again. With a limit of 0, without a stage and on a gantry slave it looks at nothing. With a limit of the whole of \
+         vb_max the axis oscillates at full speed before the watch sees it.";
     TUNED_TO_0 = "AX469", "tuning that starts at 0",
-        "With tuning_limit, or the tuning_weight of each stage, 0 at start the block adds nothing until the caller writes the input. Where \
-         nothing is connected to the input, it never acts.";
+        "With tuning_limit, or the tuning_weight of each stage, 0 at start the block adds nothing until the caller writes the \
+         input. Where nothing is connected to the input, it never acts.";
     NC_PASSED = "AX470", "words of an NC program that have no effect here",
-        "A scenario moves one axis or one spindle. Words of the tool (T, D, H, M6, G40, G43, G44, G49), of the machine (M0, M1, M7 to M9, \
-         most other M words) and settings (G17 to G19, G80, G94, O and the like) are passed over. G20 and G70 are inches, G21 and G71 \
-         millimetres; a mirroring by G21 is not known.";
+        "A scenario moves one axis or one spindle. Words of the tool (T, D, H, M6, G40, G43, G44, G49), of the machine (M0, M1, \
+         M7 to M9, most other M words) and settings (G17 to G19, G80, G94, O and the like) are passed over. G20 and G70 are \
+         inches, G21 and G71 millimetres; a mirroring by G21 is not known.";
     NC_PATH_MODE = "AX471", "a path mode of an NC program that has no effect here",
-        "G09, G60, G61, G64, #SLOPE, #HSC and the like say how blocks are joined. In a scenario each block ends with a stop within the \
-         window of the axis: the motion is harder than on a machine that smooths the path, and takes longer.";
+        "G09, G60, G61, G64, #SLOPE, #HSC and the like say how blocks are joined. In a scenario each block ends with a stop \
+         within the window of the axis: the motion is harder than on a machine that smooths the path, and takes longer.";
     NC_OFFSET = "AX472", "a position of an NC program that is not known",
-        "Zero offsets (G54 to G59) are data of the machine and are taken as 0. A block with G28, G30 or G53 goes to a position of the \
-         machine and is not made: the axis stays where it is until the next move.";
+        "Zero offsets (G54 to G59) are data of the machine and are taken as 0. A block with G28, G30 or G53 goes to a position \
+         of the machine and is not made: the axis stays where it is until the next move.";
     NC_ASSUMED = "AX473", "an NC program that leaves something open",
-        "Controllers differ here, and the message says what was taken: blocks with `/` run, P of a dwell without a point is ms from 100 on, \
-         G92 gives the present position another number, G01 before any F is made with vb_max, a program without M30 or M2 ends with its file, and nothing after its end is read.";
+        "Controllers differ here, and the message says what was taken: blocks with `/` run, P of a dwell without a point is ms \
+         from 100 on, G92 gives the present position another number, G01 before any F is made with vb_max, a program without \
+         M30 or M2 ends with its file, and nothing after its end is read.";
     NC_OTHER_DRIVE = "AX474", "commands of an NC program for another drive",
-        "The scenario of an axis has no spindle, and that of a spindle has no axes; an axis that the program never moves stands still. \
-         Run the program on the other axis of the set too, or name the axis with --program-axis.";
+        "The scenario of an axis has no spindle, and that of a spindle has no axes; an axis that the program never moves stands \
+         still. Run the program on the other axis of the set too, or name the axis with --program-axis.";
     NC_LIMITED = "AX475", "a feed or a speed above vb_max",
-        "The controller limits what the program asks for to vb_max (P-AXIS-00212), and so does the scenario. It is a part of what the program \
-         asks for: with the real machine in mind correct vb_max or the program.";
+        "The controller limits what the program asks for to vb_max (P-AXIS-00212), and so does the scenario. It is a part of \
+         what the program asks for: with the real machine in mind correct vb_max or the program.";
     NC_STOPPED = "AX476", "an NC program that is longer than its scenario",
-        "A scenario stops after 200,000 cycles, or after the number of --cycles. Everything before that is a whole stimulus. More cycles take more \
-         memory, about 400 bytes each, and more time in every engine.";
+        "A scenario stops after 200,000 cycles, or after the number of --cycles. Everything before that is a whole stimulus. \
+         More cycles take more memory, about 400 bytes each, and more time in every engine.";
     NC_FOLLOWS = "AX477", "an axis that follows an axis of another name",
-        "NC programs name axes by a letter, X1=50 by a letter and a number. The axis of the set has another name, and follows the program's axis \
-         that the message names. --program-axis chooses it.";
+        "NC programs name axes by a letter, X1=50 by a letter and a number. The axis of the set has another name, and follows \
+         the program's axis that the message names. --program-axis chooses it.";
     NC_AXIS = "AX478", "an axis of TwinCAT NC",
-        "The NC has no axis list. Its largest velocity is P-AXIS-00212, PosKp is P-AXIS-00099, the scale of the encoder P-AXIS-00234 and \
-         00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen does not know it, so that the value must \
-         be written. The cycle time is that of the SAF task, which a file of one axis does not hold. Stages of improved position control do not exist \
-         in the NC: write them in the set.";
+        "The NC has no axis list. Its largest velocity is P-AXIS-00212, PosKp is P-AXIS-00099, the scale of the encoder \
+         P-AXIS-00234 and 00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen \
+         does not know it, so that the value must be written. The cycle time is that of the SAF task, which a file of one axis \
+         does not hold. Stages of improved position control do not exist in the NC: write them in the set.";
     OTHER_INTERVAL = "AX480", "a recording of another interval than the block's cycle",
-        "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other times. Record \
-         them in the task of the block with its cycle, or leave them out with --map NAME=-. A column of times that counts something else is \
-         left out the same way.";
+        "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other \
+         times. Record them in the task of the block with its cycle, or leave them out with --map NAME=-. A column of times \
+         that counts something else is left out the same way.";
     SAMPLES_LOST = "AX481", "a recording in which samples are missing",
-        "The column of times does not go on by one cycle from row to row. The block's state after a gap is unknown, so that nothing after it can \
-         be compared. Record again, or cut the file before the gap.";
+        "The column of times does not go on by one cycle from row to row. The block's state after a gap is unknown, so that \
+         nothing after it can be compared. Record again, or cut the file before the gap.";
     PROVES_NOTHING = "AX482", "a recording that proves nothing",
-        "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with mode ON, from a \
-         cycle on in which the block is at rest, with the outputs that the move changes.";
+        "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with \
+         mode ON, from a cycle on in which the block is at rest, with the outputs that the move changes.";
 
     LEFT_OVER = "AX490", "a file that is no longer generated, and not as it was generated",
-        "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have removed it; but \
-         somebody has changed it, or put another file in its place. It stays, and in a project it goes on being compiled: a function block \
-         with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of axgen.manifest and the line `checksum` out of \
-         the file.";
+        "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
+         removed it; but somebody has changed it, or put another file in its place. It stays, and in a project it goes on being \
+         compiled: a function block with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of \
+         axgen.manifest and the line `checksum` out of the file.";
     UNLISTED = "AX491", "a generated file that no set is known to generate",
-        "axgen generated the file, but this set does not generate it, and axgen.manifest does not list it. An axgen without a manifest made it, \
-         it was copied here, or its line is lost. It stays: whether another set still needs it is not known. If one does, generate that set into \
-         this folder once, which lists it; else delete it.";
+        "axgen generated the file, but this set does not generate it, and axgen.manifest does not list it. An axgen without a \
+         manifest made it, it was copied here, or its line is lost. It stays: whether another set still needs it is not known. \
+         If one does, generate that set into this folder once, which lists it; else delete it.";
     MANIFEST = "AX492", "a manifest that cannot be read",
-        "The file axgen.manifest says which set generated which files of the folder. A line of it is not an entry: mostly a merge has left its \
-         marks. Keep the entries of both versions, in any order. Without the file the next run lists its own files again, but removes nothing \
-         that was generated before.";
+        "The file axgen.manifest says which set generated which files of the folder. A line of it is not an entry: mostly a \
+         merge has left its marks. Keep the entries of both versions, in any order. Without the file the next run lists its own \
+         files again, but removes nothing that was generated before.";
 }
