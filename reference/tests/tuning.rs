@@ -1,4 +1,4 @@
-//! Parts of weights and limit that something else has overwritten (docs/decisions/0037-tuned-parts.md).
+//! Parts of weights and limit that something else has overwritten (docs/decisions/ipc.md).
 
 #![expect(clippy::float_cmp, reason = "a part is 0, or a step of the ramp")]
 

@@ -1,7 +1,7 @@
 //! What the files that axes share name: the axes of the set, and those that other sets have generated into the same folder.
 //!
 //! With `--axis` they name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file
-//! names is there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/0017-single-axes.md.
+//! names is there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/files.md.
 
 use generator::blocks::Designed;
 use generator::diagnostics::Slashes;

@@ -7,7 +7,7 @@
 //! one      a single file by its path, by the caller's rule
 //! replace  renames them all, and puts back what was there if one fails
 //! ```
-//! What is promised, and why it is done this way: `docs/decisions/0014-files.md`.
+//! What is promised, and why it is done this way: `docs/decisions/files.md`.
 
 mod beside;
 mod folder;

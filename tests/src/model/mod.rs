@@ -1,6 +1,6 @@
 //! An independent model of the blocks `feedforward`, `position_control` and `axis`, in exact rational numbers. It is written
 //! from the documents (`docs/feedforward.md`, `docs/position-control.md`, `docs/improved-position-control.md`,
-//! `docs/gantry.md`, decisions 3, 4 and 5) and shares no line with `reference/`; nothing of a block may be copied into it.
+//! `docs/gantry.md`, `docs/decisions/ipc.md`) and shares no line with `reference/`; nothing of a block may be copied into it.
 //!
 //! The block `spindle` has a model of its own, in double precision ([`spindle`]), and so has the block `ipc` that stands alone, with all that a
 //! caller may tune ([`alone`]).
@@ -45,7 +45,7 @@
 //! | shift | 00165 cycles, PROFIdrive with any feedforward | position-control.md |
 //! | `v_add` | fade limited(-sum of weight filter(x)), x by mode; SET_POINT reads `v_command`, with a drive `v_interpolator` | improved-position-control.md, position-control.md |
 //! | limit | v_add_max_fact/1000 vb_max; of a slave the master's | improved-position-control.md, gantry.md |
-//! | fade | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle presets the stages and puts out 0 | decisions 3, 5 |
+//! | fade | n / ceil(fade/Ts), fade at least one period of the lowest f0 of any filter; the first active cycle presets the stages and puts out 0 | docs/decisions/ipc.md |
 //! | watch | blocks of max(0.6 / f0, 30 ms) of the sum; + 2 where it fills the limit and does not die away, + 1 where it grows, - 1 where it fills the limit and dies away, else 0; trips at twice the blocks in 150 ms, at least 6 | improved-position-control.md, The watch |
 //! | faults | 17, 1, 18 stop all; else the last of 14 to 16 (the highest), and of the first of 11, 12, 13, 3, 2, or 22 | position-control.md, Faults |
 //!

@@ -1,11 +1,12 @@
-//! What the documents show of the command is what it prints. A fenced block below a line that begins with the name of a file is
+//! What the documents show of the command is what it prints, and their links lead somewhere. A fenced block below a line that begins with the name of a file is
 //! that file; a block that begins with `$ axgen` is a command and what it prints; below the README's first command stands
 //! what that prints.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
@@ -91,11 +92,69 @@ fn follow(page: &Path) -> usize {
     commands
 }
 
+/// The pages of a folder below the root.
+fn pages(folder: &str) -> Vec<PathBuf> {
+    let mut pages: Vec<_> =
+        fs::read_dir(Path::new(ROOT).join(folder)).unwrap().map(|entry| entry.unwrap().path()).collect();
+    pages.retain(|page| page.extension().is_some_and(|end| end == "md"));
+    pages.sort();
+    pages
+}
+
+/// The targets of a page's links to files, without those in fenced blocks and in code.
+fn links(page: &str) -> Vec<String> {
+    let (mut links, mut fenced) = (Vec::new(), false);
+    for line in page.lines() {
+        if line.starts_with("```") {
+            fenced = !fenced;
+        }
+        if !fenced {
+            let text: String = line.split('`').step_by(2).collect();
+            links.extend(text.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0.to_owned())));
+        }
+    }
+    links.retain(|link| !link.contains("://"));
+    links
+}
+
+/// The anchors of a page: its headings, as GitHub and mdBook name them.
+fn anchors(page: &str) -> BTreeSet<String> {
+    let headings = page.lines().filter(|line| line.starts_with('#')).map(|line| line.trim_start_matches('#').trim());
+    let kept = |c: &char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_');
+    headings.map(|heading| heading.to_lowercase().chars().filter(kept).collect::<String>().replace(' ', "-")).collect()
+}
+
 #[test]
 fn the_documents_show_what_the_command_prints() {
+    assert!(pages("docs").iter().map(|page| follow(page)).sum::<usize>() >= 10);
+    assert_eq!(follow(&Path::new(ROOT).join("README.md")), 2);
+}
+
+#[test]
+fn links_lead_to_a_page_and_a_heading() {
+    let mut broken = Vec::new();
+    for page in [pages(""), pages("docs"), pages("docs/decisions")].concat() {
+        for link in links(&fs::read_to_string(&page).unwrap()) {
+            let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
+            let target = if path.is_empty() { page.clone() } else { page.parent().unwrap().join(path) };
+            let found = target.exists()
+                && (anchor.is_empty() || anchors(&fs::read_to_string(&target).unwrap()).contains(anchor));
+            if !found {
+                broken.push(format!("{}: {link}", page.file_name().unwrap().display()));
+            }
+        }
+    }
+    assert!(broken.is_empty(), "{broken:#?}");
+}
+
+#[test]
+fn the_summary_lists_every_page_once() {
     let docs = Path::new(ROOT).join("docs");
-    let mut pages: Vec<_> = fs::read_dir(docs).unwrap().map(|entry| entry.unwrap().path()).collect();
-    pages.retain(|page| page.extension().is_some_and(|end| end == "md"));
-    assert!(pages.iter().map(|page| follow(page)).sum::<usize>() >= 9);
-    assert_eq!(follow(&Path::new(ROOT).join("README.md")), 3);
+    let mut listed = links(&fs::read_to_string(docs.join("SUMMARY.md")).unwrap());
+    listed.sort();
+    let below = |page: PathBuf| page.strip_prefix(&docs).unwrap().to_str().unwrap().replace('\\', "/");
+    let mut there: Vec<_> = [pages("docs"), pages("docs/decisions")].concat().into_iter().map(below).collect();
+    there.retain(|page| page != "SUMMARY.md");
+    there.sort();
+    assert_eq!(listed, there);
 }
