@@ -1,5 +1,5 @@
-//! Base 85 -> double precision numbers, as SINUMERIK writes the arrays of a measurement: the digits are not those of Ascii85 or of RFC 1924.
-//! No element is known here.
+//! Base 85 -> double precision numbers, as SINUMERIK writes the arrays of a measurement: the digits are not those of Ascii85 or of
+//! RFC 1924. No element is known here.
 
 /// The digits, 0 first.
 const DIGITS: &str = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ!#$`()*+-/:;=?@[]^_{|}~";
@@ -11,7 +11,8 @@ const ZERO: char = '.';
 /// A number with the line of its file.
 pub(super) type At = (usize, f64);
 
-/// The numbers of a text that begins in this line: two words each, the more significant first. Blanks and ends of lines may stand anywhere.
+/// The numbers of a text that begins in this line: two words each, the more significant first. Blanks and ends of lines may stand
+/// anywhere.
 ///
 /// # Errors
 /// The line, and what stands there.

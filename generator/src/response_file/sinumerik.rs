@@ -1,4 +1,5 @@
-//! The XML file of a frequency response measurement of SINUMERIK -> its lines, or why they cannot be read. It has spectra, not a response:
+//! The XML file of a frequency response measurement of SINUMERIK -> its lines, or why they cannot be read. It has spectra, not a
+//! response:
 //!
 //! ```text
 //! S_ab = mean of conj(A) B             the cross spectrum in the list of node a, with the id of node b
@@ -6,8 +7,8 @@
 //! coherence = |S_uy|^2/(S_uu S_yy)     of the spectra that were averaged; of one spectrum it is always 1
 //! ```
 //!
-//! That the first factor is the conjugate one was found in a real file, whose output follows its input (a wrong sign of the phase is found later,
-//! too). Ids of nodes and of units are numbers without a public meaning: the set states what the response is from.
+//! That the first factor is the conjugate one was found in a real file, whose output follows its input (a wrong sign of the phase is
+//! found later, too). Ids of nodes and of units are numbers without a public meaning: the set states what the response is from.
 
 use super::columns::Unit;
 use super::elements::{EXPORT, Elements, Spectrum, WHAT, text_of};
@@ -165,25 +166,27 @@ fn cross<'a, 'i>(
 
 /// The lines of the response; that at 0 Hz, a mean value, is none.
 fn lines(powers: &[Spectrum; 2], cross: &Spectrum, said: &Said<'_>) -> Result<Vec<Line>, Diagnostic> {
-    let wrong = |code, line, found: String| Err(said.error(code, [line, 0], found).instead(EXPORT));
+    let wrong = |code, line, found: String, allowed: &str| {
+        Err(said.error(code, [line, 0], found).allowed(allowed).instead(EXPORT))
+    };
     let key = |of: &Spectrum| (of.averages.to_bits(), of.hz.iter().map(|(_, hz)| hz.to_bits()).collect::<Vec<_>>());
     if let Some(other) = powers.iter().find(|other| key(other) != key(cross)) {
         let found = "a spectrum of other frequencies, or another number of averages, than the cross spectrum";
-        return wrong(codes::RESPONSE_CELLS, other.line, found.to_owned());
+        return wrong(codes::RESPONSE_CELLS, other.line, found.to_owned(), "the spectra of one measurement");
     }
     let is_mean = cross.averages >= 2.0;
     let mut lines = Vec::with_capacity(cross.hz.len());
     for (n, (line, f)) in cross.hz.iter().enumerate().filter(|(_, (_, f))| f.abs() > 0.0) {
         let [uu, yy] = [0, 1].map(|signal: usize| powers[signal].values[n]);
         if uu.re <= 0.0 || yy.re <= 0.0 || uu.im.abs() + yy.im.abs() > 0.0 {
-            let found = format!("a power at {} Hz that is not a real number above 0", hz(*f));
-            return wrong(codes::RESPONSE_CELL, *line, found);
+            let found = format!("the power of a signal at {} Hz is {}", hz(*f), if uu.re <= 0.0 { uu } else { yy });
+            return wrong(codes::RESPONSE_CELL, *line, found, "a real number above 0");
         }
         let p = cross.values[n] / uu.re;
         let coherence = p.norm_sqr() * uu.re / yy.re;
         if coherence.is_nan() || coherence > 1.0 + ROUNDED {
-            let found = format!("a coherence of {coherence} at {} Hz, from |S_uy|^2/(S_uu S_yy)", hz(*f));
-            return wrong(codes::COHERENCE, *line, found);
+            let found = format!("|S_uy|^2/(S_uu S_yy) is {coherence} at {} Hz", hz(*f));
+            return wrong(codes::COHERENCE, *line, found, "a coherence of 0 to 1");
         }
         lines.push(Line {
             line: *line,

@@ -40,9 +40,13 @@ pub(crate) fn read(
 
 /// The default of what a response is from would be a guess.
 fn without_names(file: &str) -> Diagnostic {
-    Diagnostic::error(codes::RESPONSE_FROM, Place::whole(file), "XML, in which signals have numbers in the place of names")
-        .allowed("a response of which the set, or the option --response-from, states what it is from")
-        .instead("`drive.response_from = \"v_cmd\"` if it is from the speed setpoint, `\"current\"` if it is from that of current or torque")
+    Diagnostic::error(
+        codes::RESPONSE_FROM,
+        Place::whole(file),
+        "XML, in which signals have numbers in the place of names",
+    )
+    .allowed("a response of which the set, or the option --response-from, states what it is from")
+    .instead("`drive.response_from = \"v_cmd\"` from the speed setpoint, `\"current\"` from that of current or torque")
 }
 
 /// What it is from; `drive.delay` is what the measurement lacks.
