@@ -149,8 +149,12 @@ fn a_measurement_is_the_demonstration_plant() {
         assert!(error < 2e-3, "{hz} Hz: {error}");
     }
     // Bytes of ISO 8859-1, ends of lines of Windows.
-    let bytes: Vec<u8> =
-        text.replace("4.7.6.0.3 -->", "Gerät -->").replace('\n', "\r\n").chars().map(|c| c as u8).collect();
+    let bytes: Vec<u8> = text
+        .replace("4.7.6.0.3 -->", "Gerät -->")
+        .replace('\n', "\r\n")
+        .chars()
+        .map(|letter| u8::try_from(letter).unwrap())
+        .collect();
     let again = read("p.xml", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap_or_else(|report| panic!("{report}"));
     assert!(lines().into_iter().all(|hz| again.response.value(hz) == measured.response.value(hz)));
 }
