@@ -95,8 +95,9 @@ codes! {
          refuses the set with error_id 7. Take a smaller limit, or generate the block anew.";
     RESPONSE_TABLE = "AX023", "a file without the table of a frequency response",
         "A measured response is text: a line of column names, below it a line of numbers for each frequency, separated by \
-         tabs, semicolons, commas or blanks. docs/response.md says what is read. XML and binary files are not read: \
-         export the response as text.";
+         tabs, semicolons, commas or blanks. Of XML, the file of a frequency response measurement of SINUMERIK is read, if it has the \
+         spectra of its signals; traces over time and results of an automatic tuning are not. Binary files are not read: export \
+         the response as text. docs/response.md says what is read.";
 
     LINE = "AX101", "no line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the \
@@ -149,7 +150,8 @@ codes! {
         "Which of them is meant cannot be known. A file holds one response: remove the columns of the others, or rename \
          what is not to be read.";
     RESPONSE_CELLS = "AX119", "a line of a frequency response with another number of cells",
-        "Each line has a cell for each name. With commas between the cells, decimal commas look like separators.";
+        "Each line has a cell for each name. With commas between the cells, decimal commas look like separators. In XML, each spectrum \
+         has a value for each frequency, and all spectra have the same frequencies.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
@@ -178,7 +180,12 @@ codes! {
         "A response is read one-sided, above 0 Hz. Only a first line at 0 Hz, which every FFT has, is left out with a \
          warning.";
     RESPONSE_UNIT = "AX210", "a unit that a column of a frequency response does not have",
-        "A frequency is in Hz, kHz or rad/s, a phase in deg or rad.";
+        "A frequency is in Hz, kHz or rad/s, a phase in deg or rad. A signal of a measurement in XML has no gain, delay, poles or zeros \
+         of its own.";
+    RESPONSE_FROM = "AX211", "a frequency response whose signals have no names",
+        "The XML file of a measurement has numbers in the place of the names of its signals. What the response is from must be stated: \
+         `drive.response_from = \"v_cmd\"` for the speed setpoint, `\"current\"` for the current or torque setpoint, with \
+         `drive.speed_gain` and `drive.speed_integral_time`.";
 
     NO_BANDPASS = "AX301", "an active stage without a band-pass",
         "Without a band-pass the whole velocity would be fed back. Every active stage needs a BANDPASS in one of its two \

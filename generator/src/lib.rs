@@ -44,6 +44,7 @@ pub mod set_change;
 pub mod summary;
 pub mod target;
 pub mod write;
+mod xml;
 
 #[cfg(test)]
 #[path = "../unit/mod.rs"]

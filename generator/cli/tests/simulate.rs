@@ -62,8 +62,7 @@ fn the_demonstration_plant_gives_its_table() {
             assert_near(&format!("{name}, column {column}"), found[column], expected, 0.02);
         }
     }
-    // With `x[n] = x[n-1] + Ts v[n]` they are 0.70 and 2.31 mm, but the column of 11 Hz is 2 % too small: the definition's table and its
-    // following errors are of two conventions.
+    // The definition's following errors, 0.70 and 2.31 mm, are of a command that is not ahead by a cycle, its table is not (tests/tests/plant.rs).
     assert_near("following error off", row(&text, "off")[3], 0.70, 0.12);
     assert_near("following error", row(&text, "stage 1 alone")[3], 2.31, 0.06);
 }

@@ -3,7 +3,7 @@
 //! ```text
 //! file         a file's bytes, bounded             encoding bytes <-> text
 //! source       byte -> line, column                project  where a file has its axis lists
-//! xml          XML in bounded time                 nc_axis  an axis of TwinCAT NC as a list
+//! nc_axis      an axis of TwinCAT NC as a list
 //! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
 //! toml_fault   what TOML's parser refuses, in words
@@ -33,7 +33,6 @@ pub(crate) mod source;
 pub(crate) mod toml_fault;
 pub(crate) mod value;
 pub(crate) mod values;
-pub(crate) mod xml;
 
 pub(crate) use encoding::{Encoding, latin_1};
 pub use file::{LARGEST_SAMPLES, Load, Unreadable, load, load_from, load_up_to};

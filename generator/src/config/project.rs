@@ -2,9 +2,10 @@
 //! each axis of the CNC as CDATA; axes of the NC have none, and what stands for it (`nc_axis`). No line of a list is read.
 
 use super::nc_axis::{self, NcAxis};
-use super::{axis_name, source::Source, value::shown, xml};
+use super::{axis_name, source::Source, value::shown};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
+use crate::xml;
 use roxmltree::Node;
 use std::{ops::Range, sync::Arc};
 

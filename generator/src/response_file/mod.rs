@@ -1,11 +1,12 @@
-//! A measured frequency response as text -> the response from the commanded velocity to the motor's, or what is wrong with it. No parameter and no
-//! file system: bytes, where the response is from, the cycle time and the bands of the active stages arrive.
+//! A measured frequency response as text or XML -> the response from the commanded velocity to the motor's, or what is wrong with it. No parameter and
+//! no file system: bytes, where the response is from, the cycle time and the bands of the active stages arrive.
 //!
 //! ```text
 //! text        bytes -> lines -> cells
 //! columns     what the name of a column says: a quantity and its unit
 //! table       where the names are, where the lines begin, what stands around them
 //! numbers     cells -> numbers, each with its line
+//! sinumerik   spectra of a measurement as XML -> numbers; elements: its elements; base85: their numbers
 //! order       rising frequencies, no gap, below half the sampling frequency
 //! units       numbers -> complex values with their relative standard errors
 //! phase       minimum phase and dead time: unit and sign of the phase
@@ -14,12 +15,15 @@
 //! reach       whether the lines show what an active stage needs
 //! ```
 
+mod base85;
 mod columns;
+mod elements;
 mod low_end;
 mod numbers;
 mod order;
 mod phase;
 mod reach;
+mod sinumerik;
 mod speed_loop;
 mod table;
 mod text;
@@ -74,6 +78,14 @@ struct Point {
     error: f64,
 }
 
+/// What a file says.
+struct Reading<'t> {
+    lines: Vec<numbers::Line>,
+    columns: numbers::Columns<'t>,
+    /// why its standard errors count as 0, if they do
+    without_errors: Option<Diagnostic>,
+}
+
 /// Collects messages about one file.
 struct Said<'a> {
     file: &'a str,
@@ -103,6 +115,12 @@ impl Said<'_> {
     }
 }
 
+/// Whether a file is XML, whose signals have numbers in the place of names: what the response is from must be stated.
+#[must_use]
+pub fn is_without_names(bytes: &[u8]) -> bool {
+    sinumerik::is_xml(&text::decode(bytes))
+}
+
 /// Reads a response for a block with this cycle time [s].
 ///
 /// # Errors
@@ -110,14 +128,12 @@ impl Said<'_> {
 pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band]) -> Result<Measured, Report> {
     let mut said = Said { file, report: Report::default() };
     let text = text::decode(bytes);
-    let table = match table::Table::read(&text) {
-        Ok(table) => table,
-        Err(mistake) => return Err(mistake.diagnostic(&said).into()),
+    let reading = if sinumerik::is_xml(&text) {
+        sinumerik::read(&text, &said).map_err(Report::from)?
+    } else {
+        of_table(&text, &mut said)?
     };
-    let Some(columns) = numbers::choose(&table, &mut said) else { return Err(said.report) };
-    said.usable(())?;
-    let lines = numbers::lines(&table, &columns, &mut said);
-    let lines = said.usable(lines)?;
+    let Reading { lines, columns, without_errors } = reading;
     let lines = order::check(lines, columns.frequency.place, cycle_time, &mut said);
     let lines = said.usable(lines)?;
     let points = units::points(&lines, &columns, from, cycle_time, &mut said);
@@ -127,14 +143,25 @@ pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band
     let points = speed_loop::close(&points, from, &mut said);
     let points = said.usable(points)?;
     let dead_time = phase::dead_time(&points, columns.value.phase_place(), from, cycle_time, &mut said);
-    let errors = numbers::errors(&table, &columns, &mut said);
+    let has_errors = without_errors.is_none();
+    without_errors.into_iter().for_each(|warning| said.push(warning));
     reach::check(&points, &lines, bands, &mut said);
     said.usable(())?;
     let hz: Vec<f64> = points.iter().map(|point| point.hz).collect();
     let values: Vec<Complex64> = points.iter().map(|point| point.response).collect();
     let absolute: Vec<f64> = points.iter().map(|point| point.error * magnitude(point.response)).collect();
     let response = Response::new(&hz, &values, &absolute, cycle_time);
-    Ok(Measured { response, said: said.report, lines: points.len(), has_errors: errors, dead_time })
+    Ok(Measured { response, said: said.report, lines: points.len(), has_errors, dead_time })
+}
+
+/// The lines of a table.
+fn of_table<'t>(text: &'t str, said: &mut Said<'_>) -> Result<Reading<'t>, Report> {
+    let table = table::Table::read(text).map_err(|mistake| mistake.diagnostic(said))?;
+    let Some(columns) = numbers::choose(&table, said) else { return Err(said.report.clone()) };
+    said.usable(())?;
+    let lines = numbers::lines(&table, &columns, said);
+    let without_errors = numbers::without_errors(&table, &columns, said);
+    said.usable(Reading { lines, columns, without_errors })
 }
 
 fn magnitude(value: Complex64) -> f64 {

@@ -5,6 +5,7 @@ use super::columns::{Quantity, Unit};
 use super::table::{Column, Row, Table};
 use super::text::{self, Separator};
 use crate::codes;
+use crate::diagnostics::Diagnostic;
 use std::f64::consts::TAU;
 
 /// A column that is used.
@@ -273,11 +274,11 @@ impl Used<'_> {
     }
 }
 
-/// Whether there are standard errors; if not, that they count as 0.
-pub(super) fn errors(table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'_>) -> bool {
+/// Why the standard errors of a table count as 0, if they do.
+pub(super) fn without_errors(table: &Table<'_>, columns: &Columns<'_>, said: &Said<'_>) -> Option<Diagnostic> {
     let has_count = columns.averages.is_some() || table.averages.is_some();
     if columns.error.is_some() || columns.coherence.is_some() && has_count {
-        return true;
+        return None;
     }
     let (place, found, instead) = match &columns.coherence {
         Some(used) => (
@@ -291,6 +292,5 @@ pub(super) fn errors(table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'
             "a column `coherence` and a line `# averages: 20`, or a column `se`",
         ),
     };
-    said.push(said.warning(codes::WITHOUT_ERRORS, place, found).instead(instead));
-    false
+    Some(said.warning(codes::WITHOUT_ERRORS, place, found).instead(instead))
 }

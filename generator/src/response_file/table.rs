@@ -60,9 +60,6 @@ impl<'t> Table<'t> {
         if text.contains('\0') {
             return Err(mistake(0, "a binary file"));
         }
-        if text.trim_start().starts_with('<') {
-            return Err(mistake(1, "XML: its elements do not say which signals were measured"));
-        }
         let Some((separator, start)) = separated(text) else {
             return Err(mistake(0, &format!("no line with {LEAST_CELLS} numbers or more")));
         };

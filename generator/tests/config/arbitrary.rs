@@ -208,6 +208,7 @@ fn every_code_has_a_test() {
         include_str!("../real_files/projects.rs"),
         include_str!("../response_file/defects.txt"),
         include_str!("../response_file/doubtful.txt"),
+        include_str!("../response_file/sinumerik.txt"),
         include_str!("../../../tests/tests/stability/examples.rs"),
         include_str!("../../cli/tests/front_door/messages.rs"),
         include_str!("../../cli/tests/manifest/main.rs"),

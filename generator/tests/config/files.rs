@@ -164,3 +164,30 @@ fn names_of_lists() {
         format!("--name: error[AX006]: `x */` is no name for an axis{allowed}")
     );
 }
+
+/// The signals of a measurement in XML have numbers: the default of what it is from would be a guess. Another XML is not read, whatever
+/// is stated.
+#[test]
+fn a_response_without_names_says_what_it_is_from() {
+    let list = direct("").replace("ipc.", IPC);
+    let set =
+        |key: &str| format!("cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\ndrive.response = \"p.xml\"\n{key}");
+    let said = |set: &str, xml: &str| {
+        let files = [("set.toml", set.as_bytes()), ("x.lis", list.as_bytes()), ("p.xml", xml.as_bytes())];
+        read("set.toml", &files, &ListOptions::default()).1.to_string()
+    };
+    let stated = set("drive.response_from = \"v_cmd\"\n");
+    let lists = ["m_listPrimaryFreqRespSigNodeData", "m_listPrimaryFreqRespSigNodeData"];
+    let of_two = lists.map(|name| format!("<LinkedList name=\"{name}\"/>")).concat();
+    let pairs =
+        format!("<ResponseTestCustom><LinkedList name=\"{}\"><P/><P/></LinkedList></ResponseTestCustom>", lists[0]);
+    for (set, xml, expected) in [
+        (&set(""), &pairs, "p.xml: error[AX211]: XML, in which signals have numbers in the place of names\n"),
+        (&stated, &pairs, "p.xml:1:21: error[AX118]: 2 pairs of an input and an output\n"),
+        (&set(""), &of_two, "p.xml:1:54: error[AX023]: the file is broken XML"),
+        (&set(""), &"<Project/>".to_owned(), "p.xml:1:1: error[AX023]: XML with the element `Project`\n"),
+    ] {
+        let said = said(set, xml);
+        assert!(said.contains(expected), "{said}");
+    }
+}

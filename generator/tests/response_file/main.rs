@@ -8,6 +8,7 @@ mod errors;
 mod hostile;
 mod names;
 mod plant;
+mod sinumerik;
 mod spellings;
 
 use generator::diagnostics::Report;

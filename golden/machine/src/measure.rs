@@ -14,7 +14,7 @@ pub struct Figures {
     pub at_ramps: f64,
     /// peak of x2'' behind the ramps, 7 to 18 Hz [m/s^2]
     pub ring_down: f64,
-    /// peak of |command - q1| [m]
+    /// peak of |command - q1|, both at the start of a cycle [m]
     pub following_error: f64,
 }
 
@@ -29,7 +29,9 @@ pub fn figures(record: &Record) -> Figures {
     }
 }
 
-/// The largest difference between the command and the motor's position [m].
+/// The largest difference between the command and the motor's position [m]: `max |x[n] - q1(n Ts)|`, with the command that the
+/// controller gets at the start of cycle n. The command of a [`Sequence`](super::sequence::Sequence) is ahead by a cycle: at constant
+/// speed, where the controller sees no difference to the position that it reads a cycle late, this one is -Ts v.
 #[must_use]
 pub fn following_error(record: &Record) -> f64 {
     let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());

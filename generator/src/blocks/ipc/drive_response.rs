@@ -2,11 +2,13 @@
 
 use crate::axis::{Filter, MeasuredDrive};
 use crate::blocks::designed::Designed;
+use crate::codes;
 use crate::config::values::{Values, key};
 use crate::config::{Load, file};
+use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::ResponseFrom;
 use crate::parameters::{Name, Value};
-use crate::response_file::{Band, From, read as read_response};
+use crate::response_file::{self, Band, From};
 use crate::rules::effective::Effective;
 use std::path::Path;
 use std::sync::Arc;
@@ -24,11 +26,27 @@ pub(crate) fn read(
     }
     let from = from(designed, e)?;
     let folder = if setting.source.is_option() { Path::new("") } else { set.parent().unwrap_or(Path::new("")) };
-    let read = file::bytes(&folder.join(name), "a frequency response", Some(setting), load)
-        .and_then(|bytes| read_response(name, &bytes, from, designed.axis.cycle_time(), &bands(designed)));
+    let is_stated = e.given(key(Name::DriveResponseFrom)).is_some();
+    let read = file::bytes(&folder.join(name), "a frequency response", Some(setting), load).and_then(|bytes| {
+        let read = response_file::read(name, &bytes, from, designed.axis.cycle_time(), &bands(designed));
+        let is_another = |report: &Report| report.diagnostics.iter().any(|said| said.code == codes::RESPONSE_TABLE);
+        let is_known = is_stated || !response_file::is_without_names(&bytes) || read.as_ref().is_err_and(is_another);
+        if is_known { read } else { Err(without_names(name).into()) }
+    });
     let measured = read.map_err(|report| e.report.extend(report)).ok()?;
     e.report.extend(measured.said);
     Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
+}
+
+/// The default of what a response is from would be a guess.
+fn without_names(file: &str) -> Diagnostic {
+    Diagnostic::error(
+        codes::RESPONSE_FROM,
+        Place::whole(file),
+        "XML, in which signals have numbers in the place of names",
+    )
+    .allowed("a response of which the set, or the option --response-from, states what it is from")
+    .instead("`drive.response_from = \"v_cmd\"` from the speed setpoint, `\"current\"` from that of current or torque")
 }
 
 /// What it is from; `drive.delay` is what the measurement lacks.
