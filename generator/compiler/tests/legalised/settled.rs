@@ -90,6 +90,8 @@ fn statements_between() {
         vec![put(1.0), assign(S, X), assign(COUNT, var(OTHER)), when(ON, vec![put(2.0)], vec![])],
         &[assign(S, X), assign(COUNT, var(OTHER)), when(ON, vec![put(2.0)], vec![put(1.0)])],
     );
+    // Who reads it afterwards reads the output.
+    assert_settled(0, vec![put(1.0), assign(S, var(Y))], &[put(1.0), assign(S, var(Y))]);
 }
 
 /// Three writers, the first two of them branches: each value is held in a local of another name, and every way has one.
