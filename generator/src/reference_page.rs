@@ -26,7 +26,9 @@ pub fn text() -> String {
             row(parameter, &mut page);
         }
     }
-    page.push_str("\n## Named by the manuals, not read\n\n| name | meaning | why it is not read |\n| --- | --- | --- |\n");
+    page.push_str(
+        "\n## Named by the manuals, not read\n\n| name | meaning | why it is not read |\n| --- | --- | --- |\n",
+    );
     for Other { name, meaning, unread } in &OTHERS {
         let _ = writeln!(page, "| {name} | {meaning} | {unread} |");
     }
@@ -47,7 +49,8 @@ fn row(parameter: &Parameter, page: &mut String) {
     }
     let &Parameter { id, data_type, unit, dimension, axes, since, drives, .. } = parameter;
     let (path, allowed, default) = (quoted(&[parameter.path]), parameter.allowed(), parameter.default.join(", "));
-    let cells = [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, dimension, axes, since, drives, &meaning];
+    let cells =
+        [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, dimension, axes, since, drives, &meaning];
     // A bar would end its cell.
     let _ = writeln!(page, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
 }

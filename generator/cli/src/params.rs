@@ -34,7 +34,8 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
 
 /// What is known of the parameters that a text names, and of what the manuals name besides.
 pub fn of_name(wanted: &str) -> Vec<String> {
-    let unread = |Other { name, meaning, unread }: &Other| format!("{name}\n  meaning   {meaning}\n  not read  {unread}\n");
+    let unread =
+        |Other { name, meaning, unread }: &Other| format!("{name}\n  meaning   {meaning}\n  not read  {unread}\n");
     let others = OTHERS.iter().filter(|other| other.is(wanted)).map(unread);
     let parameters = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted));
     parameters.map(describe).chain(others).collect()

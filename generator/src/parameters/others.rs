@@ -93,7 +93,11 @@ pub static OTHERS: [Other; 18] = [
         "SERCOS: gain of the drive's own feedforward of the acceleration. With it the CNC feeds no acceleration forward (AX423)",
         OF_DRIVE,
     ),
-    other("30C0h:01", "CANopen: gain Kv of the drive's position controller [1/s]; P-AXIS-00099 must be equal to it", OF_DRIVE),
+    other(
+        "30C0h:01",
+        "CANopen: gain Kv of the drive's position controller [1/s]; P-AXIS-00099 must be equal to it",
+        OF_DRIVE,
+    ),
     other(
         "3062h",
         "CANopen: weight of the drive's own feedforward of the velocity. With it the CNC feeds nothing forward, or the axis leads (AX423)",

@@ -77,7 +77,8 @@ const FACTOR: Parameter = Parameter { data_type: "SGN32", kind: SIGNED, default:
 const GEAR: Parameter = Parameter { indices: &[GEARS], ..SHARED };
 const PRINTED_GEAR: Parameter = Parameter { indices: &[GEARS], ..PRINTED };
 /// A parameter of improved position control, of one of its stages, of a filter there; with the first build that has it.
-const IPC: Parameter = Parameter { since: "V3.1.3077.08", drives: "SERCOS, PROFIdrive, CANopen", is_shared: false, ..PRINTED };
+const IPC: Parameter =
+    Parameter { since: "V3.1.3077.08", drives: "SERCOS, PROFIdrive, CANopen", is_shared: false, ..PRINTED };
 const STAGE: Parameter = Parameter { indices: &[STAGES], ..IPC };
 const FILTER: Parameter = Parameter { indices: &[STAGES, FILTERS], ..IPC };
 /// A key of our own below an axis.

@@ -156,7 +156,9 @@ x.lis:1:23: error[AX201]: `antr.nbr_delay_cycles` (P-AXIS-00191) is `abc`, no wh
 #[test]
 fn a_set_point_stage_whose_addition_comes_late() {
     let (damping, weight, cycle) = (0.3f64, 0.26f64, 1e-3f64);
-    for (f0, expected) in [(11.0f64, "86 % | 89 % | 4 deg"), (100.0, "86 % | 116 % | 36 deg"), (200.0, "86 % | 139 % | 72 deg")] {
+    for (f0, expected) in
+        [(11.0f64, "86 % | 89 % | 4 deg"), (100.0, "86 % | 116 % | 36 deg"), (200.0, "86 % | 139 % | 72 deg")]
+    {
         let turn = std::f64::consts::TAU * f0 * cycle;
         let left = |turn: f64| {
             // -w (1 - j / (2 D)) (cos - j sin)

@@ -238,7 +238,11 @@ fn blocks_of_a_drive_with_velocity_control_alone() {
             let set = set.unwrap_or_else(|| panic!("{report}"));
             let files = generator::generate::files(&set, &[], &TARGETS, |made| made.file);
             let files = files.unwrap_or_else(|defect| panic!("{bus} {real}: {defect}"));
-            files.into_iter().map(|file| (file.name, file.text)).filter(|(name, _)| name.starts_with("axis_s_spindle.")).collect()
+            files
+                .into_iter()
+                .map(|file| (file.name, file.text))
+                .filter(|(name, _)| name.starts_with("axis_s_spindle."))
+                .collect()
         };
         let files: Vec<(String, String)> = blocks("");
         assert_eq!(files, blocks(", kv = 2000"));

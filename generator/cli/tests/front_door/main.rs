@@ -215,8 +215,17 @@ fn what_the_manuals_name_besides_is_known() {
         out
     };
     let names = [
-        "V_SATZ_ANZ", "P-AXIS-00405", "P-AXIS-00065", "P-CHAN-00071", "#SLOPE", "CNC objects", "S-0-0104", "S-0-0296", "S-0-0348",
-        "P-AXIS-00267", "P-AXIS-00268",
+        "V_SATZ_ANZ",
+        "P-AXIS-00405",
+        "P-AXIS-00065",
+        "P-CHAN-00071",
+        "#SLOPE",
+        "CNC objects",
+        "S-0-0104",
+        "S-0-0296",
+        "S-0-0348",
+        "P-AXIS-00267",
+        "P-AXIS-00268",
     ];
     let (_, all, _) = axgen(folder.path(), &["params"]);
     let (_, page, _) = axgen(folder.path(), &["params", "--markdown"]);

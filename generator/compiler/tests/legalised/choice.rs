@@ -72,6 +72,13 @@ fn a_chain_by_an_enumeration() {
     let Constant { path, doc, value, origin } = &made.constants[5];
     assert_eq!((path.as_str(), *doc, *value), ("phase_fall", "falls", Literal::I32(3)));
     assert_eq!(*origin, Origin::Variant(Variant { of: &PHASE, index: 3 }));
+    // The first variant and the last one are left.
+    let step = chain(
+        vec![(is(PHASE_NOW, &[phase(1)]), vec![put(1.0)]), (is(PHASE_NOW, &[phase(2)]), vec![put(2.0)])],
+        vec![put(0.0)],
+    );
+    let Statement::Choose { arms, .. } = &chosen(step).step[0] else { panic!("a choice") };
+    assert_eq!(arms[2], arm(&[phase(0), Expr::Var(Var::Constant(5))], vec![put(0.0)]));
 }
 
 /// One question has two answers: an `if` says that as well.
@@ -85,10 +92,7 @@ fn one_question_stays_an_if() {
 #[test]
 fn questions_with_an_or() {
     let step = chain(
-        vec![
-            (is(PHASE_NOW, &[phase(2), phase(0)]), vec![put(1.0)]),
-            (is(PHASE_NOW, &[phase(1)]), vec![put(0.0)]),
-        ],
+        vec![(is(PHASE_NOW, &[phase(2), phase(0)]), vec![put(1.0)]), (is(PHASE_NOW, &[phase(1)]), vec![put(0.0)])],
         vec![put(2.0)],
     );
     let fall = Expr::Var(Var::Constant(5));
@@ -144,6 +148,7 @@ fn a_chain_ends_where_something_else_is_asked() {
     let rest = [vec![assign(S, X)], chain(vec![(is(PHASE_NOW, &[phase(2)]), vec![put(2.0)])], vec![put(3.0)])].concat();
     assert_eq!(chosen(chain(vec![first(), second()], rest.clone())).step, others(rest));
     assert_kept(chain(vec![first()], [vec![assign(S, X)], chain(vec![second()], vec![put(3.0)])].concat()));
+    assert_kept(chain(vec![first()], [chain(vec![second()], vec![put(3.0)]), vec![assign(S, X)]].concat()));
 }
 
 /// Structured Text has no branch without a statement; the last one may be left out.
@@ -154,6 +159,9 @@ fn a_branch_that_does_nothing_keeps_the_chain() {
         assert_kept(chain(vec![(is(PHASE_NOW, &[phase(0)]), nothing.clone()), second()], vec![put(2.0)]));
         assert_kept(chain(vec![second(), (is(PHASE_NOW, &[phase(0)]), nothing)], vec![put(2.0)]));
     }
+    // Nor one far down the chain.
+    let first = || (is(PHASE_NOW, &[phase(0)]), vec![put(0.0)]);
+    assert_kept(chain(vec![first(), second(), (is(PHASE_NOW, &[phase(2)]), vec![])], vec![put(2.0)]));
     let noted = vec![Statement::Note("something".to_owned()), put(0.0)];
     let made = chosen(chain(vec![(is(PHASE_NOW, &[phase(0)]), noted.clone()), second()], vec![]));
     let labels = [phase(2), Expr::Var(Var::Constant(5))];
@@ -186,7 +194,9 @@ fn what_is_no_question() {
 /// Chains inside of branches, of arms and behind other statements are found as well.
 #[test]
 fn a_chain_inside() {
-    let inner = || chain(vec![(is(OTHER, &[phase(0)]), vec![put(0.0)]), (is(OTHER, &[phase(1)]), vec![put(1.0)])], vec![put(2.0)]);
+    let inner = || {
+        chain(vec![(is(OTHER, &[phase(0)]), vec![put(0.0)]), (is(OTHER, &[phase(1)]), vec![put(1.0)])], vec![put(2.0)])
+    };
     let inner_made = |rest: &[Expr]| {
         let arms = vec![arm(&[phase(0)], vec![put(0.0)]), arm(&[phase(1)], vec![put(1.0)]), arm(rest, vec![put(2.0)])];
         choice(OTHER, arms)

@@ -31,7 +31,7 @@ fn variant(index: u32) -> Constant {
     constant(&format!("phase_{index}"), Literal::Variant(of).at_run_time(), Origin::Variant(of))
 }
 
-/// Inputs x, on, also and n; outputs y, which starts at 7, and flag; parts of the state s, count, phase and other; constants: a coefficient, a
+/// Inputs x, on, also and n; outputs y, which starts at 7, flag and z; parts of the state s, count, phase and other; constants: a coefficient, a
 /// whole one, the variants Rest, Rise and Hold.
 fn program(locals: usize, step: Vec<Statement>) -> Program {
     Program {
@@ -50,6 +50,7 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         outputs: vec![
             variable("y", Type::Real, Literal::F64(7.0)),
             variable("flag", Type::Bool, Literal::Bool(false)),
+            variable("z", Type::Real, Literal::F64(0.0)),
         ],
         state: vec![
             variable("s", Type::Real, Literal::F64(0.0)),
@@ -76,6 +77,7 @@ const ALSO: Expr = Expr::Var(Var::Input(2));
 const N: Expr = Expr::Var(Var::Input(3));
 const Y: Var = Var::Output(0);
 const FLAG: Var = Var::Output(1);
+const Z: Var = Var::Output(2);
 const S: Var = Var::State(0);
 const COUNT: Var = Var::State(1);
 const PHASE_NOW: Var = Var::State(2);

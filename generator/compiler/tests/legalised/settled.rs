@@ -44,6 +44,12 @@ fn a_value_that_may_change() {
             &[held(0, value), when(ON, vec![put(1.0)], vec![assign(Y, local(0))])],
         );
     }
+    // Another output that is written before the value is needed.
+    assert_settled(
+        0,
+        vec![assign(Y, var(Z)), assign(Z, X), when(ON, vec![put(1.0)], vec![])],
+        &[held(0, var(Z)), assign(Z, X), when(ON, vec![put(1.0)], vec![assign(Y, local(0))])],
+    );
     // `flag` is settled after `y`: what it held first goes with it.
     let made = settled(
         0,
@@ -77,6 +83,13 @@ fn a_value_that_is_read() {
         0,
         vec![put(1.0), when(asks, vec![put(2.0)], vec![])],
         &[held(0, real(1.0)), when(asked, vec![put(2.0)], vec![assign(Y, local(0))])],
+    );
+    // Another output that the second one asks for stays what it is.
+    let both = |of: Expr| binary(Binary::And, var(FLAG), binary(Binary::Less, of, X));
+    assert_settled(
+        0,
+        vec![assign(FLAG, ON), put(1.0), when(both(var(Y)), vec![put(2.0)], vec![])],
+        &[assign(FLAG, ON), held(0, real(1.0)), when(both(local(0)), vec![put(2.0)], vec![assign(Y, local(0))])],
     );
     let more = |of: Expr| assign(Y, binary(Binary::Add, of, X));
     assert_settled(0, vec![put(1.0), more(var(Y))], &[held(0, real(1.0)), more(local(0))]);
@@ -191,10 +204,10 @@ fn the_values_stay() {
         for (x, on, also) in [(3.0, false, false), (5.0, true, false), (7.0, false, true), (9.0, true, true)] {
             let inputs = [Literal::F64(x), Literal::Bool(on), Literal::Bool(also), Literal::U32(0)];
             let [mut expected, mut found] = [Vec::new(), Vec::new()];
-            let mut times = [0, 0];
+            let mut times = [0, 0, 0];
             machines[0].step(&inputs, &mut expected);
             machines[1].step_watched(&inputs, &mut found, &mut |output, _| times[output] += 1);
-            assert_eq!((found, times), (expected, [1, 1]));
+            assert_eq!((found, times), (expected, [1, 1, 0]));
             assert_eq!(machines[0].state(), machines[1].state());
         }
     }
@@ -207,7 +220,7 @@ fn what_is_not_settled_is_found() {
         Ok(program)
     }
     let verified = |step: Vec<Statement>| {
-        let step = [step, vec![assign(FLAG, ON)]].concat();
+        let step = [step, vec![assign(FLAG, ON), assign(Z, X)]].concat();
         let result = run(&program(0, step), &[("same", same)]).map(|_| ());
         result.map_err(|defect| defect.to_string())
     };

@@ -72,8 +72,8 @@ pub(crate) fn check(
         e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
     }
     let velocities = velocities::check(e, drive.gear);
-    let is_alone = drive.location != Location::Cnc
-        && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    let is_alone =
+        drive.location != Location::Cnc && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
     let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let window = limits::settled_window(e, cycle_time, drive.gear, velocities.as_ref().map(|of| of.off));
