@@ -392,8 +392,9 @@ codes! {
         "The parameter has its default, with which the quantity contributes next to nothing: a time constant of 1 us, a jerk \
          factor of 1/100, a load of 1e-6.";
     TWICE = "AX423", "feedforward in the CNC and in the drive",
-        "A drive that controls the position mostly feeds forward itself (SERCOS S-0-0296 and S-0-0348, CANopen 3062h). With \
-         both, the axis leads.";
+        "A drive that controls the position mostly feeds forward itself: SERCOS has the gains S-0-0296 (velocity) and S-0-0348 \
+         (acceleration), CANopen the weight 3062h. With both, the axis leads. P-AXIS-00833 (00766) says what the drive has of the \
+         velocity; no parameter says what it has of the acceleration.";
     LEADS = "AX424", "feedforward weighted above 1",
         "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual.";
     TWO_MEANINGS = "AX425", "one parameter with two meanings",

@@ -1,13 +1,15 @@
 //! The reference page of all parameters as Markdown, from the table. Nothing is said here that the table does not say.
 
+use crate::parameters::others::{OTHERS, Other};
 use crate::parameters::{Name, Parameter, Scope};
 use std::fmt::Write;
 
 pub fn text() -> String {
     let mut page = String::from(
         "# Parameters\n\nMade by `axgen params --markdown` from the one table of parameters. Parameters with an id are the vendor's; the \
-         others are keys of axgen's own, for what no axis list holds. Types, builds and drives are those that the manuals print; `----` is \
-         printed too. A default outside of the range means that the parameter \
+         others are keys of axgen's own, for what no axis list holds. Types, builds, drives, axis types (T translatory, R rotary, S spindle) and dimensions \
+         are those that the manuals print, with um and deg for the signs; `----` is printed too. A unit is the one that axgen \
+         computes in. A default outside of the range means that the parameter \
          must be given where it is used.\n",
     );
     for (scope, title) in [
@@ -17,11 +19,18 @@ pub fn text() -> String {
     ] {
         let _ = write!(
             page,
-            "\n## {title}\n\n| id | path | type | allowed | default | unit | since | drives | meaning |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
+            "\n## {title}\n\n| id | path | type | allowed | default | unit | dimension | axes | since | drives | meaning |\n\
+             | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n"
         );
         for parameter in Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == scope) {
             row(parameter, &mut page);
         }
+    }
+    page.push_str(
+        "\n## Named by the manuals, not read\n\n| name | meaning | why it is not read |\n| --- | --- | --- |\n",
+    );
+    for Other { name, meaning, unread } in &OTHERS {
+        let _ = writeln!(page, "| {name} | {meaning} | {unread} |");
     }
     page
 }
@@ -38,9 +47,10 @@ fn row(parameter: &Parameter, page: &mut String) {
             let _ = write!(meaning, "; {what} {text}");
         }
     }
-    let &Parameter { id, data_type, unit, since, drives, .. } = parameter;
+    let &Parameter { id, data_type, unit, dimension, axes, since, drives, .. } = parameter;
     let (path, allowed, default) = (quoted(&[parameter.path]), parameter.allowed(), parameter.default.join(", "));
-    let cells = [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, since, drives, &meaning];
+    let cells =
+        [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, dimension, axes, since, drives, &meaning];
     // A bar would end its cell.
     let _ = writeln!(page, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
 }

@@ -1,6 +1,6 @@
 //! What an axis's blocks do, in a few lines for the user, and what that means for the machine.
 
-use crate::axis::{Axis, Location, Numbers};
+use crate::axis::{Axis, Changeover, Location, Numbers};
 use crate::blocks::{self, Designed, Summary};
 use crate::parameters::words::{DriveType, Words};
 
@@ -29,9 +29,17 @@ fn drive(axis: &Axis) -> Vec<String> {
         }
         of => format!("drive: {} (P-AXIS-00020)", of.name()),
     });
-    let in_drive = control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
+    let in_drive = match (&control.spindle, &control.position_control) {
+        (Some(of), _) => matches!(of.drive, Changeover::Drive { .. }) && !of.only_velocity(),
+        (None, of) => of.as_ref().is_some_and(|of| of.location != Location::Cnc),
+    };
     let kv = control.kv.filter(|_| in_drive).map(|kv| {
-        format!("Kv {}/s: the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01)", f64::from(kv) / 100.0)
+        let of_drive = match control.drive_type {
+            Some(DriveType::Sercos) => "SERCOS S-0-0104",
+            Some(DriveType::CanOpen) => "CANopen 30C0h:01",
+            _ => "SERCOS S-0-0104, CANopen 30C0h:01",
+        };
+        format!("Kv {}/s (P-AXIS-00099): that of the drive must be equal ({of_drive})", f64::from(kv) / 100.0)
     });
     drive_type.into_iter().chain(kv).collect()
 }

@@ -3,6 +3,7 @@
 use crate::exit::Exit;
 use crate::output;
 use generator::codes;
+use generator::parameters::others::{OTHERS, Other};
 use generator::parameters::{Name, Parameter, Scope};
 use generator::reference_page;
 
@@ -16,6 +17,9 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
         for parameter in Name::ALL.map(Name::parameter) {
             output::line(format!("{:<13} {}", parameter.id.unwrap_or("-"), parameter.path))?;
         }
+        for other in &OTHERS {
+            output::line(format!("{:<13} (named by the manuals, not read)", other.name))?;
+        }
         return Ok(Exit::Done);
     };
     let texts = of_name(wanted);
@@ -28,9 +32,13 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// What is known of the parameters that a text names.
+/// What is known of the parameters that a text names, and of what the manuals name besides.
 pub fn of_name(wanted: &str) -> Vec<String> {
-    Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted)).map(describe).collect()
+    let unread =
+        |Other { name, meaning, unread }: &Other| format!("{name}\n  meaning   {meaning}\n  not read  {unread}\n");
+    let others = OTHERS.iter().filter(|other| other.is(wanted)).map(unread);
+    let parameters = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| is(parameter, wanted));
+    parameters.map(describe).chain(others).collect()
 }
 
 /// What is known of the parameters that take a word.
@@ -77,6 +85,8 @@ fn describe(parameter: &Parameter) -> String {
     line("default", parameter.default.join(", "));
     line("since", parameter.since.to_owned());
     line("drives", parameter.drives.to_owned());
+    line("axes", parameter.axes.to_owned());
+    line("dimension", parameter.dimension.to_owned());
     line("also", parameter.aliases.join(", "));
     line("misprint", parameter.misprints.join(", "));
     line(

@@ -46,6 +46,11 @@ pub(crate) fn of_oscillation(coeffs: &oscillation::Coeffs<f64>, t: f64) -> Compl
     numerator / polynomial(1.0, coeffs.a1, coeffs.a2, t)
 }
 
+/// A delay of one cycle: z^-1.
+pub(crate) fn delay(t: f64) -> Complex {
+    Complex { re: 1.0, im: -t } / Complex { re: 1.0, im: t }
+}
+
 pub(crate) fn magnitude(h: Complex) -> f64 {
     libm::hypot(h.re, h.im)
 }

@@ -1,5 +1,6 @@
 //! What a parameter is: its kinds, ranges and words, as plain data; the declarations are in `table.rs`, no value is here.
 
+pub mod others;
 mod table;
 mod text;
 pub mod words;
@@ -36,6 +37,10 @@ pub struct Parameter {
     pub(crate) numbers: &'static [&'static str],
     /// the drive types for which the manual prints it
     pub drives: &'static str,
+    /// the axis types for which the manual prints it: T translatory, R rotary, S spindle
+    pub axes: &'static str,
+    /// the dimension that the manual prints for each axis type, in ASCII: um and deg for its signs
+    pub dimension: &'static str,
     /// whether it is validated where it is used only: a real machine's list has it for functions that are not generated
     pub(crate) is_shared: bool,
     pub meaning: &'static str,

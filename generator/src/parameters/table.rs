@@ -60,6 +60,8 @@ const VENDOR: Parameter = Parameter {
     printed: "",
     numbers: &[],
     drives: "",
+    axes: "",
+    dimension: "",
     is_shared: false,
     meaning: "",
 };
@@ -67,12 +69,16 @@ const VENDOR: Parameter = Parameter {
 const SHARED: Parameter = Parameter { is_shared: true, ..VENDOR };
 /// A switch of feedforward.
 const SWITCH: Parameter = Parameter { kind: Kind::Word(Boolean::WORDS), default: &["FALSE"], ..SHARED };
+/// One whose axis types and dimension a manual prints.
+const PRINTED: Parameter = Parameter { axes: "T, R, S", dimension: "----", ..SHARED };
 /// A factor of feedforward of the vendor's type SGN32.
-const FACTOR: Parameter = Parameter { data_type: "SGN32", kind: SIGNED, default: &["1"], drives: "----", ..SHARED };
+const FACTOR: Parameter = Parameter { data_type: "SGN32", kind: SIGNED, default: &["1"], drives: "----", ..PRINTED };
 /// A parameter of a gear step.
 const GEAR: Parameter = Parameter { indices: &[GEARS], ..SHARED };
+const PRINTED_GEAR: Parameter = Parameter { indices: &[GEARS], ..PRINTED };
 /// A parameter of improved position control, of one of its stages, of a filter there; with the first build that has it.
-const IPC: Parameter = Parameter { since: "V3.1.3077.08", drives: "SERCOS, PROFIdrive, CANopen", ..VENDOR };
+const IPC: Parameter =
+    Parameter { since: "V3.1.3077.08", drives: "SERCOS, PROFIdrive, CANopen", is_shared: false, ..PRINTED };
 const STAGE: Parameter = Parameter { indices: &[STAGES], ..IPC };
 const FILTER: Parameter = Parameter { indices: &[STAGES, FILTERS], ..IPC };
 /// A key of our own below an axis.
@@ -206,17 +212,17 @@ table! {
     /// gain of the position controller Kv; a drive that controls the position has the same (SERCOS S-0-0104, CANopen 30C0h:01)
     Kv: GEAR("getriebe[i].kv", "P-AXIS-00099", kind: UNSIGNED, unit: "0.01/s", default: &["1000"])
     /// velocity command of the drive: denominator of its value at 1 m/min or 1000 deg/min
-    MultiGainN: GEAR("getriebe[i].multi_gain_n", "P-AXIS-00128",
+    MultiGainN: PRINTED_GEAR("getriebe[i].multi_gain_n", "P-AXIS-00128",
         data_type: "UNS32", kind: UNSIGNED, default: &["1"],
         drives: "Simulation, Conventional, Terminal, Lightbus, PROFIdrive")
     /// velocity command of the drive: numerator of its value at 1 m/min or 1000 deg/min
-    MultiGainZ: GEAR("getriebe[i].multi_gain_z", "P-AXIS-00129",
+    MultiGainZ: PRINTED_GEAR("getriebe[i].multi_gain_z", "P-AXIS-00129",
         data_type: "UNS32", kind: UNSIGNED, unit: "increments", default: &["2000"],
-        drives: "Simulation, Conventional, Terminal, Lightbus, PROFIdrive")
+        drives: "Simulation, Conventional, Terminal, Lightbus, PROFIdrive", dimension: "T: bit; R, S: bit")
     /// position increments of the controller per revolution of the motor
-    IncrPerRev: GEAR("getriebe[i].incr_per_rev", "P-AXIS-00092",
+    IncrPerRev: PRINTED_GEAR("getriebe[i].incr_per_rev", "P-AXIS-00092",
         data_type: "UNS32", kind: integer(0, u32::MAX), unit: "increments/revolution", default: &["1024"],
-        drives: "----")
+        drives: "----", dimension: "T: increments/rev.; R, S: increments/rev.")
     /// path resolution: denominator, path; with a feed constant revolutions of the gear's output
     WegaufN: GEAR("getriebe[i].wegaufn", "P-AXIS-00233", kind: UNSIGNED, default: &["1"])
     /// path resolution: numerator, increments; with a feed constant revolutions of the gear's input
@@ -226,8 +232,9 @@ table! {
     /// gear ratio: revolutions of the output
     GearFactDenom: GEAR("getriebe[i].gear_fact_denom", "P-AXIS-00512", kind: UNSIGNED, default: &["1"])
     /// total load at the motor: inertia of motor and load, or the moved mass of a linear motor
-    Load: GEAR("getriebe[i].load", "P-AXIS-00391",
-        data_type: "REAL64", kind: POSITIVE, unit: "kg m^2, linear motor: kg", default: &["1e-6"], drives: "SERCOS")
+    Load: PRINTED_GEAR("getriebe[i].load", "P-AXIS-00391",
+        data_type: "REAL64", kind: POSITIVE, unit: "kg m^2, linear motor: kg", default: &["1e-6"], drives: "SERCOS",
+        dimension: "T: kg; R, S: kg m^2")
     /// stroke of the measuring probe: feedforward delays the position, and a measuring run needs more of it
     HubMesstaster: SHARED("kenngr.hub_messtaster", "P-AXIS-00086", kind: integer(0, u32::MAX), unit: "0.1 um", default: &["0"])
     /// feed constant: numerator
@@ -242,21 +249,23 @@ table! {
     NbrDelayCycles: SHARED("antr.nbr_delay_cycles", "P-AXIS-00191",
         kind: integer(0, 10), unit: "cycles", default: &["-1"])
     /// scaling of the additive velocity, and of the velocity command of a spindle: path in the time of P-AXIS-00207 at which the drive gets P-AXIS-00206
-    VResoDenom: SHARED("antr.v_reso_denom", "P-AXIS-00205",
-        data_type: "UNS32", kind: UNSIGNED, unit: "um or 0.001 deg", default: &["36"], drives: "all")
+    VResoDenom: PRINTED("antr.v_reso_denom", "P-AXIS-00205",
+        data_type: "UNS32", kind: UNSIGNED, unit: "um or 0.001 deg", default: &["36"], drives: "all",
+        dimension: "T: 1 um; R, S: 0.001 deg")
     /// scaling of the additive velocity, and of the velocity command of a spindle: value that the drive gets
-    VResoNum: SHARED("antr.v_reso_num", "P-AXIS-00206",
-        data_type: "UNS32", kind: integer(0, u32::MAX), unit: "increments", default: &["1"], drives: "all")
+    VResoNum: PRINTED("antr.v_reso_num", "P-AXIS-00206",
+        data_type: "UNS32", kind: integer(0, u32::MAX), unit: "increments", default: &["1"], drives: "all",
+        dimension: "T: increments; R, S: increments")
     /// scaling of the additive velocity, and of the velocity command of a spindle: the time of P-AXIS-00205
-    VTimeBase: SHARED("antr.v_time_base", "P-AXIS-00207",
+    VTimeBase: PRINTED("antr.v_time_base", "P-AXIS-00207",
         data_type: "UNS16", kind: integer(0, 2), default: &["0"],
         numbers: &["per minute", "per second", "per sampling interval"], drives: "SERCOS")
     /// feedforward: the quantities, and whether they go to the drive as additive commands
-    FeedforwardMode: SHARED("vorsteuer.vorsteuerung", "P-AXIS-00223",
+    FeedforwardMode: PRINTED("vorsteuer.vorsteuerung", "P-AXIS-00223",
         data_type: "STRING, before the words UNS16", kind: Kind::Flags(FeedforwardWord::WORDS), default: &["NONE"],
         since: "words: V2.11.2034.6, V2.11.2808.03, V3.1.3065.04, V3.1.3102.00", drives: "----")
     /// feedforward of the acceleration: numerator of its time constant; with ADD_ACC of a plain weight
-    VsAFaktor: FACTOR("vorsteuer.vs_a_faktor", "P-AXIS-00225", unit: "us, with ADD_ACC: 1")
+    VsAFaktor: FACTOR("vorsteuer.vs_a_faktor", "P-AXIS-00225", unit: "us, with ADD_ACC: 1", dimension: "T: us; R, S: us")
     /// feedforward of the acceleration: denominator; 0 takes the term away
     VsANenner: FACTOR("vorsteuer.vs_a_nenner", "P-AXIS-00226")
     /// weight of the whole feedforward: numerator; 0.7 to 1 is usual, above 1 the axis leads
@@ -268,52 +277,55 @@ table! {
     /// feedforward is inactive despite G135, and despite P-AXIS-00255
     GlobalDisable: SWITCH("vorsteuer.global_disable", "P-AXIS-00256")
     /// feedforward of the jerk: numerator of its factor
-    JerkFactNum: SHARED("vorsteuer.jerk_fact_num", "P-AXIS-00337",
+    JerkFactNum: PRINTED("vorsteuer.jerk_fact_num", "P-AXIS-00337",
         data_type: "UNS32", kind: integer(0, u32::MAX), default: &["1"], drives: "----")
     /// feedforward of the jerk: denominator of its factor; 0 is corrected to 100 (110473)
-    JerkFactDenom: SHARED("vorsteuer.jerk_fact_denom", "P-AXIS-00338",
+    JerkFactDenom: PRINTED("vorsteuer.jerk_fact_denom", "P-AXIS-00338",
         data_type: "UNS32", kind: UNSIGNED, default: &["100"], drives: "----")
     /// delay of the additive velocity against the position, below six cycles; outside it is corrected to 0 (70349)
-    VelocityDelayTime: SHARED("vorsteuer.velocity_delay_time", "P-AXIS-00389",
+    VelocityDelayTime: PRINTED("vorsteuer.velocity_delay_time", "P-AXIS-00389",
         data_type: "UNS16", kind: DELAY, unit: "us", default: &["0"],
         printed: "0 <= velocity_delay_time < 6 interpolator cycles; in an example: at most one cycle",
-        drives: "SERCOS, PROFIdrive, CANopen")
+        drives: "SERCOS, PROFIdrive, CANopen", dimension: "T: us; R, S: us")
     /// delay of the additive torque of ADD_ACC against the position, below six cycles; outside it is corrected to 0 (70348)
-    AccelerationDelayTime: SHARED("vorsteuer.acceleration_delay_time", "P-AXIS-00390",
+    AccelerationDelayTime: PRINTED("vorsteuer.acceleration_delay_time", "P-AXIS-00390",
         data_type: "UNS16", kind: DELAY, unit: "us", default: &["0"],
         printed: "0 < acceleration_delay_time < 6 interpolator cycles, which excludes the default; in an example: at most one cycle",
-        drives: "SERCOS, Lightbus, PROFIdrive, CANopen")
+        drives: "SERCOS, Lightbus, PROFIdrive, CANopen", dimension: "T: us; R, S: us")
     /// delay of the additive torque of ADD_JERK against the position, below six cycles; outside it is corrected to 0 (70348)
     JerkDelayTime: SHARED("vorsteuer.jerk_delay_time", "P-AXIS-00547", kind: DELAY, unit: "us", default: &["0"])
     /// feedforward without the delay of a cycle; with VEL alone, else it is the error 110624
     FeedforwardWithoutDelay: SWITCH("vorsteuer.feedforward_without_delay", "P-AXIS-00566")
     /// PROFIdrive: cycles by which the feedforward leads the position
-    ShiftTime: SHARED("vorsteuer.shift_time", "P-AXIS-00165",
-        data_type: "UNS16", kind: integer(0, 4), unit: "cycles", default: &["3"], drives: "PROFIdrive")
+    ShiftTime: PRINTED("vorsteuer.shift_time", "P-AXIS-00165",
+        data_type: "UNS16", kind: integer(0, 4), unit: "cycles", default: &["3"], drives: "PROFIdrive",
+        dimension: "T: number of interpolation cycles; R, S: number of interpolation cycles")
     /// additive torque: numerator of the value at which the motor has its nominal torque
-    TorqueScaleNum: SHARED("antr.torque_scale_num", "P-AXIS-00325",
+    TorqueScaleNum: PRINTED("antr.torque_scale_num", "P-AXIS-00325",
         data_type: "UNS32", kind: WEIGHT, unit: "increments", default: &["1"], drives: "SERCOS, Lightbus, CANopen")
     /// additive torque: denominator; 0 takes the additive torque away (110465)
-    TorqueScaleDenom: SHARED("antr.torque_scale_denom", "P-AXIS-00326",
+    TorqueScaleDenom: PRINTED("antr.torque_scale_denom", "P-AXIS-00326",
         data_type: "UNS32", kind: WEIGHT, default: &["1"],
         printed: "1 < torque_scale_denom < MAX(UNS32), which excludes the default", drives: "SERCOS, Lightbus, CANopen")
     /// additive torque: nominal torque or force of the motor, from its data sheet; 0 takes the additive torque away
-    AccReferenceValue: SHARED("antr.acc_reference_value", "P-AXIS-00392",
-        data_type: "REAL64", kind: POSITIVE, unit: "Nm, linear motor: N", default: &["1"], drives: "SERCOS, CANopen")
+    AccReferenceValue: PRINTED("antr.acc_reference_value", "P-AXIS-00392",
+        data_type: "REAL64", kind: POSITIVE, unit: "Nm, linear motor: N", default: &["1"], drives: "SERCOS, CANopen",
+        dimension: "T: N; R, S: Nm")
     /// weight of the velocity feedforward that the drive itself has (SERCOS S-0-0296, CANopen 3062h)
     FeedForwardVWeighting: SHARED("antr.feed_forward_v_weighting", "P-AXIS-00833",
         kind: integer(0, 1200), unit: "0.1 %", default: &["0"], since: "V3.1.3125.0", drives: "SERCOS, CANopen")
     /// predecessor of P-AXIS-00833, which adopts it
-    ChangeFeedForwardVWeighting: SHARED("antr.sai_op_mode_change.feed_forward_v_weighting", "P-AXIS-00766",
-        data_type: "UNS16", kind: integer(0, 1200), unit: "0.1 %", default: &["0"], drives: "SERCOS, CANopen")
+    ChangeFeedForwardVWeighting: PRINTED("antr.sai_op_mode_change.feed_forward_v_weighting", "P-AXIS-00766",
+        data_type: "UNS16", kind: integer(0, 1200), unit: "0.1 %", default: &["0"], drives: "SERCOS, CANopen",
+        axes: "S", dimension: "S: 0.1 %")
     /// spindle: velocity above which M3 and M4 lead to velocity control; at 0 at every velocity
-    VVelocityControlOn: SHARED("antr.sai_op_mode_change.v_velocity_control_on", "P-AXIS-00767",
+    VVelocityControlOn: PRINTED("antr.sai_op_mode_change.v_velocity_control_on", "P-AXIS-00767",
         data_type: "SGN32", kind: SIGNED, unit: "0.001 deg/s", default: &["200000000"], since: "V3.1.3079.13",
-        drives: "SERCOS, CANopen")
+        drives: "SERCOS, CANopen", axes: "S", dimension: "S: 0.001 deg/s")
     /// spindle: velocity to which it brakes before position control is taken up again
-    VPositionControlOn: SHARED("antr.sai_op_mode_change.v_position_control_on", "P-AXIS-00768",
+    VPositionControlOn: PRINTED("antr.sai_op_mode_change.v_position_control_on", "P-AXIS-00768",
         data_type: "SGN32", kind: SIGNED, unit: "0.001 deg/s", default: &["0"], since: "V3.1.3079.13",
-        drives: "SERCOS, CANopen")
+        drives: "SERCOS, CANopen", axes: "S", dimension: "S: 0.001 deg/s")
     /// predecessor of P-AXIS-00767, which adopts it
     VelocityPositionControlOn: SHARED("antr.velocity_position_control_on", "P-AXIS-00265",
         kind: SIGNED, unit: "0.001 deg/s", default: &["200000000"])
@@ -321,26 +333,26 @@ table! {
     VelocityPositionControlOff: SHARED("antr.velocity_position_control_off", "P-AXIS-00266",
         kind: SIGNED, unit: "0.001 deg/s", default: &["0"])
     /// spindle with a SERCOS drive: operation mode of velocity control; the main mode is that of position control
-    OpModeForVelocityControl: SHARED("antr.sercos.op_mode_for_velocity_control", "P-AXIS-00264",
+    OpModeForVelocityControl: PRINTED("antr.sercos.op_mode_for_velocity_control", "P-AXIS-00264",
         data_type: "UNS16", kind: integer(0, 3), default: &["0"],
         numbers: &[
             "main mode, S-0-0032", "auxiliary mode 1, S-0-0033", "auxiliary mode 2, S-0-0034",
             "auxiliary mode 3, S-0-0035",
         ],
-        drives: "SERCOS")
+        drives: "SERCOS", axes: "S", dimension: "")
     /// CANopen: operation mode (6060h) of position control; 8 is the cyclic synchronous position mode
-    CyclicPositionOpMode: SHARED("antr.canopen.cyclic_position_op_mode", "P-AXIS-00463",
-        data_type: "SGN16", kind: SIGNED_16, default: &["8"], drives: "CANopen")
+    CyclicPositionOpMode: PRINTED("antr.canopen.cyclic_position_op_mode", "P-AXIS-00463",
+        data_type: "SGN16", kind: SIGNED_16, default: &["8"], drives: "CANopen", dimension: "")
     /// CANopen: operation mode (6060h) of velocity control; 9 is the cyclic synchronous velocity mode
-    CyclicVelocityOpMode: SHARED("antr.canopen.cyclic_velocity_op_mode", "P-AXIS-00464",
-        data_type: "SGN16", kind: SIGNED_16, default: &["9"], drives: "CANopen")
+    CyclicVelocityOpMode: PRINTED("antr.canopen.cyclic_velocity_op_mode", "P-AXIS-00464",
+        data_type: "SGN16", kind: SIGNED_16, default: &["9"], drives: "CANopen", axes: "", dimension: "")
     /// mode of improved position control at start; DRYRUN calculates and puts out nothing
     Enable: IPC("lr_param.improved_position_control.enable", "P-AXIS-00758",
         data_type: "STRING, before V3.1.3132.0 BOOLEAN", kind: Kind::Word(Enable::WORDS), default: &["OFF"],
         since: "V3.1.3077.08; words: V3.1.3132.0")
     /// largest additive velocity as a part of the largest velocity of the axis (P-AXIS-00212)
     VAddMaxFact: IPC("lr_param.improved_position_control.v_add_max_fact", "P-AXIS-00757",
-        data_type: "UNS16", kind: integer(0, 2000), unit: "0.1 %", default: &["0"])
+        data_type: "UNS16", kind: integer(0, 2000), unit: "0.1 %", default: &["0"], dimension: "T: 0.1 %; R, S: 0.1 %")
     /// where the stage takes the vibration from: a measured velocity, the motor's velocity behind a simulated
     /// oscillation, or the command velocity behind a simulated oscillation
     Mode: STAGE("lr_param.improved_position_control.stage[i].mode", "P-AXIS-00753",
@@ -380,7 +392,8 @@ table! {
     /// centre frequency of a band-pass and of the simulated oscillation; frequency of -180 degrees of an all-pass
     FilterF0: FILTER("lr_param.improved_position_control.stage[i].filter[k].fg_f0", "P-AXIS-00751",
         aliases: &["lr_param.improved_position_control.stage[i].filter.fg_f0"], data_type: "REAL64",
-        kind: Kind::Real { from: 0.0, to: 500.0, open: [true, false] }, unit: "Hz", default: &["-1"])
+        kind: Kind::Real { from: 0.0, to: 500.0, open: [true, false] }, unit: "Hz", default: &["-1"],
+        dimension: "T: Hz; R, S: Hz")
     /// quality factor: centre frequency / bandwidth at -3 dB
     FilterQ: FILTER("lr_param.improved_position_control.stage[i].filter[k].q_factor", "P-AXIS-00752",
         aliases: &["lr_param.improved_position_control.stage[i].filter.q_factor"], data_type: "REAL64",

@@ -237,13 +237,20 @@ set.toml:3:26: warning[AX422]: getriebe[0].load (P-AXIS-00391) has its default, 
 > antr.feed_forward_v_weighting = 500
 > getriebe = [{ kv = 2000 }]
 set.toml:5:33: warning[AX423]: the drive feeds 50 % of the velocity forward itself (P-AXIS-00833), and the CNC does too: the axis leads
-    write instead: feedforward in one of the two
+    write instead: feedforward in one of the two: in the drive its gains are S-0-0296 (velocity) and S-0-0348 (acceleration)
 
-> kenngr.antr_typ = 2
+> kenngr.antr_typ = 'CANOPEN'
 > vorsteuer.vorsteuerung = 'VEL'
 > antr.sai_op_mode_change.feed_forward_v_weighting = 1000
 > getriebe = [{ kv = 2000 }]
 set.toml:5:52: warning[AX423]: the drive feeds 100 % of the velocity forward itself (P-AXIS-00766), and the CNC does too: the axis leads
+    write instead: feedforward in one of the two: in the drive its weight is 3062h
+
+> antr.operation_mode = 'DRIVE_POSITION_CONTROL'
+> vorsteuer.vorsteuerung = 'VEL'
+> antr.feed_forward_v_weighting = 500
+> getriebe = [{ kv = 2000 }]
+set.toml:5:33: warning[AX423]: the drive feeds 50 % of the velocity forward itself (P-AXIS-00833), and the CNC does too: the axis leads
     write instead: feedforward in one of the two
 
 > vorsteuer.vorsteuerung = 'VEL'
@@ -472,6 +479,10 @@ fn a_measuring_probe() {
 > kenngr.hub_messtaster = 20000
 set.toml:5:25: warning[AX441]: the axis has a measuring probe (P-AXIS-00086), and feedforward delays its position by a cycle at the least
     write instead: a kenngr.hub_messtaster that is longer by the path of the delay
+
+> vorsteuer.vorsteuerung = 'VEL'
+> getriebe = [{ kv = 2000 }]
+> kenngr.hub_messtaster = 0
 "#,
     );
 }

@@ -1,6 +1,7 @@
 //! Warnings about what turns the phase of a stage: the delay, the load, an all-pass.
 
-use super::{assert_said, assert_transcript, direct, indirect, said, said_of_axis};
+use super::{IPC, assert_said, assert_transcript, direct, indirect, read_list, said, said_of_axis, set_point};
+use generator::summary;
 
 #[test]
 fn v_direct() {
@@ -148,4 +149,38 @@ x.lis:1:23: error[AX201]: `antr.nbr_delay_cycles` (P-AXIS-00191) is `abc`, no wh
         );
     }
     assert_said(&said("antr.nbr_delay_cycles 11\ngetriebe[0].kv 2000"), &[]);
+}
+
+/// What `check` says of a SET_POINT stage: the rest of the command at f0, and the rest where v_add comes a cycle late. By the formula of the
+/// simulated oscillation at its own frequency, where the band-pass is 1: H = -w (1 - j / (2 D)), late H e^(-j 2 pi f0 Ts).
+#[test]
+fn a_set_point_stage_whose_addition_comes_late() {
+    let (damping, weight, cycle) = (0.3f64, 0.26f64, 1e-3f64);
+    for (f0, expected) in
+        [(11.0f64, "86 % | 89 % | 4 deg"), (100.0, "86 % | 116 % | 36 deg"), (200.0, "86 % | 139 % | 72 deg")]
+    {
+        let turn = std::f64::consts::TAU * f0 * cycle;
+        let left = |turn: f64| {
+            // -w (1 - j / (2 D)) (cos - j sin)
+            let (sine, cosine) = turn.sin_cos();
+            let (re, im) = (-weight * (cosine - sine / (2.0 * damping)), weight * (sine + cosine / (2.0 * damping)));
+            ((1.0 + re).hypot(im) * 100.0).round()
+        };
+        let list = set_point(&format!(
+            "ipc.stage[0].osc_damping {damping}\nipc.stage[0].weight_fact_num 26\nipc.stage[0].weight_fact_denom 100\n\
+             ipc.stage[0].filter.fg_f0 {f0}"
+        ));
+        let (set, report) = read_list(list.replace("ipc.", IPC));
+        let set = set.unwrap_or_else(|| panic!("{report}"));
+        let text = summary::verdict(&set.axes[0]);
+        let degrees = (360.0 * f0 * cycle * 10.0).round() / 10.0;
+        assert_eq!(format!("{} % | {} % | {} deg", left(0.0), left(turn), degrees.round()), expected);
+        let line = format!(
+            "  stage 0: filters the command, so that no loop can become unstable: {} % of it pass at {f0} Hz; {} % where the drive gets \
+             v_add a cycle late, which turns it by 360 f0 Ts = {degrees} deg",
+            left(0.0),
+            left(turn)
+        );
+        assert!(text.lines().any(|found| found == line), "{line}\n{text}");
+    }
 }

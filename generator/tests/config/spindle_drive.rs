@@ -224,7 +224,7 @@ set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_V
 > process_data.additive_velocity = 'INT32'
 > antr.sai_op_mode_change.feed_forward_v_weighting = 500
 set.toml:5:52: warning[AX423]: the drive feeds 50 % of the velocity forward itself (P-AXIS-00766), and the CNC does too: the axis leads
-    write instead: feedforward in one of the two
+    write instead: feedforward in one of the two: in the drive its gains are S-0-0296 (velocity) and S-0-0348 (acceleration)
 set.toml:3:26: warning[AX445]: `vorsteuer.vorsteuerung` (P-AXIS-00223) has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out none, and the change to position control does not count it
     write instead: G137 while `loop_closed` is FALSE, or the feedforward of the drive (P-AXIS-00833)
 

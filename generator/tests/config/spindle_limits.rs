@@ -1,6 +1,7 @@
 //! What the cycle time and the deceleration of a changeover allow, to the letter.
 
-use super::{assert_transcript, in_cnc, said_of_axis, said_of_set, sercos};
+use super::{assert_transcript, in_cnc, read_set, said_of_axis, said_of_set, sercos};
+use generator::target::TARGETS;
 
 #[test]
 fn times() {
@@ -208,17 +209,45 @@ set.toml:5:85: warning[AX426]: without effect here: an axis that is ACHSTYP_ROTA
     );
 }
 
-/// Von = Voff = 0: no position mode, no position, no delay is asked for.
+/// Von = Voff = 0: no position mode, no position, no delay, no Kv is asked for.
 #[test]
 fn a_drive_with_velocity_control_alone() {
     assert_transcript(
         said_of_axis,
         r"
 > kenngr = { achs_typ = 'ACHSTYP_SPINDEL', antr_typ = 'SERCOS' }
-> getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
+> getriebe = [{ dynamik.vb_max = 18000000 }]
 > antr.sai_op_mode_change = { v_velocity_control_on = 0, v_position_control_on = 0 }
 > process_data.objects = ['S-0-0036', 'S-0-0040']
 > drive_settings = ['S-0-0044=010']
 ",
     );
+}
+
+/// Its blocks are generated, for either bus in either precision. They do not depend on a Kv, and have no id of a change of mode.
+#[test]
+fn blocks_of_a_drive_with_velocity_control_alone() {
+    for (bus, real) in [("SERCOS", "f64"), ("SERCOS", "f32"), ("CANOPEN", "f64"), ("CANOPEN", "f32")] {
+        let blocks = |kv: &str| {
+            let (set, report) = read_set(format!(
+                "cycle_time = '1ms'\n[axis.S]\nreal = '{real}'\n\
+                 kenngr = {{ achs_typ = 'ACHSTYP_SPINDEL', antr_typ = '{bus}' }}\n\
+                 getriebe = [{{ dynamik.vb_max = 18000000{kv} }}]\n\
+                 antr.sai_op_mode_change = {{ v_velocity_control_on = 0, v_position_control_on = 0 }}\n"
+            ));
+            let set = set.unwrap_or_else(|| panic!("{report}"));
+            let files = generator::generate::files(&set, &[], &TARGETS, |made| made.file);
+            let files = files.unwrap_or_else(|defect| panic!("{bus} {real}: {defect}"));
+            files
+                .into_iter()
+                .map(|file| (file.name, file.text))
+                .filter(|(name, _)| name.starts_with("axis_s_spindle."))
+                .collect()
+        };
+        let files: Vec<(String, String)> = blocks("");
+        assert_eq!(files, blocks(", kv = 2000"));
+        let (_, header) = files.iter().find(|(name, _)| name.ends_with(".h")).unwrap_or_else(|| panic!("a header"));
+        let has = |id: &str| header.contains(&format!("AXIS_S_SPINDLE_ERROR_{id}"));
+        assert_eq!(["TO_VELOCITY", "BRAKE", "MODE_DISPLAY", "ONLY_VELOCITY"].map(has), [false, true, false, true]);
+    }
 }

@@ -197,3 +197,25 @@ fn an_axis_that_is_no_spindle_is_what_it_was() {
     assert_eq!(after.canonical_of("axis"), after.canonical);
     assert_eq!(after.control.spindle, None);
 }
+
+/// The gain that the controller and a drive that controls the position share, with the drive's own name for it: of a spindle as of any axis.
+#[test]
+fn the_gain_of_the_drive() {
+    let said = |lines: &str| {
+        let text = summary::verdict(&designed(lines));
+        text.lines().filter_map(|line| line.trim_start().strip_prefix("Kv ")).map(str::to_owned).collect::<Vec<_>>()
+    };
+    let axis = |drive: &str| format!("getriebe = [{{ kv = 2050, dynamik.vb_max = 500000 }}]\n{drive}");
+    let equal = |of_drive: &str| [format!("20.5/s (P-AXIS-00099): that of the drive must be equal ({of_drive})")];
+    assert_eq!(said(&axis("kenngr.antr_typ = 'SERCOS'")), equal("SERCOS S-0-0104"));
+    assert_eq!(said(&axis("kenngr.antr_typ = 'CANOPEN'")), equal("CANopen 30C0h:01"));
+    let lightbus = axis("kenngr.antr_typ = 'LIGHTBUS'\nantr.operation_mode = 'DRIVE_POSITION_CONTROL'");
+    assert_eq!(said(&lightbus), equal("SERCOS S-0-0104, CANopen 30C0h:01"));
+    assert!(said(&axis("kenngr.antr_typ = 'SERCOS'\nantr.operation_mode = 'CNC_POSITION_CONTROL'")).is_empty());
+    let of_spindle = |of_drive: &str| equal(of_drive).map(|line| line.replace("20.5", "20"));
+    assert_eq!(said(&sercos("")), of_spindle("SERCOS S-0-0104"));
+    assert_eq!(said(&canopen("")), of_spindle("CANopen 30C0h:01"));
+    assert!(said(&in_cnc("")).is_empty());
+    let alone = "antr.sai_op_mode_change.v_velocity_control_on = 0\nantr.sai_op_mode_change.v_position_control_on = 0";
+    assert!(said(&sercos(alone)).is_empty() && said(&canopen(alone)).is_empty());
+}

@@ -33,7 +33,7 @@ impl<'a> Machine<'a> {
         let (position_mode, weight) = match spindle.drive {
             Changeover::Cnc { .. } => (None, 0.0),
             Changeover::Drive { position_mode, feed_forward_v_weighting, .. } => {
-                (Some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
+                ((!spindle.only_velocity()).then_some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
             }
         };
         let kv = f64::from(spindle.kv) / 100.0;
@@ -49,7 +49,10 @@ impl<'a> Machine<'a> {
             delay_cycles: Some(1.0 + f64::from(spindle.delay_cycles)),
             time_constant: Some(TIME_CONSTANT),
             response: None,
-            position_gain: Some(axis.drive.position_gain.unwrap_or(f64::from(spindle.kv) / 100.0)),
+            position_gain: axis
+                .drive
+                .position_gain
+                .or((!spindle.only_velocity()).then(|| f64::from(spindle.kv) / 100.0)),
         }
     }
 

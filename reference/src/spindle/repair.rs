@@ -24,7 +24,11 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
         || id == error_brake()
         || id == error_to_position()
         || id == error_takeover()
-        || coeffs.in_drive && (id == error_to_velocity() || id == error_half_turn() || id == error_mode_display())
+        // A drive that has one mode alone is not asked for its mode.
+        || coeffs.in_drive
+            && (!coeffs.only_velocity && id == error_to_velocity()
+                || id == error_half_turn()
+                || !coeffs.only_velocity && id == error_mode_display())
         || coeffs.closes_loop && id == error_lag()
 }
 

@@ -178,6 +178,8 @@ fn a_parameter_is_found_by_id_path_and_end_of_path() {
          default   -1\n  \
          since     V3.1.3077.08\n  \
          drives    SERCOS, PROFIdrive, CANopen\n  \
+         axes      T, R, S\n  \
+         dimension ----\n  \
          also      lr_param.improved_position_control.stage[i].filter.q_factor\n  \
          stands in an axis list, and below an axis of a set\n"
     );
@@ -193,9 +195,57 @@ fn a_parameter_is_found_by_id_path_and_end_of_path() {
         told("vs_v_faktor").contains("\n  type      SGN32\n") && told("vs_v_faktor").contains("\n  drives    ----\n")
     );
     assert!(told("00758").contains("\n  since     V3.1.3077.08; words: V3.1.3132.0\n"));
+    // The manuals print two units of a load, and of a nominal torque.
+    assert!(told("00391").contains("\n  axes      T, R, S\n  dimension T: kg; R, S: kg m^2\n"));
+    assert!(told("00392").contains("\n  axes      T, R, S\n  dimension T: N; R, S: Nm\n"));
+    assert!(told("00767").contains("\n  axes      S\n  dimension S: 0.001 deg/s\n"));
+    assert!(!told("00833").contains("axes") && !told("00833").contains("dimension"));
     let (code, _, err) = axgen(folder.path(), &["params", "bandwidth"]);
     assert!(code == 2 && err.contains("error[AX012]: no parameter `bandwidth`"), "{err}");
     assert!(axgen(folder.path(), &["params"]).1.lines().count() >= 20);
+}
+
+/// What the manuals name and axgen does not read: by both commands, in the list of all, and on the page; never a parameter that is read.
+#[test]
+fn what_the_manuals_name_besides_is_known() {
+    let folder = started();
+    let ask = |command: &str, name: &str| {
+        let (code, out, err) = axgen(folder.path(), &[command, name]);
+        assert_eq!((code, err.as_str()), (0, ""), "{command} {name}");
+        out
+    };
+    let names = [
+        "V_SATZ_ANZ",
+        "P-AXIS-00405",
+        "P-AXIS-00065",
+        "P-CHAN-00071",
+        "#SLOPE",
+        "CNC objects",
+        "S-0-0104",
+        "S-0-0296",
+        "S-0-0348",
+        "P-AXIS-00267",
+        "P-AXIS-00268",
+    ];
+    let (_, all, _) = axgen(folder.path(), &["params"]);
+    let (_, page, _) = axgen(folder.path(), &["params", "--markdown"]);
+    for name in names {
+        let told = ask("params", name);
+        assert!(told.starts_with(&format!("{name}\n  meaning   ")) && told.contains("\n  not read  "), "{told}");
+        assert_eq!(ask("explain", name).trim_end(), told.trim_end());
+        assert_eq!(ask("params", &name.to_ascii_lowercase()), told);
+        assert_eq!(all.lines().filter(|line| line.starts_with(&format!("{name} "))).count(), 1, "{name}");
+        assert_eq!(page.lines().filter(|line| line.starts_with(&format!("| {name} |"))).count(), 1, "{name}");
+    }
+    for (short, name) in [("00405", "P-AXIS-00405"), ("00071", "P-CHAN-00071"), ("slope", "#SLOPE")] {
+        assert_eq!(ask("params", short), ask("params", name));
+    }
+    assert!(ask("params", "CNC objects").contains("their names and numbers are open"));
+    let read = generator::parameters::Name::ALL.map(|name| name.parameter().id);
+    for other in &generator::parameters::others::OTHERS {
+        assert!(!read.contains(&Some(other.name)), "{}", other.name);
+        assert!([other.name, other.meaning, other.unread].iter().all(|text| text.is_ascii() && !text.contains('|')));
+    }
 }
 
 #[test]

@@ -8,7 +8,7 @@
 
 use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Var, rename};
-use portable::{Binary, Literal};
+use portable::Binary;
 
 /// What the names of locals end with that hold an output: of the first one, of the second one, ...
 const HELD: [&str; 3] = ["so_far", "until_now", "up_to_here"];
@@ -106,24 +106,14 @@ fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, p
     let known = |end: &&&str| program.locals.iter().any(|local| local.path == format!("{}_{end}", variable.path));
     let end = HELD.iter().find(|end| !known(end)).unwrap_or(&HELD[0]);
     program.locals.push(Local { path: format!("{}_{end}", variable.path), ty: Some(variable.ty) });
-    complete(&mut list[first], output, start);
+    // The ways that do not write it have its start: something overwrites it there, or nobody reads it.
+    go_before(&mut list[first], output, &Expr::Literal(start));
     list[first].branches_mut().for_each(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });
     // Until it is written again, the local is what the output was.
     rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });
     read_instead(&mut list[next], output, local);
     list.insert(first + 1, Statement::Assign { target: output, value: Expr::Var(local) });
-}
-
-/// Writes the output on the ways that do not: something overwrites it there, or nobody reads it.
-fn complete(statement: &mut Statement, output: Var, start: Literal) {
-    let writes_always = |list: &[Statement]| list.iter().any(|statement| always(statement, output));
-    for list in statement.branches_mut() {
-        if writes_always(list) {
-            continue;
-        }
-        list.insert(0, Statement::Assign { target: output, value: Expr::Literal(start) });
-    }
 }
 
 /// Puts the local in the place of the output in what a statement reads before it writes anything. Its branches get the value themselves.
@@ -145,17 +135,6 @@ fn asks(statement: &Statement, output: Var) -> bool {
 /// Whether no statement can change the value.
 fn is_fixed(value: &Expr) -> bool {
     matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
-}
-
-/// Whether every way through a statement writes the output.
-fn always(statement: &Statement, output: Var) -> bool {
-    match statement {
-        Statement::Note(_) => false,
-        Statement::Assign { target, .. } => *target == output,
-        Statement::If { .. } | Statement::Choose { .. } | Statement::Apart(_) => {
-            statement.branches().all(|list| list.iter().any(|statement| always(statement, output)))
-        }
-    }
 }
 
 fn reads(statement: &Statement, output: Var) -> bool {

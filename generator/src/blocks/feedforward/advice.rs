@@ -2,7 +2,8 @@
 
 use crate::axis::{Axis, Feedforward};
 use crate::config::values::{Key, key};
-use crate::{codes, number::rounded, parameters::Name, rules::effective::Effective};
+use crate::parameters::{Name, Value};
+use crate::{codes, number::rounded, rules::effective::Effective};
 
 /// A time constant below this part of a cycle is none that a drive has: a weight was written, or another unit.
 const LEAST_PART_OF_A_CYCLE: f64 = 0.05;
@@ -36,7 +37,9 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
         );
         e.warn(codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1".to_owned());
     }
-    if e.given(key(Name::HubMesstaster)).is_some() {
+    // A stroke of 0, the default, is no probe.
+    let stroke = e.given(key(Name::HubMesstaster)).map(|setting| setting.value.as_ref());
+    if stroke.is_some_and(|stroke| stroke != Some(&Value::Integer(0))) {
         let found = "the axis has a measuring probe (P-AXIS-00086), and feedforward delays its position by a cycle at the least";
         let instead = "a kenngr.hub_messtaster that is longer by the path of the delay".to_owned();
         e.warn(codes::PROBE, key(Name::HubMesstaster), found, instead);

@@ -8,7 +8,7 @@ use super::stage::StageDesign;
 use crate::axis::{Axis, Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::band::warped;
-use crate::design::response::{Complex, angle, magnitude};
+use crate::design::response::{self, Complex, angle, magnitude};
 use crate::number::{decimals, down_to, significant};
 use crate::parameters::words::{DirectSource, StageMode, Words};
 use portable::Extreme;
@@ -107,9 +107,12 @@ fn stage_verdict(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
     match stage.mode {
         Mode::SetPoint { .. } => {
             let h = at_f0(design);
-            let left = decimals(magnitude(h + 1.0) * 100.0, 0);
+            let left = |h: Complex| decimals(magnitude(h + 1.0) * 100.0, 0);
+            let (left, late) = (left(h), left(h * response::delay(warped(stage.f0(), design.cycle_time))));
+            let turn = decimals(360.0 * stage.f0() * design.cycle_time, 1);
             format!(
-                "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz"
+                "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz; \
+                 {late} % where the drive gets v_add a cycle late, which turns it by 360 f0 Ts = {turn} deg"
             )
         }
         Mode::Direct { source: DirectSource::Direct } => format!(

@@ -2,14 +2,15 @@
 
 use crate::axis::{Axis, Feedforward, Location, PositionControl, Width};
 use crate::config::values::{Key, key};
-use crate::parameters::{Name, Value, words::Words};
+use crate::parameters::words::{DriveType, Words};
+use crate::parameters::{Name, Value};
 use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 use portable::RealKind;
 
 /// Says what a user would want to know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let (Some(control), Some(feedforward)) = (&axis.control.position_control, &axis.control.feedforward) {
-        twice(control, feedforward, e);
+        twice(control, feedforward, axis.control.drive_type, e);
     }
     kv_default(gear, e);
     let Some(control) = &axis.control.position_control else { return };
@@ -27,7 +28,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
 }
 
 /// Feedforward in the CNC beside that of the drive.
-fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective<'_>) {
+fn twice(control: &PositionControl, feedforward: &Feedforward, drive: Option<DriveType>, e: &mut Effective<'_>) {
     let in_drive = control.location != Location::Cnc;
     let weights = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting];
     let drives = weights.into_iter().find_map(|name| {
@@ -41,7 +42,12 @@ fn twice(control: &PositionControl, feedforward: &Feedforward, e: &mut Effective
             rounded(weight as f64 / 10.0),
             name.parameter().id.unwrap_or_default()
         );
-        e.warn(codes::TWICE, key(name), found, "feedforward in one of the two".to_owned());
+        let gains = match drive {
+            Some(DriveType::Sercos) => ": in the drive its gains are S-0-0296 (velocity) and S-0-0348 (acceleration)",
+            Some(DriveType::CanOpen) => ": in the drive its weight is 3062h",
+            _ => "",
+        };
+        e.warn(codes::TWICE, key(name), found, format!("feedforward in one of the two{gains}"));
     }
 }
 

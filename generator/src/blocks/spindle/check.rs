@@ -72,14 +72,15 @@ pub(crate) fn check(
         e.report.push(said.instead("no gantry, or no P-AXIS-00767 and P-AXIS-00768"));
     }
     let velocities = velocities::check(e, drive.gear);
-    let kv = e.integer((Name::Kv, [drive.gear, 0]));
+    let is_alone =
+        drive.location != Location::Cnc && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
+    let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let window = limits::settled_window(e, cycle_time, drive.gear, velocities.as_ref().map(|of| of.off));
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
         (Some(in_cnc(e, feedforward)), Some(0))
     } else {
-        let is_alone = velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
         (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
     };
     if let (Some(Changeover::Cnc { feedforward, default_active }), Some(of), Some(kv)) = (&changeover, &velocities, kv)

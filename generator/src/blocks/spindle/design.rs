@@ -18,6 +18,7 @@ const START: u32 = 2;
 ///
 /// ```text
 /// lead_time = (Nd + 1) T + (1 - w) / Kv        position control in the drive, w its feedforward
+/// lead_time = (Nd + 1) T                       velocity control alone: no position controller lags
 /// lead_time = T + 1 / Kv                       position control in the CNC: its loop compares with the same delayed x_actual, so
 ///                                              that the delay is part of the lag; while feedforward is active less w / Kv
 /// ```
@@ -26,6 +27,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let cycle_time = axis.cycle_time();
     let off = f64::from(of.v_position_control_on);
     let window = window(of.v_position_control_on, of.window);
+    let lag = if of.only_velocity() { 0.0 } else { (1.0 - weight(of)) / kv(of) };
     let mode_cycles = cycles(of.mode_timeout_ns, axis);
     let coeffs = Coeffs {
         cycle_time_ns: axis.cycle_time_ns,
@@ -37,7 +39,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         v_taken_up: off + window,
         v_step: of.deceleration * cycle_time,
         v_largest: v_largest(axis),
-        lead_time: f64::from(of.delay_cycles + 1) * cycle_time + (1.0 - weight(of)) / kv(of),
+        lead_time: f64::from(of.delay_cycles + 1) * cycle_time + lag,
         takeover_window: of.takeover_window,
         mode_cycles,
         start_cycles: mode_cycles.saturating_add(START),

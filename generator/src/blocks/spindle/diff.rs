@@ -25,7 +25,7 @@ pub(crate) fn values(axis: &Axis) -> Values {
         ("position control from", rpm(off)),
         ("window", rpm(window(of.v_position_control_on, of.window))),
         ("deceleration", Some(Value::Number(of.deceleration / RPM, " rpm/s"))),
-        ("Kv", Some(Value::Number(kv(of), "/s"))),
+        ("Kv", (!of.only_velocity()).then(|| Value::Number(kv(of), "/s"))),
         ("weight of the drive's feedforward", Some(Value::Number(weight(of), ""))),
         ("delay", Some(Value::Number(f64::from(of.delay_cycles), " cycles"))),
         ("take-over window", Some(Value::Number(of.takeover_window / 1000.0, " deg"))),

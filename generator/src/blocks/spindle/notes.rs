@@ -15,12 +15,11 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.spindle else { return Vec::new() };
     let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
     let window = window(of.v_position_control_on, of.window);
-    let lead = format!(
-        "{} cycles (P-AXIS-00191) and {} / Kv, Kv = {}/s (P-AXIS-00099)",
-        of.delay_cycles + 1,
-        digits(1.0 - weight(of)),
-        digits(kv(of))
-    );
+    let delay = format!("{} cycles (P-AXIS-00191)", of.delay_cycles + 1);
+    let lead = match of.only_velocity() {
+        true => delay,
+        false => format!("{delay} and {} / Kv, Kv = {}/s (P-AXIS-00099)", digits(1.0 - weight(of)), digits(kv(of))),
+    };
     let brake = format!(
         "{}; from the largest velocity (P-AXIS-00212) the ramp takes {}",
         time_text(of.brake_timeout_ns),

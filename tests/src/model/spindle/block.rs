@@ -21,6 +21,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
     let [lowest, highest] = p.velocity_range;
     let delay = if p.in_cnc { 0 } else { p.nd };
     let weight = if p.in_cnc { 0.0 } else { p.w };
+    let lag = if p.only_velocity { 0.0 } else { (1.0 - weight) / p.kv };
     Coeffs {
         cycle_time_ns: p.cycle_ns,
         cycle_time: p.cycle,
@@ -35,7 +36,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
         closes_loop: p.closes_loop,
         v_step: p.deceleration * p.cycle,
         v_largest: (180_000.0 / p.cycle).next_down(),
-        lead_time: f64::from(delay + 1) * p.cycle + (1.0 - weight) / p.kv,
+        lead_time: f64::from(delay + 1) * p.cycle + lag,
         has_feedforward: p.in_cnc && p.feedforward.is_some(),
         default_active: false,
         lead_time_per_percent: p.feedforward.map_or(0.0, |weight| weight / 100.0 / p.kv),

@@ -55,7 +55,8 @@ impl Samples {
 #[must_use]
 pub fn lead_time(p: &Parameters, inputs: &Inputs) -> f64 {
     let late = if p.in_cnc { 0 } else { p.nd };
-    f64::from(late + 1) * p.cycle + (1.0 - weight(p, inputs)) / p.kv
+    let lag = if p.only_velocity { 0.0 } else { (1.0 - weight(p, inputs)) / p.kv };
+    f64::from(late + 1) * p.cycle + lag
 }
 
 /// A position that leads another one; that one, if the way is beyond what is in range.
