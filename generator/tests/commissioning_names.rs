@@ -53,10 +53,14 @@ fn words(text: &str) -> BTreeSet<String> {
     code.split(|letter: char| !is_name(letter)).map(str::to_owned).collect()
 }
 
-/// What the files of an axis for a target declare and use.
+/// What the files of an axis for a target declare and use. A file of Rust is a module, whose name nothing in it has.
 fn known(set: &Set, axis: &str, target: Target) -> BTreeSet<String> {
-    let texts = files(set, &[axis.to_owned()], &[target], |made| made.file.text).unwrap();
-    texts.iter().flat_map(|text| words(text)).collect()
+    let of_file = |name: &str, text: &str| {
+        let module = name.strip_suffix(".rs").map(str::to_owned);
+        words(text).into_iter().chain(module).collect::<Vec<_>>()
+    };
+    let files = files(set, &[axis.to_owned()], &[target], |made| of_file(&made.file.name, &made.file.text)).unwrap();
+    files.into_iter().flatten().collect()
 }
 
 /// What of the page's words in backquotes names no signal: files, commands, parameters of a set with their paths.
@@ -88,7 +92,9 @@ fn named(page: &str) -> BTreeSet<Named> {
         }
         // Of `Enable := TRUE` the name is what stands before.
         let name = piece.split(" := ").next().unwrap();
-        let after = pieces[at + 1].strip_prefix(" (").and_then(|after| after.split_once(')')).map(|(inside, _)| inside);
+        // Of `ErrorID` or `NoticeID` (twincat) the targets stand after the second one.
+        let last = if pieces[at + 1] == " or " { at + 3 } else { at + 1 };
+        let after = pieces[last].strip_prefix(" (").and_then(|after| after.split_once(')')).map(|(inside, _)| inside);
         let is_target = |word: &&str| TARGETS.iter().any(|target| target.name == *word);
         let inside =
             after.map(|after| after.strip_prefix("a block for ").unwrap_or(after).trim_end_matches(" has this input"));
@@ -104,22 +110,20 @@ fn named(page: &str) -> BTreeSet<Named> {
 fn missing(page: &str, known: &BTreeMap<&str, BTreeSet<String>>, example: &BTreeSet<String>) -> Vec<String> {
     let mut said = Vec::new();
     for Named { name, targets } in named(page) {
-        if let Some((list, variable)) = name.split_once('.').filter(|(list, _)| list.starts_with("GVL_axis_")) {
-            let is_there =
-                known.contains_key("twincat") && example.contains(variable) && example.contains("GVL_axis_x");
-            if !is_there || list.len() < 10 {
+        if let Some((_, variable)) = name.split_once('.').filter(|(list, _)| list.starts_with("GVL_axis_")) {
+            if !(known.contains_key("twincat") && example.contains("GVL_axis_x") && example.contains(variable)) {
                 said.push(name);
             }
             continue;
         }
-        let asked: Vec<&&str> =
-            known.keys().filter(|target| targets.is_empty() || targets.iter().any(|own| own == *target)).collect();
-        said.extend(
-            asked
-                .into_iter()
-                .filter(|target| !known[**target].contains(&name))
-                .map(|target| format!("{name} in {target}")),
-        );
+        let is_asked = |target: &str| targets.is_empty() || targets.iter().any(|own| own == target);
+        let asked: Vec<&str> = known.keys().copied().filter(|target| is_asked(target)).collect();
+        // A page for several targets says which of them have a function as self-test: these two are those of a function block.
+        let is_of_block = ["done", "differing"].contains(&name.as_str());
+        let blocks: Vec<&str> = asked.iter().copied().filter(|target| !["c", "rust"].contains(target)).collect();
+        let asked = if is_of_block && !blocks.is_empty() { blocks } else { asked };
+        let is_there = |target: &str| name.split("::").all(|part| known[target].contains(part));
+        said.extend(asked.into_iter().filter(|target| !is_there(target)).map(|target| format!("{name} in {target}")));
     }
     said
 }
