@@ -19,6 +19,9 @@ use project::{BLOCKS, LISTS, MAIN, Project};
 use rayon::prelude::*;
 use world::get;
 
+/// The page of the example.
+const PAGE: &str = include_str!("../../../docs/twincat.md");
+
 #[test]
 fn the_glue_does_what_the_reference_and_the_lives_say() {
     let project = Project::of_example();
@@ -27,7 +30,31 @@ fn the_glue_does_what_the_reference_and_the_lives_say() {
     let said = violations(&project, &program, &lives);
     assert!(said.is_empty(), "{} rows:\n{}", lives[0].len(), said.join("\n"));
     let acting = lives.iter().flatten().filter(|row| row.state == 4).count();
-    println!("2 axes, {} cycles, {acting} times a block that may act, no difference", lives[0].len());
+    shown(&format!("2 axes, {} cycles, {acting} times a block that may act, no difference", lives[0].len()));
+}
+
+/// What the page shows of a run.
+fn shown(line: &str) {
+    println!("{line}");
+    assert!(PAGE.contains(line), "docs/twincat.md shows something else than `{line}`");
+}
+
+/// What a first-order filter does to a vibration, and the lag that an offset makes which is held.
+#[test]
+fn the_numbers_of_the_page_follow_from_its_formulas() {
+    for milliseconds in [1.0, 4.0, 10.0] {
+        let at = |hertz: f64| {
+            let turn = std::f64::consts::TAU * hertz * milliseconds / 1000.0;
+            format!("{:.0} degrees, {:.2}", libm::atan(turn).to_degrees(), 1.0 / (1.0 + turn * turn).sqrt())
+        };
+        let row = format!("| {milliseconds} ms | {} | {} |", at(31.0), at(53.0));
+        assert!(PAGE.contains(&row), "{row}");
+    }
+    let project = Project::of_example();
+    let [x, z] = project.axes.each_ref().map(|axis| axis.limit() / 1000.0);
+    assert!(PAGE.contains(&format!("{x} mm/s for X, {z} mm/s for Z")));
+    assert!(PAGE.contains(&format!("at most {} mm for {x} mm/s and 20/s", x / 20.0)));
+    assert!(PAGE.contains(&format!("after some {} cycles", project.axes[0].tested().div_ceil(10) * 10)));
 }
 
 /// Another cycle of the task, calls that are missing, a breakpoint that the machine outlives.
@@ -143,7 +170,7 @@ fn planted_mistakes_are_found() {
         .map(|(_, _, new)| *new)
         .collect();
     assert!(missed.is_empty(), "{} mistakes are not found: {missed:#?}", missed.len());
-    println!("{} mistakes planted by hand, all found", PLANTED.len());
+    shown(&format!("{} mistakes planted by hand, all found", PLANTED.len()));
 }
 
 /// Without any one of its assignments the glue is wrong somewhere: in the lives of the axes, beyond 32 bits, or where a self-test fails.
@@ -163,6 +190,6 @@ fn each_lost_statement_is_found() {
             .map(|which| &statements[which])
             .collect();
         assert!(missed.is_empty(), "{file}: {} of {count} can be lost: {missed:#?}", missed.len());
-        println!("{file}: {count} statements taken away one by one, each one found");
+        shown(&format!("{file}: {count} statements taken away one by one, each one found"));
     }
 }
