@@ -57,27 +57,6 @@ fn of_word(wanted: &str) -> Vec<String> {
     found
 }
 
-/// The numbers that the function block of the example for TwinCAT has beside those of its blocks: why, and what to do.
-const OF_EXAMPLE: [(u32, &str, &str); 3] = [
-    (
-        901,
-        "the self-test of a block failed on this controller",
-        "Nothing acts until the program is loaded anew. Generate the blocks \
-        again and compare them with those on the controller; report the controller and its firmware.",
-    ),
-    (
-        902,
-        "the NC reports an error of the axis",
-        "nc_error_id has the NC's own number. Remove its cause, take Enable away, then acknowledge.",
-    ),
-    (
-        903,
-        "the drive is not in operation although the axis has power",
-        "Look at the drive's own fault memory and its status word. Remove the \
-        cause, take Enable away, then acknowledge.",
-    ),
-];
-
 /// What the controller and the blocks mean by a number.
 fn of_number(number: u32) -> Vec<String> {
     let of_block = error_ids::all().find(|known| known.id == number).map(|ErrorId { why, does, remedy, .. }| {
@@ -85,8 +64,5 @@ fn of_number(number: u32) -> Vec<String> {
     });
     let of_controller =
         of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", text(code)));
-    let of_example = OF_EXAMPLE.iter().filter(|(id, ..)| *id == number).map(|(_, why, remedy)| {
-        format!("error_id {number} of FB_damped_axis in examples/twincat: {why}\n\nWhat to do: {remedy}")
-    });
-    of_block.into_iter().chain(of_example).chain(of_controller).collect()
+    of_block.into_iter().chain(of_controller).collect()
 }

@@ -1,6 +1,7 @@
 //! Text of every file: comments that are closed and hold no other, and nothing of the machine on which it was made.
 
 use crate::{CASES, OBJECTS, xml};
+use std::collections::BTreeSet;
 
 /// All pieces of Structured Text of a file.
 fn pieces(name: &str, text: &str) -> Vec<String> {
@@ -35,6 +36,26 @@ fn no_line_is_too_long() {
             assert_eq!(long, None, "{}: {name}", case.name);
         }
     }
+}
+
+/// docs/structured-text.md names the blocks that print CASE.
+#[test]
+fn blocks_with_case_are_those_that_the_document_names() {
+    let page = include_str!("../../../docs/structured-text.md");
+    let sentence = page.split("Blocks with CASE are ").nth(1).unwrap().split("\n\n").next().unwrap();
+    let named: BTreeSet<&str> = sentence.split('`').skip(1).step_by(2).collect();
+    let kinds = ["ipc", "feedforward", "position_control", "axis", "spindle", "spindle_axis"];
+    let mut found = BTreeSet::new();
+    for case in CASES.iter() {
+        for (name, text) in case.with(&[".st"]) {
+            if !name.ends_with("_self_test.st") && text.contains("CASE ") {
+                // The longest name that fits: `spindle_axis` ends like `axis`.
+                let fits = kinds.iter().filter(|kind| name.ends_with(&format!("_{kind}.st")));
+                found.insert(*fits.max_by_key(|kind| kind.len()).unwrap());
+            }
+        }
+    }
+    assert_eq!(found, named);
 }
 
 /// What no name in a file says: the number of a second one of that name, or of a number.

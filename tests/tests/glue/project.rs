@@ -8,37 +8,50 @@ use st::{Block, Dialect, Mistake, Program};
 use std::path::{Path, PathBuf};
 
 /// The files of the example.
-pub const FB: &str = "POUs/FB_damped_axis.TcPOU";
+pub const PERMIT: &str = "POUs/FB_damping_permit.TcPOU";
+pub const VELOCITY: &str = "POUs/FB_motor_velocity.TcPOU";
+pub const OFFSETS: &str = "POUs/FB_damping_offsets.TcPOU";
 pub const MAIN: &str = "POUs/MAIN.TcPOU";
-pub const GVL: &str = "GVLs/GVL_axis_x.TcGVL";
+pub const LISTS: [&str; 2] = ["GVLs/GVL_axis_x.TcGVL", "GVLs/GVL_axis_z.TcGVL"];
+/// The blocks that no axis is named in.
+pub const BLOCKS: [&str; 3] = [PERMIT, VELOCITY, OFFSETS];
 /// What the program reads of the runtime.
 pub const CYCLE: &str = "_TaskInfo[GETCURTASKINDEXEX()].CycleTime";
+pub const COUNT: &str = "_TaskInfo[GETCURTASKINDEXEX()].CycleCount";
 
 const STRUCTURES: [&str; 4] = ["PLCTONC_AXIS_REF", "NCTOPLC_AXIS_REF", "ST_AxisStatus", "AXIS_REF"];
-const LIBRARY: [&str; 3] = ["MC_ReadStatus", "MC_Power", "MC_Reset"];
+/// The only block of the library: with another one, such as MC_Power, the engine refuses the program.
+const LIBRARY: &str = "MC_ReadStatus";
 
-/// The example.
-pub struct Project {
-    pub folder: PathBuf,
+/// An axis of the example: what its list of global variables says of it.
+pub struct Axis {
+    pub letter: char,
     pub designed: Designed,
     /// increments of 60B1h for 1 um/s
     pub increments: f64,
-    /// a block of which one number is another one
-    pub spoilt: Option<&'static str>,
+    /// the NC's filter of the actual velocity, in cycles
+    pub filter_cycles: f64,
+    pub inverted: bool,
+}
+
+/// The example.
+pub struct Project {
+    folder: PathBuf,
+    pub axes: [Axis; 2],
+    /// a block of the axis X of which one number is another one
+    spoilt: Option<&'static str>,
 }
 
 fn all(mistakes: &[Mistake]) -> String {
     mistakes.iter().map(Mistake::to_string).collect::<Vec<_>>().join("\n")
 }
 
-impl Project {
-    pub fn of_example() -> Self {
-        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/twincat");
-        let (set, report) = generator::pipeline::read(&folder.join("axes.toml"), &ListOptions::default());
-        let set = set.unwrap_or_else(|| panic!("{report:#?}"));
-        Self { folder, designed: set.axes.into_iter().next().unwrap(), increments: 60.0, spoilt: None }
-    }
+/// The name of a block's object: that of its file.
+fn stem(file: &str) -> &str {
+    Path::new(file).file_stem().and_then(|stem| stem.to_str()).unwrap()
+}
 
+impl Axis {
     /// A block of the axis.
     pub fn emitted(&self, name: &str) -> Emitted {
         let mut blocks = blocks::blocks(&self.designed).unwrap().into_iter();
@@ -50,6 +63,35 @@ impl Project {
         ["ipc", "feedforward"].map(|name| self.emitted(name).trial_inputs().len()).into_iter().max().unwrap() - 1
     }
 
+    /// What v_add stays within [um/s].
+    pub fn limit(&self) -> f64 {
+        if self.letter == 'x' { 25_000.0 } else { 12_500.0 }
+    }
+}
+
+impl Project {
+    pub fn of_example() -> Self {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/twincat");
+        let (set, report) = generator::pipeline::read(&folder.join("axes.toml"), &ListOptions::default());
+        let set = set.unwrap_or_else(|| panic!("{report:#?}"));
+        let Ok([x, z]) = <[Designed; 2]>::try_from(set.axes) else { panic!("the example has two axes") };
+        let x = Axis { letter: 'x', designed: x, increments: 60.0, filter_cycles: 0.0, inverted: false };
+        let z = Axis { letter: 'z', designed: z, increments: 120.0, filter_cycles: 4.0, inverted: true };
+        Self { folder, axes: [x, z], spoilt: None }
+    }
+
+    /// The example, with a block of the axis X that is not what was emitted.
+    pub fn with_spoilt(block: &'static str) -> Self {
+        Self { spoilt: Some(block), ..Self::of_example() }
+    }
+
+    /// The example, with another number of increments for 1 um/s of the axis X.
+    pub fn with_increments(increments: f64) -> Self {
+        let mut project = Self::of_example();
+        project.axes[0].increments = increments;
+        project
+    }
+
     /// The program with its files changed by `edit`, which gets their names.
     pub fn program(&self, edit: impl Fn(&str, String) -> String) -> Block {
         self.try_program(edit).unwrap_or_else(|said| panic!("{said}"))
@@ -58,17 +100,23 @@ impl Project {
     pub fn try_program(&self, edit: impl Fn(&str, String) -> String) -> Result<Block, String> {
         let read = |name: &str| edit(name, self.text(name));
         let mut program = self.library();
-        self.list_and(&mut program, &read)?;
-        program.block(&read(FB), "FB_damped_axis").map_err(|said| format!("{FB}:{}", all(&said)))?;
+        for name in LISTS {
+            program.globals(&read(name)).map_err(|said| format!("{name}:{}", all(&said)))?;
+        }
+        for name in BLOCKS {
+            program.block(&read(name), stem(name)).map_err(|said| format!("{name}:{}", all(&said)))?;
+        }
         program.read(&read(MAIN), "MAIN").map_err(|said| format!("{MAIN}:{}", all(&said)))
     }
 
     /// The program without one assignment of a file.
     pub fn without(&self, file: &str, which: usize) -> Block {
         let mut program = self.library();
-        self.list_and(&mut program, &|name| self.text(name)).unwrap();
-        let block = program.read(&self.text(FB), "FB_damped_axis").unwrap();
-        program.add(if file == FB { block.without(which).unwrap() } else { block });
+        LISTS.iter().for_each(|name| program.globals(&self.text(name)).unwrap());
+        for name in BLOCKS {
+            let block = program.read(&self.text(name), stem(name)).unwrap();
+            program.add(if file == name { block.without(which).unwrap() } else { block });
+        }
         let main = program.read(&self.text(MAIN), "MAIN").unwrap();
         if file == MAIN { main.without(which).unwrap() } else { main }
     }
@@ -85,39 +133,35 @@ impl Project {
         text.split("<ST><![CDATA[").nth(1).unwrap().lines().map(code).filter(is_statement).collect()
     }
 
-    fn text(&self, name: &str) -> String {
+    pub fn text(&self, name: &str) -> String {
         let path = self.folder.join(name);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
-        if name == GVL { text.replace(":= 60.0;", &format!(":= {:.1};", self.increments)) } else { text }
+        if name == LISTS[0] { text.replace(":= 60.0;", &format!(":= {:.1};", self.axes[0].increments)) } else { text }
     }
 
     /// The library's test doubles, and the emitted blocks with their self-tests, as strictly as ever.
     fn library(&self) -> Program {
         let mut program = Program::new(RealKind::F64);
         program.runtime(CYCLE);
+        program.runtime(COUNT);
         for name in STRUCTURES {
             let read = program.structure(&self.text(&format!("stubs/{name}.TcDUT")));
             read.unwrap_or_else(|said| panic!("{name}: {}", all(&said)));
         }
-        for name in LIBRARY {
-            let read = program.block(&self.text(&format!("stubs/{name}.TcPOU")), name);
-            read.unwrap_or_else(|said| panic!("{name}: {}", all(&said)));
-        }
-        for name in ["ipc", "feedforward"] {
-            let block = self.emitted(name);
-            let [file, test] = emitted::files(Dialect::TwinCat, &self.designed, &block).unwrap();
-            let read = emitted::read(Dialect::TwinCat, &file, &self.designed, &block).unwrap();
-            let read = if self.spoilt == Some(name) { read.with_other_constant(0).unwrap() } else { read };
-            let test_name = format!("FB_axis_x_{name}_self_test");
+        let read = program.block(&self.text(&format!("stubs/{LIBRARY}.TcPOU")), LIBRARY);
+        read.unwrap_or_else(|said| panic!("{LIBRARY}: {}", all(&said)));
+        for (axis, name) in self.axes.iter().flat_map(|axis| [(axis, "ipc"), (axis, "feedforward")]) {
+            let block = axis.emitted(name);
+            let [file, test] = emitted::files(Dialect::TwinCat, &axis.designed, &block).unwrap();
+            let read = emitted::read(Dialect::TwinCat, &file, &axis.designed, &block).unwrap();
+            let is_spoilt = axis.letter == 'x' && self.spoilt == Some(name);
+            let read = if is_spoilt { read.with_other_constant(0).unwrap() } else { read };
+            let test_name = format!("FB_axis_{}_{name}_self_test", axis.letter);
             let others = std::slice::from_ref(&read);
             let test = Block::read_with(Dialect::TwinCat, &test.text, &test_name, RealKind::F64, others);
             program.add(test.unwrap_or_else(|said| panic!("{}", all(&said))));
             program.add(read);
         }
         program
-    }
-
-    fn list_and(&self, program: &mut Program, read: &dyn Fn(&str) -> String) -> Result<(), String> {
-        program.globals(&read(GVL)).map_err(|said| format!("{GVL}:{}", all(&said)))
     }
 }
