@@ -1,0 +1,37 @@
+//! From a recording to a proposal: how an axis is excited, its response, its vibrations, what stages of improved position control would leave of
+//! them, which stages are proposed. No parameter, no file, no block: arrays in, numbers out; the response of a stage is a closure of the caller.
+//!
+//! Velocities are in one unit of the caller's, times in seconds, frequencies in Hz. z^-1 = exp(-j 2 pi f T), T the cycle of the position controller.
+//! P is the response from the commanded velocity `v_cmd` to the motor's `v_motor`; C, L and S are those of the crate `stability`.
+//!
+//! ```text
+//! fourier        transforms of any length
+//! excitation     the maximum-length sequence, and what a start of it means
+//! response       periods -> P with its standard errors; smoothing
+//! ```
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
+#![forbid(unsafe_code)]
+
+pub mod excitation;
+mod fourier;
+pub mod response;
+
+pub use stability::Complex64;
+
+const ZERO: Complex64 = Complex64::new(0.0, 0.0);
+
+/// exp(j angle).
+fn turned(angle: f64) -> Complex64 {
+    let (sin, cos) = libm::sincos(angle);
+    Complex64::new(cos, sin)
+}
+
+/// The square root is exact on every host.
+fn magnitude(value: Complex64) -> f64 {
+    value.norm_sqr().sqrt()
+}
+
+/// The angle in (-pi, pi].
+fn angle(value: Complex64) -> f64 {
+    libm::atan2(value.im, value.re)
+}

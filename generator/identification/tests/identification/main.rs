@@ -1,0 +1,7 @@
+//! Judges of the crate: sums and closed formulas, the demonstration plant with seeded noise, synthesised records. Nothing of the command.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod excitation;
+mod plant;
+mod response;

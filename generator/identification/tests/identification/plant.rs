@@ -1,0 +1,110 @@
+//! The demonstration plant as the tests record it: its exact response, its excitation in the closed position loop, noise. No assertion.
+
+use identification::Complex64;
+use identification::excitation::Excitation;
+use machine::closed_loop::{Position, UM};
+use machine::measure::fourier;
+use machine::plant::Plant;
+use machine::{Machine, Measured};
+use std::f64::consts::TAU;
+
+/// Cycle of the position controller [s].
+pub const CYCLE: f64 = 1e-3;
+/// Cycles of an impulse response: 16 s, in which every vibration of the plant is gone.
+const CYCLES: usize = 16_384;
+
+/// White noise of a rms value, the same in every run: splitmix64, Box and Muller.
+pub struct Noise {
+    state: u64,
+    rms: f64,
+}
+
+impl Noise {
+    pub fn new(seed: u64, rms: f64) -> Self {
+        Self { state: seed, rms }
+    }
+
+    /// Evenly in (0, 1].
+    pub fn even(&mut self) -> f64 {
+        self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (((z ^ (z >> 31)) >> 11) + 1) as f64 / (1_u64 << 53) as f64
+    }
+
+    pub fn next(&mut self) -> f64 {
+        let (a, b) = (self.even(), self.even());
+        self.rms * (-2.0 * libm::log(a)).sqrt() * libm::cos(TAU * b)
+    }
+
+    /// Added to all values.
+    pub fn on(&mut self, values: &[f64]) -> Vec<f64> {
+        values.iter().map(|value| value + self.next()).collect()
+    }
+}
+
+/// The answers of a linear plant to an impulse of `v_cmd`, from sampling instant to sampling instant.
+pub struct Impulse {
+    v_motor: Vec<f64>,
+    a_load: Vec<f64>,
+}
+
+impl Impulse {
+    pub fn of(plant: &Plant) -> Self {
+        let mut machine = plant.without_mesh().at_rest();
+        let mut answer = Self { v_motor: vec![0.0], a_load: vec![0.0] };
+        for n in 0..CYCLES {
+            let measured = machine.step(if n == 0 { 1.0 } else { 0.0 });
+            answer.v_motor.push(measured.v_motor);
+            answer.a_load.push(measured.a_load);
+        }
+        answer
+    }
+
+    /// P at a frequency [Hz].
+    pub fn p(&self, hz: f64) -> Complex64 {
+        let [re, im] = fourier(&self.v_motor, TAU * hz * CYCLE);
+        Complex64::new(re, im)
+    }
+
+    /// From `v_cmd` to the acceleration of the load.
+    pub fn of_load(&self, hz: f64) -> Complex64 {
+        let [re, im] = fourier(&self.a_load, TAU * hz * CYCLE);
+        Complex64::new(re, im)
+    }
+}
+
+/// What is recorded while an axis is excited, in metres and seconds: the measured periods.
+#[derive(Default)]
+pub struct Excited {
+    pub v_cmd: Vec<f64>,
+    pub v_motor: Vec<f64>,
+    pub a_load: Vec<f64>,
+}
+
+/// Excites the plant in its position loop while it moves at a speed [m/s].
+pub fn excited(plant: &Plant, excitation: &Excitation, speed: f64) -> Excited {
+    let mut machine = plant.at_rest();
+    let (mut actual, mut x, mut record) = (Measured::default(), 0.0, Excited::default());
+    let settle = (0.5 / CYCLE) as usize;
+    let measured = excitation.measured();
+    let samples: Vec<f64> = std::iter::repeat_n(0.0, settle).chain(excitation.samples()).collect();
+    for (n, excite) in samples.into_iter().enumerate().take(settle + measured.end) {
+        x += speed * CYCLE;
+        let v_cmd = Position::DEMONSTRATION.signals(x, speed, &actual).v_command / UM + excite;
+        let read = actual;
+        actual = machine.step(v_cmd);
+        if n >= settle + measured.start {
+            record.v_cmd.push(v_cmd);
+            record.v_motor.push(read.v_motor);
+            record.a_load.push(read.a_load);
+        }
+    }
+    record
+}
+
+/// Degrees.
+pub fn degrees(value: Complex64) -> f64 {
+    libm::atan2(value.im, value.re).to_degrees()
+}
