@@ -8,13 +8,19 @@
 //! fourier        transforms of any length
 //! excitation     the maximum-length sequence, and what a start of it means
 //! response       periods -> P with its standard errors; smoothing
+//! welch          spectra of signals without a period
+//! offset         how much later one channel is than another
+//! dead_time      what the phase of P turns beyond its minimum phase
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 
+pub mod dead_time;
 pub mod excitation;
 mod fourier;
+pub mod offset;
 pub mod response;
+mod welch;
 
 pub use stability::Complex64;
 
@@ -34,4 +40,10 @@ fn magnitude(value: Complex64) -> f64 {
 /// The angle in (-pi, pi].
 fn angle(value: Complex64) -> f64 {
     libm::atan2(value.im, value.re)
+}
+
+/// The next whole number of samples.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn whole(samples: f64) -> usize {
+    libm::round(samples) as usize
 }

@@ -52,9 +52,13 @@ pub struct Impulse {
 
 impl Impulse {
     pub fn of(plant: &Plant) -> Self {
+        Self::of_cycles(plant, CYCLES)
+    }
+
+    pub fn of_cycles(plant: &Plant, cycles: usize) -> Self {
         let mut machine = plant.without_mesh().at_rest();
         let mut answer = Self { v_motor: vec![0.0], a_load: vec![0.0] };
-        for n in 0..CYCLES {
+        for n in 0..cycles {
             let measured = machine.step(if n == 0 { 1.0 } else { 0.0 });
             answer.v_motor.push(measured.v_motor);
             answer.a_load.push(measured.a_load);
@@ -66,6 +70,11 @@ impl Impulse {
     pub fn p(&self, hz: f64) -> Complex64 {
         let [re, im] = fourier(&self.v_motor, TAU * hz * CYCLE);
         Complex64::new(re, im)
+    }
+
+    /// P at k/(N T), k = 1..=N/2.
+    pub fn lines(&self, period: u32) -> Vec<Complex64> {
+        (1..=period / 2).map(|k| self.p(f64::from(k) / (f64::from(period) * CYCLE))).collect()
     }
 
     /// From `v_cmd` to the acceleration of the load.

@@ -1,0 +1,174 @@
+//! Known shifts of two channels; the dead time of the demonstration plant and of random axes.
+
+use crate::plant::{CYCLE, Impulse, Noise, excited};
+use identification::Complex64;
+use identification::dead_time::{self, Channels};
+use identification::excitation::{Excitation, Sequence};
+use identification::offset::between;
+use identification::response::Lines;
+use machine::closed_loop::{self, Position};
+use machine::mechanics::{Mechanics, Mesh};
+use machine::plant::{DEMONSTRATION, Plant};
+use machine::sequence;
+use std::f64::consts::TAU;
+
+fn one(_: f64) -> Complex64 {
+    Complex64::from(1.0)
+}
+
+/// Samples of a signal and of the same some cycles later.
+fn shifted(signal: &[f64], cycles: usize) -> (&[f64], &[f64]) {
+    (&signal[cycles..], &signal[..signal.len() - cycles])
+}
+
+#[test]
+fn shifts_of_an_excited_axis() {
+    let sequence = Sequence::for_cycle(CYCLE);
+    let excitation = Excitation { sequence, cycle_time: CYCLE, amplitude: 5e-3, periods: 4 };
+    let record = excited(&DEMONSTRATION, &excitation, 0.02);
+    for (seed, cycles) in [(1, 0), (2, 1), (3, 4)] {
+        let (x, y) = shifted(&record.v_motor, cycles);
+        let mut noise = Noise::new(seed, 0.3e-3);
+        let (x, y) = (noise.on(x), noise.on(y));
+        let found = between(&x, &y, CYCLE, one).unwrap();
+        let back = between(&y, &x, CYCLE, one).unwrap();
+        println!("{cycles}: {found:?} {back:?}");
+        assert!((found.seconds - cycles as f64 * CYCLE).abs() < 0.04e-3, "{cycles}: {found:?}");
+        assert!((back.seconds + cycles as f64 * CYCLE).abs() < 0.04e-3, "{cycles}: {back:?}");
+    }
+}
+
+#[test]
+fn shifts_of_a_move() {
+    let record =
+        closed_loop::run(DEMONSTRATION.at_rest(), &Position::DEMONSTRATION, &sequence::Sequence::DEMONSTRATION, |_| {
+            0.0
+        });
+    let v_motor: Vec<f64> = record.signals.iter().map(|signals| signals.v_motor / closed_loop::UM).collect();
+    for (part, is_known) in [(0.001, true), (0.01, false)] {
+        for cycles in [0, 2, 5] {
+            let (x, y) = shifted(&v_motor, cycles);
+            let mut noise = Noise::new(cycles as u64, part * 0.53);
+            let found = between(&noise.on(x), &noise.on(y), CYCLE, one);
+            println!("{part} {cycles}: {found:?}");
+            if is_known {
+                let found = found.unwrap();
+                assert!((found.seconds - cycles as f64 * CYCLE).abs() < 0.2e-3, "{cycles}: {found:?}");
+            } else {
+                assert!(found.is_none(), "{cycles}: {found:?}");
+            }
+        }
+    }
+}
+
+/// Sines that do not repeat, at a time [s], and their derivative.
+fn sines(time: f64) -> [f64; 2] {
+    (1..60_u32).fold([0.0; 2], |sum, k| {
+        let (omega, phase) = (TAU * 1.37 * f64::from(k), f64::from(k * k));
+        let (sin, cos) = libm::sincos(omega * time + phase);
+        [sum[0] + sin, sum[1] + omega * cos]
+    })
+}
+
+#[test]
+fn a_position_and_a_velocity_between_cycles() {
+    for tau in [-2.6e-3, 0.31e-3, 1.87e-3] {
+        let at = |n: u32, tau: f64| sines(f64::from(n) * CYCLE - tau);
+        let position: Vec<f64> = (0..12_000).map(|n| at(n, 0.0)[0]).collect();
+        let velocity: Vec<f64> = (0..12_000).map(|n| at(n, tau)[1]).collect();
+        let found = between(&position, &velocity, CYCLE, |hz| Complex64::new(0.0, TAU * hz)).unwrap();
+        assert!((found.seconds - tau).abs() < 0.01e-3, "{tau}: {found:?}");
+    }
+    // Ten sines about 250 Hz: each period of 4 ms is nearly as good.
+    let band =
+        |n: u32| (0..10).map(|k| libm::sin(TAU * (248.0 + 0.5 * f64::from(k)) * f64::from(n) * CYCLE)).sum::<f64>();
+    let band: Vec<f64> = (0..12_000).map(band).collect();
+    let mut noise = Noise::new(3, 0.05);
+    assert_eq!(between(&noise.on(&band), &noise.on(&band), CYCLE, one), None, "two places are as good");
+    assert_eq!(between(&band[..2000], &band, CYCLE, one), None, "shorter than a segment");
+}
+
+/// Lines to half the sampling frequency from an impulse response: what an excitation without noise gives.
+fn exact_lines(plant: &Plant) -> Lines {
+    let impulse = Impulse::of_cycles(plant, 8192);
+    let period = 2047;
+    let mut lines = Lines::default();
+    for k in 1..=period / 2 {
+        lines.hz.push(f64::from(k) / (f64::from(period) * CYCLE));
+    }
+    lines.response = impulse.lines(period);
+    lines.error = vec![0.0; lines.hz.len()];
+    lines.coherence = vec![1.0; lines.hz.len()];
+    lines
+}
+
+#[test]
+fn the_dead_time_of_the_demonstration_plant() {
+    let exact = dead_time::of(&exact_lines(&DEMONSTRATION), CYCLE).unwrap();
+    println!("{exact:?}");
+    assert!((exact.seconds - 3e-3).abs() < 0.003e-3, "{exact:?}");
+    assert_eq!(Channels::of(exact.seconds, CYCLE), Channels::Whole(3));
+
+    let excitation =
+        Excitation { sequence: Sequence::new(11, 1).unwrap(), cycle_time: CYCLE, amplitude: 5e-3, periods: 8 };
+    let mut record = excited(&DEMONSTRATION, &excitation, 0.02);
+    record.v_motor = Noise::new(5, 0.3e-3).on(&record.v_motor);
+    let lines = Lines::measured(&excitation.sequence, CYCLE, &record.v_cmd, &record.v_motor).unwrap();
+    let noisy = dead_time::of(&lines, CYCLE).unwrap();
+    println!("{noisy:?}");
+    assert!((noisy.seconds - 3e-3).abs() < 0.05e-3, "{noisy:?}");
+    assert_eq!(dead_time::of(&lines.up_to(250.0), CYCLE), None, "the minimum phase needs all of |P|");
+}
+
+/// A value between two, evenly on a logarithmic scale.
+fn between_two(noise: &mut Noise, [low, high]: [f64; 2]) -> f64 {
+    low * libm::pow(high / low, noise.even())
+}
+
+/// An axis with a stiff drive whose bed and carriage vibrate somewhere.
+fn random_axis(seed: u64) -> Plant {
+    let mut noise = Noise::new(seed, 1.0);
+    let mut of = |range| between_two(&mut noise, range);
+    let [m1, m2, m3] = [of([300.0, 1500.0]), of([500.0, 3000.0]), of([3000.0, 12_000.0])];
+    let (contact, bed) = (TAU * of([35.0, 120.0]), TAU * of([7.0, 25.0]));
+    let (k1, k2) = (m1 * m2 / (m1 + m2) * contact * contact, (m2 + m3) * bed * bed);
+    let (c1, c2) = (2.0 * of([0.03, 0.1]) * k1 / contact, 2.0 * of([0.02, 0.08]) * k2 / bed);
+    let mechanics =
+        Mechanics { m1, m2, m3, k1, c1, k2, c2, mesh: Mesh { force: 0.0, pitch: 0.01 }, current_lag: 0.4e-3 };
+    let (command_delay, actual_delay) = (of([1.0, 3.99]) as usize, of([1.0, 2.99]) as usize - 1);
+    Plant {
+        mechanics,
+        kp: m1 * of([400.0, 900.0]),
+        tn: of([15e-3, 40e-3]),
+        command_delay,
+        actual_delay,
+        ..DEMONSTRATION
+    }
+}
+
+#[test]
+fn dead_times_of_random_axes() {
+    let axes = if std::env::var("AXGEN_EXHAUSTIVE").is_ok() { 400 } else { 40 };
+    for seed in 0..axes {
+        let plant = random_axis(1000 + seed);
+        let cycles = plant.command_delay + plant.actual_delay + 1;
+        let found = dead_time::of(&exact_lines(&plant), CYCLE).unwrap_or_else(|| panic!("axis {seed}: unknown"));
+        let apart = found.seconds - cycles as f64 * CYCLE;
+        println!("{seed} {cycles} {apart:e} {:e}", found.error);
+        assert!(apart.abs() < 0.003e-3, "axis {seed}: {found:?}, {cycles} cycles");
+    }
+}
+
+#[test]
+fn what_a_dead_time_says_of_the_channels() {
+    for (seconds, channels) in [
+        (3.0e-3, Channels::Whole(3)),
+        (3.14e-3, Channels::Whole(3)),
+        (3.4e-3, Channels::NotWhole),
+        (0.9e-3, Channels::Whole(1)),
+        (0.2e-3, Channels::TooShort),
+        (-2e-3, Channels::TooShort),
+    ] {
+        assert_eq!(Channels::of(seconds, CYCLE), channels, "{seconds}");
+    }
+}
