@@ -11,15 +11,27 @@
 //! welch          spectra of signals without a period
 //! offset         how much later one channel is than another
 //! dead_time      what the phase of P turns beyond its minimum phase
+//! segments       rest, driving, ramps of a record
+//! peaks          of the spectrum while driving
+//! least_squares  linear fits
+//! decay          frequency and damping of a vibration after ramps
+//! resonance      the same from a response
+//! source         on which side of the spring a vibration enters
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 
 pub mod dead_time;
+pub mod decay;
 pub mod excitation;
 mod fourier;
+mod least_squares;
 pub mod offset;
+pub mod peaks;
+pub mod resonance;
 pub mod response;
+pub mod segments;
+pub mod source;
 mod welch;
 
 pub use stability::Complex64;

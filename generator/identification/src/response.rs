@@ -65,20 +65,29 @@ impl Lines {
     /// # Errors
     /// [`Refused`]
     pub fn measured(sequence: &Sequence, cycle_time: f64, v_cmd: &[f64], v_motor: &[f64]) -> Result<Self, Refused> {
+        let lines = Self::of_periods(sequence, cycle_time, v_cmd, v_motor)?;
+        let sign = v_motor[0].signum();
+        match v_motor.iter().position(|v| v * sign <= 0.0) {
+            Some(at) => Err(Refused::Reverses(at)),
+            None => Ok(lines),
+        }
+    }
+
+    /// The same of any two signals while an axis is excited, as `v_motor` and the acceleration of the load, which need not keep a sign.
+    ///
+    /// # Errors
+    /// [`Refused`]
+    pub fn of_periods(sequence: &Sequence, cycle_time: f64, from: &[f64], to: &[f64]) -> Result<Self, Refused> {
         let period = sequence.period();
-        if v_cmd.len() != v_motor.len() || v_cmd.len() % period != 0 {
+        if from.len() != to.len() || !from.len().is_multiple_of(period) {
             return Err(Refused::NotPeriods);
         }
-        let periods = v_cmd.len() / period;
+        let periods = from.len() / period;
         if periods < FEWEST_PERIODS {
             return Err(Refused::TooFewPeriods(periods));
         }
-        let sign = v_motor[0].signum();
-        if let Some(at) = v_motor.iter().position(|v| v * sign <= 0.0) {
-            return Err(Refused::Reverses(at));
-        }
         let transforms = |signal: &[f64]| signal.chunks(period).map(fourier::of_real).collect::<Vec<_>>();
-        let (commands, answers) = (transforms(v_cmd), transforms(v_motor));
+        let (commands, answers) = (transforms(from), transforms(to));
         let largest = (1..=period / 2).map(|k| sequence.line(k)).fold(0.0, f64::larger);
         let mut lines = Self::default();
         for k in (1..=period / 2).filter(|k| sequence.line(*k) >= WEAKEST * largest) {
@@ -207,6 +216,6 @@ pub fn in_db_and_degrees(relative_error: f64) -> [f64; 2] {
 /// Whether a response is too uncertain at a frequency [Hz] to propose anything there: 2 se/|P| >= 0.5.
 #[must_use]
 pub fn is_too_uncertain(response: &stability::Response, hz: f64) -> bool {
-    // A NaN is as uncertain as anything.
-    !(2.0 * response.relative_error(hz) < LARGEST_UNCERTAINTY)
+    let uncertainty = 2.0 * response.relative_error(hz);
+    uncertainty >= LARGEST_UNCERTAINTY || uncertainty.is_nan()
 }

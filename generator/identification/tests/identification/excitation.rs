@@ -57,9 +57,9 @@ fn lines_are_those_of_the_signs() {
     let sequence = Sequence::new(9, 3).unwrap();
     let period: Vec<f64> = sequence.signs().take(sequence.period()).collect();
     for k in [1, 2, 40, 255, 511, 700] {
-        let [re, im] = fourier(&period, TAU * f64::from(k) / period.len() as f64);
+        let [re, im] = fourier(&period, TAU * k as f64 / period.len() as f64);
         let line = 2.0 * libm::hypot(re, im) / period.len() as f64;
-        assert!((line - sequence.line(k as usize)).abs() < 1e-9, "line {k}: {line} {}", sequence.line(k as usize));
+        assert!((line - sequence.line(k)).abs() < 1e-9, "line {k}: {line} {}", sequence.line(k));
     }
     // Held clocks: -2.4 dB at 0.4 of their frequency.
     let long = Sequence::new(15, 2).unwrap();

@@ -32,7 +32,6 @@ fn shifts_of_an_excited_axis() {
         let (x, y) = (noise.on(x), noise.on(y));
         let found = between(&x, &y, CYCLE, one).unwrap();
         let back = between(&y, &x, CYCLE, one).unwrap();
-        println!("{cycles}: {found:?} {back:?}");
         assert!((found.seconds - cycles as f64 * CYCLE).abs() < 0.04e-3, "{cycles}: {found:?}");
         assert!((back.seconds + cycles as f64 * CYCLE).abs() < 0.04e-3, "{cycles}: {back:?}");
     }
@@ -50,7 +49,6 @@ fn shifts_of_a_move() {
             let (x, y) = shifted(&v_motor, cycles);
             let mut noise = Noise::new(cycles as u64, part * 0.53);
             let found = between(&noise.on(x), &noise.on(y), CYCLE, one);
-            println!("{part} {cycles}: {found:?}");
             if is_known {
                 let found = found.unwrap();
                 assert!((found.seconds - cycles as f64 * CYCLE).abs() < 0.2e-3, "{cycles}: {found:?}");
@@ -105,7 +103,6 @@ fn exact_lines(plant: &Plant) -> Lines {
 #[test]
 fn the_dead_time_of_the_demonstration_plant() {
     let exact = dead_time::of(&exact_lines(&DEMONSTRATION), CYCLE).unwrap();
-    println!("{exact:?}");
     assert!((exact.seconds - 3e-3).abs() < 0.003e-3, "{exact:?}");
     assert_eq!(Channels::of(exact.seconds, CYCLE), Channels::Whole(3));
 
@@ -115,7 +112,6 @@ fn the_dead_time_of_the_demonstration_plant() {
     record.v_motor = Noise::new(5, 0.3e-3).on(&record.v_motor);
     let lines = Lines::measured(&excitation.sequence, CYCLE, &record.v_cmd, &record.v_motor).unwrap();
     let noisy = dead_time::of(&lines, CYCLE).unwrap();
-    println!("{noisy:?}");
     assert!((noisy.seconds - 3e-3).abs() < 0.05e-3, "{noisy:?}");
     assert_eq!(dead_time::of(&lines.up_to(250.0), CYCLE), None, "the minimum phase needs all of |P|");
 }
@@ -154,7 +150,6 @@ fn dead_times_of_random_axes() {
         let cycles = plant.command_delay + plant.actual_delay + 1;
         let found = dead_time::of(&exact_lines(&plant), CYCLE).unwrap_or_else(|| panic!("axis {seed}: unknown"));
         let apart = found.seconds - cycles as f64 * CYCLE;
-        println!("{seed} {cycles} {apart:e} {:e}", found.error);
         assert!(apart.abs() < 0.003e-3, "axis {seed}: {found:?}, {cycles} cycles");
     }
 }

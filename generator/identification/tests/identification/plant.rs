@@ -2,9 +2,10 @@
 
 use identification::Complex64;
 use identification::excitation::Excitation;
-use machine::closed_loop::{Position, UM};
-use machine::measure::fourier;
+use machine::closed_loop::{self, Position, UM};
+use machine::measure::{Figures, figures, fourier};
 use machine::plant::Plant;
+use machine::sequence::Sequence;
 use machine::{Machine, Measured};
 use std::f64::consts::TAU;
 
@@ -111,6 +112,29 @@ pub fn excited(plant: &Plant, excitation: &Excitation, speed: f64) -> Excited {
         }
     }
     record
+}
+
+/// A move of the demonstration plant, with its figures in metres and seconds.
+pub struct Move {
+    pub v_command: Vec<f64>,
+    pub v_motor: Vec<f64>,
+    pub a_load: Vec<f64>,
+    /// command less position of the motor
+    pub error: Vec<f64>,
+}
+
+/// The moves forward and back, with a closure as improved position control (`v_motor` in, `v_add` out, m/s), whose figures come with them.
+pub fn moved(plant: &Plant, mut ipc: impl FnMut(f64) -> f64) -> (Move, Figures) {
+    let record = closed_loop::run(plant.at_rest(), &Position::DEMONSTRATION, &Sequence::DEMONSTRATION, |signals| {
+        ipc(signals.v_motor / UM) * UM
+    });
+    let of_record = Move {
+        v_command: record.v_planned.clone(),
+        v_motor: record.signals.iter().map(|signals| signals.v_motor / UM).collect(),
+        a_load: record.sensor.clone(),
+        error: record.command.iter().zip(&record.x).map(|(command, x)| command - x).collect(),
+    };
+    (of_record, figures(&record))
 }
 
 /// Degrees.

@@ -37,7 +37,6 @@ fn the_exact_response_of_the_demonstration_plant() {
     ];
     for (hz, magnitude, phase) in golden {
         let p = impulse.p(hz);
-        println!("{hz} {:.4} {:.2}", p.norm(), degrees(p));
         assert!((p.norm() - magnitude).abs() < 1e-3 && (degrees(p) - phase).abs() < 0.05, "{hz} Hz: {p}");
     }
 }
@@ -60,7 +59,6 @@ fn lines_from_noisy_records() {
             assert!(!is_too_uncertain(&response, *hz), "{hz} Hz");
         }
         let rms = squares.map(|sum: f64| (sum / count).sqrt());
-        println!("A {amplitude} noise {noise}: worst {worst:?}, rms {rms:?}");
         assert!(worst[0] < 0.5 && worst[1] < 3.5, "worst {worst:?}");
         assert!(rms[0] < 0.15 && rms[1] < 0.75, "rms {rms:?}");
     }
@@ -75,7 +73,6 @@ fn stated_errors_hold() {
         let far = |k: usize| (lines.response[k] - impulse.p(lines.hz[k])).norm() / lines.error[k];
         let within = (0..lines.hz.len()).filter(|k| far(*k) <= 2.0).count() as f64 / lines.hz.len() as f64;
         let within_half = (0..lines.hz.len()).filter(|k| far(*k) <= 0.5).count() as f64 / lines.hz.len() as f64;
-        println!("{what}: {within} within two standard errors, {within_half} within half of one");
         assert!(within >= 0.9 && within_half < 0.5, "{what}: {within} {within_half}");
     }
     let [db, degrees] = in_db_and_degrees(0.1);
@@ -122,12 +119,10 @@ fn an_excitation_without_a_period() {
     for k in near(9.0)..near(13.0) {
         worst = worst.max(apart(lines.response[k], impulse.p(lines.hz[k]))[1].abs());
     }
-    println!("H1 near 11 Hz: {worst} degrees");
     assert!(worst > 0.3 && worst < 4.0, "{worst}");
     let far = |k: &usize| (lines.response[*k] - impulse.p(lines.hz[*k])).norm() / lines.error[*k];
     let (from, to) = (near(20.0), near(200.0));
     let within = (from..to).filter(|k| far(k) <= 2.0).count() as f64 / (to - from) as f64;
-    println!("{within}");
     assert!(within > 0.9, "{within}");
     assert_eq!(Lines::without_period(CYCLE, &v_cmd[..9000], &v_motor[..9000]), Err(Refused::TooFewPeriods(3)));
 }
