@@ -17,6 +17,12 @@
 //! decay          frequency and damping of a vibration after ramps
 //! resonance      the same from a response
 //! source         on which side of the spring a vibration enters
+//! shape          a stage but for its weight
+//! what_if        a record as it would have been with stages
+//! figures        what is left of its vibrations
+//! scenarios      the drives that a proposal has to bear, and the weight that they bear
+//! search         shapes and weights that leave the least
+//! proposals      recommended, strong, cautious; first ones without a response
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
@@ -24,15 +30,21 @@
 pub mod dead_time;
 pub mod decay;
 pub mod excitation;
+pub mod figures;
 mod fourier;
 mod least_squares;
 pub mod offset;
 pub mod peaks;
+pub mod proposals;
 pub mod resonance;
 pub mod response;
+pub mod scenarios;
+pub mod search;
 pub mod segments;
+pub mod shape;
 pub mod source;
 mod welch;
+pub mod what_if;
 
 pub use stability::Complex64;
 

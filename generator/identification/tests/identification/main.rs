@@ -6,5 +6,8 @@
 mod excitation;
 mod offset;
 mod plant;
+mod proposals;
 mod response;
+mod stage;
 mod vibrations;
+mod what_if;

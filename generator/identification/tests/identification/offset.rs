@@ -1,13 +1,12 @@
 //! Known shifts of two channels; the dead time of the demonstration plant and of random axes.
 
-use crate::plant::{CYCLE, Impulse, Noise, excited};
+use crate::plant::{CYCLE, Impulse, Noise, excited, random_axis};
 use identification::Complex64;
 use identification::dead_time::{self, Channels};
 use identification::excitation::{Excitation, Sequence};
 use identification::offset::between;
 use identification::response::Lines;
 use machine::closed_loop::{self, Position};
-use machine::mechanics::{Mechanics, Mesh};
 use machine::plant::{DEMONSTRATION, Plant};
 use machine::sequence;
 use std::f64::consts::TAU;
@@ -114,32 +113,6 @@ fn the_dead_time_of_the_demonstration_plant() {
     let noisy = dead_time::of(&lines, CYCLE).unwrap();
     assert!((noisy.seconds - 3e-3).abs() < 0.05e-3, "{noisy:?}");
     assert_eq!(dead_time::of(&lines.up_to(250.0), CYCLE), None, "the minimum phase needs all of |P|");
-}
-
-/// A value between two, evenly on a logarithmic scale.
-fn between_two(noise: &mut Noise, [low, high]: [f64; 2]) -> f64 {
-    low * libm::pow(high / low, noise.even())
-}
-
-/// An axis with a stiff drive whose bed and carriage vibrate somewhere.
-fn random_axis(seed: u64) -> Plant {
-    let mut noise = Noise::new(seed, 1.0);
-    let mut of = |range| between_two(&mut noise, range);
-    let [m1, m2, m3] = [of([300.0, 1500.0]), of([500.0, 3000.0]), of([3000.0, 12_000.0])];
-    let (contact, bed) = (TAU * of([35.0, 120.0]), TAU * of([7.0, 25.0]));
-    let (k1, k2) = (m1 * m2 / (m1 + m2) * contact * contact, (m2 + m3) * bed * bed);
-    let (c1, c2) = (2.0 * of([0.03, 0.1]) * k1 / contact, 2.0 * of([0.02, 0.08]) * k2 / bed);
-    let mechanics =
-        Mechanics { m1, m2, m3, k1, c1, k2, c2, mesh: Mesh { force: 0.0, pitch: 0.01 }, current_lag: 0.4e-3 };
-    let (command_delay, actual_delay) = (of([1.0, 3.99]) as usize, of([1.0, 2.99]) as usize - 1);
-    Plant {
-        mechanics,
-        kp: m1 * of([400.0, 900.0]),
-        tn: of([15e-3, 40e-3]),
-        command_delay,
-        actual_delay,
-        ..DEMONSTRATION
-    }
 }
 
 #[test]

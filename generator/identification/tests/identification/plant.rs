@@ -4,7 +4,8 @@ use identification::Complex64;
 use identification::excitation::Excitation;
 use machine::closed_loop::{self, Position, UM};
 use machine::measure::{Figures, figures, fourier};
-use machine::plant::Plant;
+use machine::mechanics::{Mechanics, Mesh};
+use machine::plant::{DEMONSTRATION, Plant};
 use machine::sequence::Sequence;
 use machine::{Machine, Measured};
 use std::f64::consts::TAU;
@@ -49,6 +50,8 @@ impl Noise {
 pub struct Impulse {
     v_motor: Vec<f64>,
     a_load: Vec<f64>,
+    /// how the position of the motor changes
+    moved: Vec<f64>,
 }
 
 impl Impulse {
@@ -58,11 +61,14 @@ impl Impulse {
 
     pub fn of_cycles(plant: &Plant, cycles: usize) -> Self {
         let mut machine = plant.without_mesh().at_rest();
-        let mut answer = Self { v_motor: vec![0.0], a_load: vec![0.0] };
+        let mut answer = Self { v_motor: vec![0.0], a_load: vec![0.0], moved: vec![0.0] };
+        let mut before = 0.0;
         for n in 0..cycles {
             let measured = machine.step(if n == 0 { 1.0 } else { 0.0 });
             answer.v_motor.push(measured.v_motor);
             answer.a_load.push(measured.a_load);
+            answer.moved.push(measured.x - before);
+            before = measured.x;
         }
         answer
     }
@@ -76,6 +82,12 @@ impl Impulse {
     /// P at k/(N T), k = 1..=N/2.
     pub fn lines(&self, period: u32) -> Vec<Complex64> {
         (1..=period / 2).map(|k| self.p(f64::from(k) / (f64::from(period) * CYCLE))).collect()
+    }
+
+    /// From `v_cmd` to the position of the motor: its changes, summed.
+    pub fn of_position(&self, hz: f64) -> Complex64 {
+        let [re, im] = fourier(&self.moved, TAU * hz * CYCLE);
+        Complex64::new(re, im) / (1.0 - Complex64::from_polar(1.0, -TAU * hz * CYCLE))
     }
 
     /// From `v_cmd` to the acceleration of the load.
@@ -135,6 +147,32 @@ pub fn moved(plant: &Plant, mut ipc: impl FnMut(f64) -> f64) -> (Move, Figures) 
         error: record.command.iter().zip(&record.x).map(|(command, x)| command - x).collect(),
     };
     (of_record, figures(&record))
+}
+
+/// A value between two, evenly on a logarithmic scale.
+fn between_two(noise: &mut Noise, [low, high]: [f64; 2]) -> f64 {
+    low * libm::pow(high / low, noise.even())
+}
+
+/// An axis with a stiff drive whose bed and carriage vibrate somewhere.
+pub fn random_axis(seed: u64) -> Plant {
+    let mut noise = Noise::new(seed, 1.0);
+    let mut of = |range| between_two(&mut noise, range);
+    let [m1, m2, m3] = [of([300.0, 1500.0]), of([500.0, 3000.0]), of([3000.0, 12_000.0])];
+    let (contact, bed) = (TAU * of([35.0, 120.0]), TAU * of([7.0, 25.0]));
+    let (k1, k2) = (m1 * m2 / (m1 + m2) * contact * contact, (m2 + m3) * bed * bed);
+    let (c1, c2) = (2.0 * of([0.03, 0.1]) * k1 / contact, 2.0 * of([0.02, 0.08]) * k2 / bed);
+    let mechanics =
+        Mechanics { m1, m2, m3, k1, c1, k2, c2, mesh: Mesh { force: 0.0, pitch: 0.01 }, current_lag: 0.4e-3 };
+    let (command_delay, actual_delay) = (of([1.0, 3.99]) as usize, of([1.0, 2.99]) as usize - 1);
+    Plant {
+        mechanics,
+        kp: m1 * of([400.0, 900.0]),
+        tn: of([15e-3, 40e-3]),
+        command_delay,
+        actual_delay,
+        ..DEMONSTRATION
+    }
 }
 
 /// Degrees.
