@@ -15,9 +15,6 @@ const STRONG: [f64; 4] = [2.0; 4];
 const CAUTIOUS: [f64; 4] = [1.4; 4];
 /// Stages that leave more than that of every vibration are useless.
 const USELESS: f64 = 0.8;
-/// Weights are made smaller by that part until the loop between all points is within its limit.
-const SMALLER: f64 = 0.99;
-const MOST_SMALLER: u32 = 100;
 /// The drive where none is known [cycles, s], and the part of its largest weight.
 const UNKNOWN: [f64; 2] = [1.5, 0.003];
 const FIRST: f64 = 0.1;
@@ -48,7 +45,7 @@ pub struct Proposal {
     pub following_error: Option<f64>,
     /// the largest value that the stages add in the record
     pub peak_v_add: f64,
-    /// the largest |S| within two standard errors of P: measured, half a cycle later, 15 % less load, 15 % more
+    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more
     pub ms: [f64; 4],
     /// more than 0.8 is left of every vibration
     pub is_useless: bool,
@@ -115,13 +112,13 @@ pub fn propose(task: &Task<'_, '_>) -> Result<Vec<Proposal>, Refused> {
     for (kind, limits) in [(Kind::Recommended, RECOMMENDED), (Kind::Strong, STRONG)] {
         let search = search(limits);
         let found = search.best(&modes(count)).ok_or(Refused::NoWeight)?;
-        proposals.extend(proposal(kind, limits, &search, &found));
+        proposals.extend(proposal(kind, &search, &found));
         recommended.get_or_insert(found);
     }
     if let Some(Judged { candidate, .. }) = recommended {
         let search = search(CAUTIOUS);
         let cautious = search.judged(&crate::search::Candidate { used: 0.0, ..candidate });
-        proposals.extend(cautious.and_then(|found| proposal(Kind::Cautious, CAUTIOUS, &search, &found)));
+        proposals.extend(cautious.and_then(|found| proposal(Kind::Cautious, &search, &found)));
     }
     if proposals.is_empty() { Err(Refused::NoWeight) } else { Ok(proposals) }
 }
@@ -132,26 +129,18 @@ fn modes(count: usize) -> Vec<Vec<Mode>> {
     (0..1_usize << count).map(|bits| (0..count).map(|i| mode(bits, i)).collect()).collect()
 }
 
-/// A proposal, its weights made smaller until the loops between all points are within their limits; none: they never are.
-fn proposal(kind: Kind, limits: [f64; 4], search: &Search<'_, '_>, found: &Judged) -> Option<Proposal> {
-    let mut stages = found.stages.clone();
-    let is_within = |ms: &[f64; 4]| ms.iter().zip(limits).all(|(ms, limit)| *ms <= limit);
-    for _ in 0..MOST_SMALLER {
-        if let Some(ms) = search.scenarios.margins(search.stages, &stages).filter(is_within) {
-            let left = search.judge.left(search.stages, &stages);
-            return Some(Proposal {
-                kind,
-                following_error: search.judge.following_error(search.stages, &stages),
-                peak_v_add: search.judge.peak_v_add(search.stages, &stages),
-                ms,
-                is_useless: left.residuals.iter().all(|left| *left > USELESS),
-                left,
-                stages,
-            });
-        }
-        stages.iter_mut().for_each(|(_, weight)| *weight *= SMALLER);
-    }
-    None
+/// A proposal; none: a loop is not stable between the points at which its weights were found.
+fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Proposal> {
+    let (stages, left) = (found.stages.clone(), found.left.clone());
+    search.scenarios.are_stable(search.stages, &stages).then(|| Proposal {
+        kind,
+        following_error: search.judge.following_error(search.stages, &stages),
+        peak_v_add: search.judge.peak_v_add(search.stages, &stages),
+        ms: search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0),
+        is_useless: left.residuals.iter().all(|left| *left > USELESS),
+        left,
+        stages,
+    })
 }
 
 /// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and frequencies [Hz] of the

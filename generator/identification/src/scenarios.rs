@@ -38,20 +38,7 @@ impl Scenarios {
     /// ```
     #[must_use]
     pub fn new(lines: &Lines, cycle_time: f64, position_gain: Option<f64>, lowest_f0: f64) -> Option<Self> {
-        let nyquist = 0.5 / cycle_time;
-        let changed = |stretch: f64, of: &dyn Fn(f64, Complex64) -> Complex64| {
-            let kept = lines.up_to(nyquist * 0.999 / stretch);
-            let response = kept.hz.iter().zip(&kept.response).map(|(hz, p)| of(*hz, *p)).collect();
-            Lines { hz: kept.hz.iter().map(|hz| hz * stretch).collect(), response, ..kept }.response(cycle_time)
-        };
-        let delay = |hz: f64, cycles: f64| turned(-TAU * hz * cycles * cycle_time);
-        let stretched = |k: f64| changed(k, &|hz, p| p * delay(hz, (k - 1.0) * NOT_STRETCHED));
-        let drives = [
-            changed(1.0, &|_, p| p)?,
-            changed(1.0, &|hz, p| p * delay(hz, 0.5))?,
-            stretched(STRETCHED[0])?,
-            stretched(STRETCHED[1])?,
-        ];
+        let drives = changed(lines, cycle_time)?;
         let mut t = Vec::new();
         let mut hz = LOWEST * lowest_f0;
         while hz < LAST / cycle_time {
@@ -93,25 +80,39 @@ impl Scenarios {
         largest
     }
 
-    /// The largest |S| of the measured drive with C times a factor, at the points; without errors.
+    /// The largest |S| of each loop with C times a factor, at the points; without errors.
     #[must_use]
-    pub fn ms(&self, controller: &[Complex64], factor: f64) -> f64 {
+    pub fn ms(&self, controller: &[Complex64], factor: f64) -> [f64; 4] {
         let distance = |((rest, p, _), c): (&(Complex64, Complex64, f64), &Complex64)| magnitude(rest - c * p * factor);
-        1.0 / self.points[0].iter().zip(controller).map(distance).fold(f64::INFINITY, f64::smaller)
+        let least = |points: &Vec<_>| points.iter().zip(controller).map(distance).fold(f64::INFINITY, f64::smaller);
+        std::array::from_fn(|scenario| 1.0 / least(&self.points[scenario]))
     }
 
-    /// The largest |S| of every loop with stages and weights, as the crate `stability` finds it between all points, P at most two standard errors
-    /// away; none: one is unstable.
+    /// Whether every loop with stages and weights is stable, as the crate `stability` finds it between all points too, with P as measured. A drive
+    /// whose loop is not stable without stages says nothing: that one runs on the machine, and its lowest lines are uncertain.
     #[must_use]
-    pub fn margins(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Option<[f64; 4]> {
+    pub fn are_stable(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> bool {
         let drives: Vec<Drive<'_>> = self.drives.iter().map(Drive::Measured).collect();
         let points = Points::new(controller(stages, of, self.cycle_time, self.position_gain), &drives);
-        let mut ms = [0.0; 4];
-        for (ms, drive) in ms.iter_mut().zip(drives) {
-            *ms = Loop::new(&points, drive).ms()?[0];
-        }
-        Some(ms)
+        let is_stable = |drive: Drive<'_>| {
+            let closed = Loop::new(&points, drive);
+            closed.is_stable() || !closed.with([0.0; STAGES]).is_stable()
+        };
+        drives.into_iter().all(is_stable)
     }
+}
+
+/// The scenarios of lines; none: no line.
+fn changed(lines: &Lines, cycle_time: f64) -> Option<[stability::Response; 4]> {
+    let nyquist = 0.5 / cycle_time;
+    let changed = |stretch: f64, delay: f64| {
+        let kept = lines.up_to(nyquist * 0.999 / stretch);
+        let later = |(hz, p): (&f64, &Complex64)| p * turned(-TAU * hz * delay * cycle_time);
+        let response = kept.hz.iter().zip(&kept.response).map(later).collect();
+        Lines { hz: kept.hz.iter().map(|hz| hz * stretch).collect(), response, ..kept }.response(cycle_time)
+    };
+    let stretched = |k: f64| changed(k, (k - 1.0) * NOT_STRETCHED);
+    Some([changed(1.0, 0.0)?, changed(1.0, 0.5)?, stretched(STRETCHED[0])?, stretched(STRETCHED[1])?])
 }
 
 /// The controller of stages with weights, for the crate `stability`.

@@ -69,11 +69,11 @@ pub struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    /// How far P lags at a frequency [Hz], in degrees from 0 to 360.
+    /// How far P lags at a frequency [Hz], in degrees from -90 to 270: below 0 it leads, as next to an antiresonance.
     #[must_use]
     pub fn lag(&self, hz: f64) -> f64 {
         let degrees = -angle(self.scenarios.drives[0].value(hz)).to_degrees();
-        if degrees < 0.0 { degrees + 360.0 } else { degrees }
+        if degrees < -90.0 { degrees + 360.0 } else { degrees }
     }
 
     /// The weights that the scenarios allow, what they leave, and the cost: J = max(r, ring) + mean(r, ring) + 0.1 Ms. None: an all-pass that is
@@ -94,7 +94,7 @@ impl Search<'_, '_> {
         of.iter_mut().for_each(|(_, weight)| *weight *= factor);
         let left = self.judge.left(self.stages, &of);
         let [worst, mean] = left.worst_and_mean();
-        let cost = worst + mean + OF_MS * self.scenarios.ms(&controller, factor);
+        let cost = worst + mean + OF_MS * self.scenarios.ms(&controller, factor)[0];
         cost.is_finite().then(|| Judged { candidate: candidate.clone(), stages: of, left, cost })
     }
 

@@ -128,6 +128,24 @@ fn dead_times_of_random_axes() {
 }
 
 #[test]
+fn a_channel_that_is_sampled_between_cycles() {
+    let e = libm::exp(-CYCLE / 4e-3);
+    for cycles in [0.4, 2.5, 3.25] {
+        let p = |hz: f64| {
+            let z = |cycles: f64| Complex64::from_polar(1.0, -TAU * hz * CYCLE * cycles);
+            z(cycles) * (1.0 - e) / (1.0 - z(1.0) * e)
+        };
+        let mut lines = Lines { hz: (1..1024).map(|k| f64::from(k) / (2047.0 * CYCLE)).collect(), ..Lines::default() };
+        lines.response = lines.hz.iter().map(|hz| p(*hz)).collect();
+        lines.error = vec![0.0; lines.hz.len()];
+        let found = dead_time::of(&lines, CYCLE).unwrap().seconds;
+        assert!((found - cycles * CYCLE).abs() < 0.1e-3, "{cycles}: {found}");
+        let expected = if cycles < 1.0 { Channels::TooShort } else { Channels::NotWhole };
+        assert_eq!(Channels::of(found, CYCLE), expected, "{cycles}: {found}");
+    }
+}
+
+#[test]
 fn what_a_dead_time_says_of_the_channels() {
     for (seconds, channels) in [
         (3.0e-3, Channels::Whole(3)),

@@ -9,7 +9,7 @@ use identification::figures::{Record, Vibration};
 use identification::proposals::{Kind, Proposal, Refused, Task, first, propose};
 use identification::response::Lines;
 use identification::scenarios::{Scenarios, most};
-use identification::shape::{Mode, Shape};
+use identification::shape::{Mode, Shape, Stages};
 use machine::mechanics::Mechanics;
 use machine::plant::{DEMONSTRATION, Plant};
 use std::f64::consts::{PI, TAU};
@@ -54,12 +54,14 @@ fn largest_weights() {
         for (found, golden) in found.iter().zip(golden) {
             assert!((found / golden - 1.0_f64).abs() < 1e-3, "{of:?}: {found} {golden}");
         }
-        // With that weight Ms is 2 in truth, and a bit more by the crate `stability`.
+        // With that weight Ms is 2 in truth too, and with a few times as much the loop is not stable.
         let with: Vec<(Shape, f64)> = of.iter().map(|(shape, weight)| (*shape, weight * found[0])).collect();
         let ms = true_ms(&impulse, &with, 0.0);
         assert!((ms - 2.0).abs() < 0.01, "{of:?}: {ms}");
-        let careful = scenarios.margins(&stages, &with).unwrap()[0];
-        assert!(careful > 1.99 && careful < 2.1, "{of:?}: {careful}");
+        let stated = scenarios.ms(&scenarios.controller(&stages, &with), 1.0)[0];
+        assert!((stated - 2.0).abs() < 0.005, "{of:?}: {stated}");
+        let more: Vec<(Shape, f64)> = with.iter().map(|(shape, weight)| (*shape, weight * 4.0)).collect();
+        assert!(scenarios.are_stable(&stages, &with) && !scenarios.are_stable(&stages, &more), "{of:?}");
     }
     // Another load: the stretched responses bear about what the true ones do.
     for (scenario, factor) in [(2, 0.85), (3, 1.15)] {
@@ -96,12 +98,18 @@ fn measured(plant: &Plant, noise: f64) -> Lines {
 }
 
 /// Proposals from a response and a noisy record of moves.
-fn proposed(lines: &Lines, plant: &Plant, noise: f64, vibrations: &[Vibration]) -> Result<Vec<Proposal>, Refused> {
+fn proposed(
+    lines: &Lines,
+    plant: &Plant,
+    noise: f64,
+    vibrations: &[Vibration],
+    stages: &Stages<'_>,
+) -> Result<Vec<Proposal>, Refused> {
     let (off, _) = moved(plant, |_| 0.0);
     let v_motor = Noise::new(22, noise).on(&off.v_motor);
     let ramps = ramps(&off);
     let record = Record { channels: &[&off.a_load], v_motor: &v_motor, error: Some(&off.error), ramps: &ramps };
-    propose(&Task { cycle_time: CYCLE, position_gain: Some(KV), lines, record, vibrations, stages: &stages })
+    propose(&Task { cycle_time: CYCLE, position_gain: Some(KV), lines, record, vibrations, stages })
 }
 
 /// What a proposal leaves of the line, of the ramps, of the ring-down, and what it makes of the following error, in a run.
@@ -118,7 +126,7 @@ fn tried(plant: &Plant, proposal: &Proposal) -> [f64; 4] {
 
 #[test]
 fn proposals_for_the_demonstration_plant() {
-    let found = proposed(&measured(&DEMONSTRATION, 0.3e-3), &DEMONSTRATION, 0.3e-3, &VIBRATIONS).unwrap();
+    let found = proposed(&measured(&DEMONSTRATION, 0.3e-3), &DEMONSTRATION, 0.3e-3, &VIBRATIONS, &stages).unwrap();
     let plants = [1.0, 0.85, 1.15].map(|factor| Impulse::of_cycles(&DEMONSTRATION.with_mass_factor(factor), 8192));
     // What is left at most, and the largest |S|: the definition's figures and a few percent.
     let expected = [
@@ -129,12 +137,10 @@ fn proposals_for_the_demonstration_plant() {
     assert_eq!(found.len(), 3);
     for (proposal, (kind, left, ms)) in found.iter().zip(expected) {
         let truth = tried(&DEMONSTRATION, proposal);
-        eprintln!("{kind:?} {:?}\nleft {truth:?}", proposal.stages);
         assert!(proposal.kind == kind && !proposal.is_useless);
         assert!(truth.iter().zip(left).all(|(truth, left)| *truth <= left), "{kind:?}: {truth:?}");
         let of = |plant: usize, later: f64| true_ms(&plants[plant], &proposal.stages, later);
         let true_ms = [of(0, 0.0), of(0, 0.5), of(1, 0.0), of(2, 0.0)];
-        eprintln!("Ms {true_ms:?}, stated {:?}", proposal.ms);
         let within = [ms[0], ms[1], ms[2], ms[2]];
         assert!(true_ms.iter().zip(within).all(|(found, most)| *found <= most), "{kind:?}: {true_ms:?}");
         // What is stated holds: within two standard errors, and what is left within what the definition grants.
@@ -157,10 +163,9 @@ fn a_late_drive_needs_an_allpass() {
     // 53 Hz lags by 33 degrees and 19 more a cycle: five more cycles are beyond 90.
     let late = Plant { command_delay: 6, ..DEMONSTRATION };
     let vibration = Vibration { hz: 53.0, ..VIBRATIONS[0] };
-    let found = proposed(&exact(&late), &late, 0.0, &[vibration]).unwrap();
+    let found = proposed(&exact(&late), &late, 0.0, &[vibration], &stages).unwrap();
     for proposal in &found {
         let truth = tried(&late, proposal);
-        eprintln!("{proposal:?} {truth:?}");
         assert!(proposal.stages[0].0.allpass.is_some(), "{proposal:?}");
         assert!(truth[0] < 0.9 && true_ms(&Impulse::of(&late), &proposal.stages, 0.0) < 2.02, "{truth:?}");
     }
@@ -169,7 +174,7 @@ fn a_late_drive_needs_an_allpass() {
 #[test]
 fn what_is_refused() {
     let lines = exact(&DEMONSTRATION);
-    let of = |lines: &Lines, vibrations: &[Vibration]| proposed(lines, &DEMONSTRATION, 0.0, vibrations).err();
+    let of = |lines: &Lines, vibrations: &[Vibration]| proposed(lines, &DEMONSTRATION, 0.0, vibrations, &stages).err();
     assert_eq!(of(&lines, &[]), Some(Refused::Vibrations(0)));
     assert_eq!(of(&lines, &[VIBRATIONS[0]; 4]), Some(Refused::Vibrations(4)));
     assert_eq!(of(&Lines::default(), &VIBRATIONS), Some(Refused::NoResponse));
@@ -182,6 +187,21 @@ fn what_is_refused() {
     assert_eq!(of(&lines, &[Vibration { channel: 1, ..VIBRATIONS[0] }]), Some(Refused::NotRecorded));
     uncertain.error = lines.response.iter().map(|p| 0.3 * p.norm()).collect();
     assert_eq!(of(&uncertain, &VIBRATIONS), Some(Refused::TooUncertain(53.0)));
+}
+
+#[test]
+fn useless_stages_are_said_to_be() {
+    // Stages that give a three-hundredth of what they should do little with the largest weight that there is, 7.
+    let weak = |shape: &Shape| -> Box<dyn Fn(f64) -> Complex64> {
+        let response = response(shape, CYCLE);
+        Box::new(move |t| response(t) / 300.0)
+    };
+    let lines = exact(&DEMONSTRATION);
+    let found = proposed(&lines, &DEMONSTRATION, 0.0, &VIBRATIONS[..1], &weak).unwrap();
+    for proposal in &found {
+        assert!((proposal.stages[0].1 - 7.0).abs() < 1e-9 && proposal.is_useless, "{proposal:?}");
+        assert!(proposal.left.residuals[0] > 0.8 && proposal.left.residuals[0] < 1.0, "{proposal:?}");
+    }
 }
 
 #[test]
@@ -210,12 +230,12 @@ fn first_stages_without_a_response() {
 /// Random axes with the mesh of the demonstration plant: none of their proposals is unstable or beyond its limit in truth.
 #[test]
 fn proposals_for_random_axes() {
-    let axes = if std::env::var("AXGEN_EXHAUSTIVE").is_ok() { 30 } else { 1 };
-    for seed in 0..axes {
+    let axes = if std::env::var("AXGEN_EXHAUSTIVE").is_ok() { 0..30 } else { 8..9 };
+    for seed in axes {
         let axis = random_axis(seed);
         let plant = Plant { mechanics: Mechanics { mesh: DEMONSTRATION.mechanics.mesh, ..axis.mechanics }, ..axis };
         let lines = measured(&plant, 0.1e-3);
-        let found = match proposed(&lines, &plant, 0.1e-3, &VIBRATIONS[..1]) {
+        let found = match proposed(&lines, &plant, 0.1e-3, &VIBRATIONS[..1], &stages) {
             Ok(found) => found,
             Err(Refused::TooUncertain(_)) => continue,
             Err(refused) => panic!("axis {seed}: {refused:?}"),
@@ -224,7 +244,6 @@ fn proposals_for_random_axes() {
         for proposal in found {
             let ms = [0, 1, 2].map(|plant| true_ms(&impulses[plant], &proposal.stages, 0.0));
             let truth = tried(&plant, &proposal)[0];
-            eprintln!("axis {seed} {:?} {ms:?} {} {truth}", proposal.kind, proposal.left.residuals[0]);
             assert!(ms.iter().all(|ms| *ms < 2.1), "axis {seed}: {ms:?}");
             assert!((truth / proposal.left.residuals[0] - 1.0).abs() < 0.2, "axis {seed}: {truth} {proposal:?}");
         }

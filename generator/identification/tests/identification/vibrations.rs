@@ -9,7 +9,7 @@ use identification::resonance::{half_power, pole};
 use identification::response::Lines;
 use identification::segments::{self, Kind};
 use identification::source::{Side, ratio, side};
-use machine::plant::DEMONSTRATION;
+use machine::plant::{DEMONSTRATION, Plant};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -217,5 +217,22 @@ fn the_side_of_the_source() {
     let q = moving / excited;
     assert!((q - 1.0).norm() < 0.02, "the teeth act on the motor: {q}");
     assert_eq!(side(moving, excited), Side::Motor);
-    assert_eq!(side(moving * Complex64::from_polar(0.6, -136.0_f64.to_radians()), excited), Side::Load);
+}
+
+/// An error of the mesh acts between motor and load: by the equations of the plant, its velocity loop continuous.
+#[test]
+fn an_error_of_the_mesh_is_on_the_side_of_the_load() {
+    let Plant { mechanics: m, kp, tn, drive_cycle, .. } = DEMONSTRATION;
+    let s = Complex64::new(0.0, TAU * 53.0);
+    let contact = m.k1 + s * m.c1;
+    // Of a contact force 1: the way of the load against the bed; with the motor's way q the force is contact (q - way).
+    let way = 1.0 / (s * s * m.m2) + 1.0 / (s * s * m.m3 + s * m.c2 + m.k2);
+    let excited = contact / (1.0 + contact * way) / m.m2 / s;
+    let held = (-s * drive_cycle / 2.0).exp() / (1.0 + s * m.current_lag);
+    let drive = kp * (1.0 + 1.0 / (s * tn)) * held;
+    // m1 s^2 q = -drive s q - force
+    let moving = -(s * s * m.m1 + drive * s) / m.m2 / s;
+    let q = moving / excited;
+    assert!((q.norm() - 0.60).abs() < 0.04 && (q.arg().to_degrees() + 136.0).abs() < 5.0, "{} {}", q.norm(), q.arg());
+    assert_eq!(side(moving, excited), Side::Load);
 }
