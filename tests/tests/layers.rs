@@ -11,10 +11,11 @@ use std::path::{Path, PathBuf};
 type Module = String;
 
 /// The folders of the crates' sources, by the names that `use` lines give them.
-const CRATES: [(&str, &str); 8] = [
+const CRATES: [(&str, &str); 9] = [
     ("portable", "reference/portable/src"),
     ("reference", "reference/src"),
     ("compiler", "generator/compiler/src"),
+    ("identification", "generator/identification/src"),
     ("generator", "generator/src"),
     ("st", "golden/st/src"),
     ("nc", "golden/nc/src"),

@@ -4,14 +4,39 @@ use crate::{Complex64, magnitude};
 use portable::Extreme;
 
 /// A loop at a frequency: 1 + L = `rest` + w `part`.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Line {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
     /// 1 + L without the part
     pub rest: Complex64,
     /// what weight 1 adds
     pub part: Complex64,
     /// two standard errors of P, divided by its magnitude: L is uncertain by as much
     pub uncertainty: f64,
+}
+
+/// The largest weight, up to `most`, with |rest + w part| >= distance + u w |part| for it and all smaller ones, u the uncertainty: only the part is
+/// uncertain.
+///
+/// ```text
+/// B = Re(rest part*) - distance u |part|    A = |part|^2 (1 - u^2)    c = |rest|^2 - distance^2    D = B^2 - A c
+/// w = c/(-B + sqrt D) where D > 0 and (B < 0 or A < 0)
+/// ```
+///
+/// The smaller root of a quadratic equation, without cancellation. 0 where the rest is too near to 0 itself.
+#[must_use]
+pub fn largest_within(line: &Line, distance: f64, most: f64) -> f64 {
+    let Line { rest, part, uncertainty } = line;
+    let c = rest.norm_sqr() - distance * distance;
+    if c <= 0.0 {
+        return 0.0;
+    }
+    let b = (rest * part.conj()).re - distance * uncertainty * magnitude(*part);
+    let a = part.norm_sqr() * (1.0 - uncertainty * uncertainty);
+    let discriminant = b * b - a * c;
+    if b >= 0.0 && a >= 0.0 || discriminant <= 0.0 {
+        return most;
+    }
+    (c / (discriminant.sqrt() - b)).smaller(most)
 }
 
 /// Steps of the search where the response is uncertain.
@@ -28,21 +53,12 @@ impl Line {
 
     /// The least weight, up to `most`, at which the distance is `distance`; `most` if there is none.
     ///
-    /// Without uncertainty |rest + w part|^2 = distance^2 is a quadratic equation, whose smaller root is written without cancellation.
+    /// Without uncertainty in closed form.
     pub(crate) fn largest_weight(&self, distance: f64, most: f64) -> f64 {
         if self.uncertainty > 0.0 {
             return self.uncertain(distance, most);
         }
-        let b = (self.rest * self.part.conj()).re;
-        let c = self.rest.norm_sqr() - distance * distance;
-        if c <= 0.0 {
-            return 0.0;
-        }
-        let discriminant = b * b - self.part.norm_sqr() * c;
-        if b >= 0.0 || discriminant <= 0.0 {
-            return most;
-        }
-        (c / (discriminant.sqrt() - b)).smaller(most)
+        largest_within(self, distance, most)
     }
 
     /// The distance changes by at most (1 + uncertainty) |part| for a change of the weight by 1: steps that never pass the root.

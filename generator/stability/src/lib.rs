@@ -31,6 +31,7 @@ mod margins;
 mod response;
 mod search;
 
+pub use crossing::{Line, largest_within};
 pub use drive::Drive;
 pub use frequency::{Band, Controller, Points};
 pub use margins::{Curve, Loop, MAX_MS, Margins};

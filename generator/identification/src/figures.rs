@@ -1,0 +1,217 @@
+//! What is left of the vibrations of a record with stages, as parts of what it had without: measured like a record.
+
+use crate::peaks::windowed;
+use crate::shape::{Shape, Stages};
+use crate::what_if::{Axis, WhatIf, following_error};
+use crate::{Complex64, magnitude, turned, whole};
+use portable::Extreme;
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+/// When a vibration is measured.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum When {
+    /// at constant speed: from 0.4 s after a ramp's end to the next ramp
+    Driving,
+    /// about ramps: 1.0 s from 0.1 s before each ramp; and its ring-down, the peak from 0.08 to 0.6 s after each ramp's end
+    Ramps,
+}
+
+/// A vibration that stages shall damp.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vibration {
+    /// [Hz]
+    pub hz: f64,
+    pub when: When,
+    /// which of the record's channels shows it
+    pub channel: usize,
+}
+
+/// A record with the stages off: at rest at both ends, all of one length, sampled at T.
+#[derive(Clone, Copy, Debug)]
+pub struct Record<'a> {
+    /// what is looked at: signals of the load, or of the motor
+    pub channels: &'a [&'a [f64]],
+    pub v_motor: &'a [f64],
+    /// command less position of the motor
+    pub error: Option<&'a [f64]>,
+    /// the ramps: the samples of each
+    pub ramps: &'a [Range<usize>],
+}
+
+/// Windows [s], and bands as parts of the frequency.
+const DWELL_SETTLE: f64 = 0.4;
+const RAMP: [f64; 2] = [-0.1, 0.9];
+const RING: [f64; 2] = [0.08, 0.6];
+const OF_DWELL: [f64; 2] = [50.0 / 53.0, 56.0 / 53.0];
+const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
+const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
+/// Lines in 1/(length of a window).
+const PADDED: f64 = 8.0;
+/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it, a peak 16 samples a period.
+const HIGHEST: [f64; 2] = [2.2, 8.0];
+
+/// What is left, as parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Left {
+    /// of the amplitude of each vibration
+    pub residuals: Vec<f64>,
+    /// of the largest ring-down; none: no vibration is of ramps
+    pub ring: Option<f64>,
+}
+
+impl Left {
+    /// The largest of all, and the mean.
+    #[must_use]
+    pub fn worst_and_mean(&self) -> [f64; 2] {
+        let all = || self.residuals.iter().copied().chain(self.ring);
+        let worst = all().fold(0.0, f64::larger);
+        [worst, all().sum::<f64>() / all().count().max(1) as f64]
+    }
+}
+
+/// A record whose figures are known without stages.
+pub struct Judge<'a> {
+    vibrations: &'a [Vibration],
+    record: Record<'a>,
+    axis: Axis<'a>,
+    what_if: WhatIf<'a>,
+    /// amplitude, and ring-down, of each vibration without stages
+    without: Vec<[f64; 2]>,
+}
+
+impl<'a> Judge<'a> {
+    /// None: a vibration is on no channel, or has no window: no dwell, no ramp.
+    #[must_use]
+    pub fn new(axis: Axis<'a>, record: Record<'a>, vibrations: &'a [Vibration]) -> Option<Self> {
+        let needed = |vibration: &Vibration| vibration.hz * HIGHEST[usize::from(vibration.when == When::Ramps)];
+        let highest = vibrations.iter().map(needed).fold(0.0, f64::larger);
+        let is_there = |vibration: &Vibration| vibration.channel < record.channels.len() && vibration.hz > 0.0;
+        vibrations.iter().all(is_there).then_some(())?;
+        let what_if = WhatIf::new(axis, record.channels, Some(highest));
+        let mut judge = Self { vibrations, record, axis, what_if, without: Vec::new() };
+        judge.without = judge.amplitudes(&[]);
+        judge.without.iter().all(|[amplitude, ring]| *amplitude > 0.0 && *ring > 0.0).then_some(judge)
+    }
+
+    /// What stages with weights leave.
+    #[must_use]
+    pub fn left(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Left {
+        self.of_response(&self.what_if.left(&self.what_if.controller(stages, of)))
+    }
+
+    fn of_response(&self, response: &[Complex64]) -> Left {
+        let with = self.amplitudes(response);
+        let is_ramp = |k: &usize| self.vibrations[*k].when == When::Ramps;
+        let ring = |of: &[[f64; 2]]| (0..of.len()).filter(is_ramp).map(|k| of[k][1]).reduce(f64::larger);
+        let ring = ring(&with).zip(ring(&self.without)).map(|(with, without)| with / without);
+        Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
+    }
+
+    /// Amplitude and ring-down of each vibration behind a response at the lines; an empty one is 1.
+    fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
+        let one = vec![Complex64::from(1.0); self.what_if.lines()];
+        let response = if response.is_empty() { &one } else { response };
+        let of = |vibration: &Vibration| {
+            let [signal, ringing] =
+                self.what_if.signal(vibration.channel, response, OF_RING.map(|part| part * vibration.hz));
+            match vibration.when {
+                When::Driving => {
+                    [self.amplitude(&signal, &self.dwells(), OF_DWELL.map(|part| part * vibration.hz)), 1.0]
+                }
+                When::Ramps => {
+                    let windows = self.about_ramps(RAMP, |ramp| ramp.start);
+                    let rings = self.about_ramps(RING, |ramp| ramp.end);
+                    let peaks = rings.iter().filter_map(|window| Some(peak(ringing.get(window.clone())?)));
+                    [self.amplitude(&signal, &windows, OF_RAMP.map(|part| part * vibration.hz)), mean(peaks)]
+                }
+            }
+        };
+        self.vibrations.iter().map(of).collect()
+    }
+
+    /// A sample of the record, among those of the signals that are given back.
+    fn place(&self, seconds: f64) -> usize {
+        whole((seconds / self.what_if.step()).larger(0.0))
+    }
+
+    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the third and the fourth.
+    fn dwells(&self) -> Vec<Range<usize>> {
+        let cycle = self.axis.cycle_time;
+        let dwell = |pair: &[Range<usize>]| {
+            let from = pair[0].end as f64 * cycle + DWELL_SETTLE;
+            let to = pair[1].start as f64 * cycle;
+            let middle = pair[0].end.midpoint(pair[1].start);
+            let drives = libm::fabs(*self.record.v_motor.get(middle)?) > self.standstill();
+            (from < to && drives).then(|| self.place(from)..self.place(to))
+        };
+        self.record.ramps.windows(2).filter_map(dwell).collect()
+    }
+
+    /// A velocity below which the axis does not drive: 5 % of the peak.
+    fn standstill(&self) -> f64 {
+        0.05 * peak(self.record.v_motor)
+    }
+
+    fn about_ramps(&self, window: [f64; 2], place: impl Fn(&Range<usize>) -> usize) -> Vec<Range<usize>> {
+        let at = |ramp: &Range<usize>, time: f64| self.place(place(ramp) as f64 * self.axis.cycle_time + time);
+        self.record.ramps.iter().map(|ramp| at(ramp, window[0])..at(ramp, window[1])).collect()
+    }
+
+    /// The mean over windows of the largest amplitude within a band [Hz]: Hann window, eight lines in 1/length.
+    fn amplitude(&self, signal: &[f64], windows: &[Range<usize>], band: [f64; 2]) -> f64 {
+        let of = |window: &Range<usize>| {
+            let windowed = windowed(signal.get(window.clone())?)?;
+            let spacing = 1.0 / (PADDED * window.len() as f64 * self.what_if.step());
+            let lines = whole(libm::floor((band[1] - band[0]) / spacing));
+            let amplitude = |k: usize| sine(&windowed, TAU * (band[0] + k as f64 * spacing) * self.what_if.step());
+            Some((0..=lines).map(amplitude).fold(0.0, f64::larger))
+        };
+        mean(windows.iter().filter_map(of))
+    }
+
+    /// The peak of the following error, as a part of that without stages; none: there is no record of it.
+    #[must_use]
+    pub fn following_error(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Option<f64> {
+        let error = self.record.error?;
+        let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
+        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)));
+        let with = following_error(error, self.record.v_motor, &left, self.axis.cycle_time);
+        let without = peak(error);
+        (without > 0.0).then(|| peak(&with) / without)
+    }
+
+    /// The largest value that the stages add: C R `v_motor`.
+    #[must_use]
+    pub fn peak_v_add(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> f64 {
+        let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
+        let controller = what_if.controller(stages, of);
+        let left = what_if.left(&controller);
+        let added: Vec<Complex64> = left.iter().zip(&controller).map(|(left, c)| left * c).collect();
+        // C is 0 at 0 Hz, where the record keeps its line: the mean of the record is taken off.
+        let signal = what_if.whole(0, &added);
+        let constant = what_if.constant(0);
+        signal.iter().fold(0.0, |peak: f64, v| peak.larger(libm::fabs(v - constant)))
+    }
+}
+
+/// The amplitude of a sine of w rad a sample in a windowed signal.
+fn sine(windowed: &[f64], w: f64) -> f64 {
+    let step = turned(-w);
+    let mut turn = Complex64::from(1.0);
+    let mut sum = Complex64::from(0.0);
+    for sample in windowed {
+        sum += turn * *sample;
+        turn *= step;
+    }
+    4.0 / windowed.len() as f64 * magnitude(sum)
+}
+
+fn peak(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)))
+}
+
+fn mean(values: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = values.fold((0.0, 0.0), |(sum, count), value| (sum + value, count + 1.0));
+    if count > 0.0 { sum / count } else { 0.0 }
+}

@@ -1,0 +1,167 @@
+//! What is proposed: recommended, strong and cautious stages from a response and a record; first ones without a response. The search stands elsewhere.
+
+use crate::figures::{Judge, Left, Record, Vibration};
+use crate::response::{Lines, is_too_uncertain};
+use crate::scenarios::{MOST_STAGES, Scenarios, controller, most};
+use crate::search::{Judged, Search};
+use crate::shape::{Mode, Shape, Stages};
+use crate::what_if::Axis;
+use portable::Extreme;
+use stability::{Drive, Loop, Points};
+
+/// The largest |S| at P, half a cycle later, and with other loads.
+const RECOMMENDED: [f64; 4] = [1.75, 2.0, 2.0, 2.0];
+const STRONG: [f64; 4] = [2.0; 4];
+const CAUTIOUS: [f64; 4] = [1.4; 4];
+/// Stages that leave more than that of every vibration are useless.
+const USELESS: f64 = 0.8;
+/// The drive where none is known [cycles, s], and the part of its largest weight.
+const UNKNOWN: [f64; 2] = [1.5, 0.003];
+const FIRST: f64 = 0.1;
+/// Its shapes: quality factors of DIRECT and INDIRECT, damping.
+const FIRST_Q: [f64; 2] = [10.0, 2.0];
+const FIRST_DAMPING: f64 = 0.8;
+
+/// Which proposal.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Kind {
+    /// Ms within 1.75, within 2 in the other scenarios
+    Recommended,
+    /// Ms within 2 in all scenarios
+    Strong,
+    /// the recommended shapes with Ms within 1.4 in all scenarios
+    Cautious,
+}
+
+/// Stages with weights, and what they do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proposal {
+    pub kind: Kind,
+    /// one a vibration
+    pub stages: Vec<(Shape, f64)>,
+    /// what is left of the vibrations
+    pub left: Left,
+    /// the peak of the following error by that without stages; none: it is not recorded
+    pub following_error: Option<f64>,
+    /// the largest value that the stages add in the record
+    pub peak_v_add: f64,
+    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more
+    pub ms: [f64; 4],
+    /// more than 0.8 is left of every vibration
+    pub is_useless: bool,
+}
+
+/// Why nothing is proposed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refused {
+    /// no vibration, or more than there are stages
+    Vibrations(usize),
+    /// the response has no line
+    NoResponse,
+    /// two standard errors of P are at least half of |P| at this frequency [Hz]
+    TooUncertain(f64),
+    /// the record has no window, or no channel, for a vibration
+    NotRecorded,
+    /// no weight is allowed: the drive alone is beyond the limit
+    NoWeight,
+}
+
+/// What a proposal is made from.
+pub struct Task<'a, 's> {
+    /// T [s]
+    pub cycle_time: f64,
+    /// Kv [1/s], where the position loop is closed
+    pub position_gain: Option<f64>,
+    /// P, smoothed
+    pub lines: &'a Lines,
+    /// a record with the stages off
+    pub record: Record<'a>,
+    /// which enter at the motor: |S/S0| says nothing of others
+    pub vibrations: &'a [Vibration],
+    pub stages: &'a Stages<'s>,
+}
+
+/// The recommended, the strong and the cautious proposal.
+///
+/// # Errors
+/// [`Refused`]
+pub fn propose(task: &Task<'_, '_>) -> Result<Vec<Proposal>, Refused> {
+    let count = task.vibrations.len();
+    if count == 0 || count > MOST_STAGES {
+        return Err(Refused::Vibrations(count));
+    }
+    let lowest = task.vibrations.iter().fold(f64::INFINITY, |lowest: f64, vibration| lowest.smaller(vibration.hz));
+    let scenarios =
+        Scenarios::new(task.lines, task.cycle_time, task.position_gain, lowest).ok_or(Refused::NoResponse)?;
+    let response = &scenarios.drives[0];
+    if let Some(vibration) = task.vibrations.iter().find(|vibration| is_too_uncertain(response, vibration.hz)) {
+        return Err(Refused::TooUncertain(vibration.hz));
+    }
+    let axis = Axis { cycle_time: task.cycle_time, position_gain: task.position_gain, response };
+    let judge = Judge::new(axis, task.record, task.vibrations).ok_or(Refused::NotRecorded)?;
+    let search = |limits| Search {
+        scenarios: &scenarios,
+        judge: &judge,
+        stages: task.stages,
+        cycle_time: task.cycle_time,
+        limits,
+        vibrations: task.vibrations.iter().map(|vibration| vibration.hz).collect(),
+    };
+    let mut proposals = Vec::new();
+    let mut recommended = None;
+    for (kind, limits) in [(Kind::Recommended, RECOMMENDED), (Kind::Strong, STRONG)] {
+        let search = search(limits);
+        let found = search.best(&modes(count)).ok_or(Refused::NoWeight)?;
+        proposals.extend(proposal(kind, &search, &found));
+        recommended.get_or_insert(found);
+    }
+    if let Some(Judged { candidate, .. }) = recommended {
+        let search = search(CAUTIOUS);
+        let cautious = search.judged(&crate::search::Candidate { used: 0.0, ..candidate });
+        proposals.extend(cautious.and_then(|found| proposal(Kind::Cautious, &search, &found)));
+    }
+    if proposals.is_empty() { Err(Refused::NoWeight) } else { Ok(proposals) }
+}
+
+/// Each combination of modes of so many stages.
+fn modes(count: usize) -> Vec<Vec<Mode>> {
+    let mode = |bits: usize, i: usize| if bits >> i & 1 == 0 { Mode::Direct } else { Mode::Indirect };
+    (0..1_usize << count).map(|bits| (0..count).map(|i| mode(bits, i)).collect()).collect()
+}
+
+/// A proposal; none: a loop is not stable between the points at which its weights were found.
+fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Proposal> {
+    let (stages, left) = (found.stages.clone(), found.left.clone());
+    search.scenarios.are_stable(search.stages, &stages).then(|| Proposal {
+        kind,
+        following_error: search.judge.following_error(search.stages, &stages),
+        peak_v_add: search.judge.peak_v_add(search.stages, &stages),
+        ms: search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0),
+        is_useless: left.residuals.iter().all(|left| *left > USELESS),
+        left,
+        stages,
+    })
+}
+
+/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and frequencies [Hz] of the
+/// vibrations; a stage for each. None: no vibration, or more than there are stages.
+#[must_use]
+pub fn first(
+    vibrations: &[(Mode, f64)],
+    cycle_time: f64,
+    position_gain: Option<f64>,
+    stages: &Stages<'_>,
+) -> Option<Vec<(Shape, f64)>> {
+    (1..=MOST_STAGES).contains(&vibrations.len()).then_some(())?;
+    let shape = |(mode, hz): &(Mode, f64)| {
+        let q = FIRST_Q[usize::from(*mode == Mode::Indirect)];
+        (Shape { mode: *mode, f0: *hz, q, damping: FIRST_DAMPING, allpass: None }, 1.0)
+    };
+    let mut of: Vec<(Shape, f64)> = vibrations.iter().map(shape).collect();
+    let drive = Drive::Delay { cycles: UNKNOWN[0], time_constant: Some(UNKNOWN[1]) };
+    let points = Points::new(controller(stages, &of, cycle_time, position_gain), &[drive]);
+    let [_, largest] = Loop::new(&points, drive).largest_parts();
+    let factor = FIRST * largest.smaller(most(&of));
+    of.iter_mut().for_each(|(_, weight)| *weight = factor);
+    Some(of)
+}

@@ -1,0 +1,77 @@
+//! Frequency and damping of a vibration from a measured response. No decay.
+
+use crate::decay::Decay;
+use crate::least_squares::fit;
+use crate::response::Lines;
+use crate::{Complex64, magnitude};
+use portable::Extreme;
+
+/// The band about the vibration, as a part of its frequency.
+const BAND: f64 = 0.12;
+/// Repetitions with the weights of the pole before.
+const STEPS: u32 = 8;
+/// A damping where the weights start.
+const START: f64 = 0.03;
+/// A standard error counts as that part of the magnitude at the least.
+const LEAST_ERROR: f64 = 1e-6;
+/// Lines across a half-power width that is believed.
+const FEWEST_LINES: f64 = 6.0;
+
+/// The vibration near a frequency f0 [Hz] in a response H: one pole and what is smooth about it.
+///
+/// ```text
+/// H (s - p) = b0 + b1 s + b2 s^2        s = j (f - f0)/f0 within f0 +-12 %, weights 1/(se |s - p|), 8 times (Sanathanan, Koerner 1963)
+/// ```
+///
+/// The pole is at 2 pi f0 (j + p). None: fewer lines than numbers, or no pole that decays within the band. The amplitude is the largest |H|.
+#[must_use]
+pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
+    let inside = |k: &usize| libm::fabs(lines.hz[*k] / f0 - 1.0) <= BAND;
+    let inside: Vec<usize> = (0..lines.hz.len()).filter(inside).collect();
+    let mut pole = Complex64::new(-START, 0.0);
+    let mut variances = [0.0; 2];
+    for _ in 0..STEPS {
+        let mut columns = vec![Vec::new(); 8];
+        let mut values = Vec::new();
+        for k in &inside {
+            let (s, h) = (Complex64::new(0.0, lines.hz[*k] / f0 - 1.0), lines.response[*k]);
+            let weight = 1.0 / (lines.error[*k].larger(LEAST_ERROR * magnitude(h)) * magnitude(s - pole));
+            // H s = b0 + b1 s + b2 s^2 + p H, by real and imaginary parts.
+            let factors = [Complex64::from(1.0), s, s * s, h].map(|factor| factor * weight);
+            for (pair, factor) in columns.chunks_exact_mut(2).zip(factors) {
+                pair[0].extend([factor.re, factor.im]);
+                pair[1].extend([-factor.im, factor.re]);
+            }
+            let value = h * s * weight;
+            values.extend([value.re, value.im]);
+        }
+        let fit = fit(&columns, &values)?;
+        let free = (values.len() - columns.len()).max(1) as f64;
+        let scale = fit.residual.iter().map(|left| left * left).sum::<f64>() / free;
+        pole = Complex64::new(fit.coefficients[6], fit.coefficients[7]);
+        variances = [scale * fit.variances[6], scale * fit.variances[7]];
+    }
+    let is_inside = pole.re < 0.0 && libm::fabs(pole.im) <= BAND;
+    let size = magnitude(Complex64::new(pole.re, 1.0 + pole.im));
+    let peak = inside.iter().fold(0.0, |peak: f64, k| peak.larger(magnitude(lines.response[*k])));
+    is_inside.then(|| Decay {
+        hz: f0 * (1.0 + pole.im),
+        hz_error: f0 * variances[1].sqrt(),
+        damping: -pole.re / size,
+        damping_error: variances[0].sqrt() / size,
+        amplitude: peak,
+    })
+}
+
+/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. None: fewer than 6 lines across, of
+/// which four make it a fifth too large, or the power does not fall to a half on both sides.
+#[must_use]
+pub fn half_power(power: &[f64], peak: usize) -> Option<f64> {
+    let half = power.get(peak)? / 2.0;
+    let edge = |above: f64, below: f64| (above - half) / (above - below);
+    let right = (peak + 1..power.len()).find(|k| power[*k] < half)?;
+    let left = (0..peak).rev().find(|k| power[*k] < half)?;
+    let to = (right - 1) as f64 + edge(power[right - 1], power[right]);
+    let from = (left + 1) as f64 - edge(power[left + 1], power[left]);
+    (to - from >= FEWEST_LINES).then(|| (to - from) / (2.0 * peak as f64))
+}

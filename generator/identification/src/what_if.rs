@@ -1,0 +1,162 @@
+//! A record as it would have been with stages: what acts on the motor is left by R = S/S0. Nothing is measured on it.
+
+use crate::fourier::Fourier;
+use crate::shape::{Shape, Stages, sum};
+use crate::{Complex64, ZERO};
+use portable::Extreme;
+use std::f64::consts::PI;
+
+/// The axis whose loop is closed.
+#[derive(Clone, Copy, Debug)]
+pub struct Axis<'a> {
+    /// T [s]
+    pub cycle_time: f64,
+    /// gain Kv [1/s] of the position controller, if its loop is closed
+    pub position_gain: Option<f64>,
+    /// P; it is interpolated, never S
+    pub response: &'a stability::Response,
+}
+
+impl Axis<'_> {
+    /// 1 + L0 and P at t = tan(pi f T), f > 0.
+    pub(crate) fn at(&self, t: f64) -> [Complex64; 2] {
+        let hz = libm::atan(t) / (PI * self.cycle_time);
+        let p = self.response.value(hz);
+        [rest(self, t, p), p]
+    }
+}
+
+/// 1 + L0, where P is known: the position is the integral of the velocity, as an encoder reads it at the same instant.
+///
+/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums the velocities of the cycles
+/// before, half a cycle later: its |S| is up to a few percent larger.
+pub(crate) fn rest(axis: &Axis<'_>, t: f64, p: Complex64) -> Complex64 {
+    let position = Complex64::new(0.0, -0.5 / t) * (axis.position_gain.unwrap_or(0.0) * axis.cycle_time);
+    position * p + 1.0
+}
+
+/// Signals of one record with the stages off, of equal length, at rest at both ends; and the axis.
+pub struct WhatIf<'a> {
+    axis: Axis<'a>,
+    /// of the frequencies of the lines from the first one on
+    t: Vec<f64>,
+    /// 1 + L0 and P at the lines
+    rest: Vec<Complex64>,
+    p: Vec<Complex64>,
+    /// the transforms of the signals, from 0 Hz
+    signals: Vec<Vec<Complex64>>,
+    inverse: Fourier,
+    /// samples of the record, and those of what is given back for each of them
+    samples: usize,
+    part: f64,
+}
+
+impl<'a> WhatIf<'a> {
+    /// Of signals; with a highest frequency [Hz] what lies above it is left out, and fewer samples are given back.
+    #[must_use]
+    pub fn new(axis: Axis<'a>, signals: &[&[f64]], highest: Option<f64>) -> Self {
+        let samples = signals.iter().map(|signal| signal.len()).max().unwrap_or(0);
+        // As long again: what rings on after the end of the record does not come back at its begin.
+        let forward = Fourier::at_least(2 * samples);
+        let length = forward.length();
+        let wanted = highest.map_or(1.0, |hz| (2.0 * hz * axis.cycle_time).smaller(1.0)) * length as f64;
+        let inverse = Fourier::at_least(crate::whole(libm::ceil(wanted)));
+        let lines = inverse.length() / 2;
+        let t: Vec<f64> = (1..lines).map(|k| libm::tan(PI * k as f64 / length as f64)).collect();
+        let known: Vec<[Complex64; 2]> = t.iter().map(|t| axis.at(*t)).collect();
+        let transform = |signal: &&[f64]| {
+            let mut values: Vec<Complex64> = signal.iter().map(|x| Complex64::from(*x)).collect();
+            values.resize(length, ZERO);
+            forward.forward(&mut values);
+            values.truncate(lines);
+            values
+        };
+        Self {
+            axis,
+            t,
+            rest: known.iter().map(|known| known[0]).collect(),
+            p: known.iter().map(|known| known[1]).collect(),
+            signals: signals.iter().map(transform).collect(),
+            part: inverse.length() as f64 / length as f64,
+            inverse,
+            samples,
+        }
+    }
+
+    /// The time between samples that are given back [s].
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.axis.cycle_time / self.part
+    }
+
+    /// The distance of the lines [Hz].
+    fn spacing(&self) -> f64 {
+        1.0 / (self.step() * self.inverse.length() as f64)
+    }
+
+    /// Lines from the first one on.
+    #[must_use]
+    pub fn lines(&self) -> usize {
+        self.t.len()
+    }
+
+    /// What the line at 0 Hz of a signal gives each sample.
+    #[must_use]
+    pub fn constant(&self, signal: usize) -> f64 {
+        self.signals[signal][0].re * self.part / self.inverse.length() as f64
+    }
+
+    /// C at the lines from the first one on.
+    #[must_use]
+    pub fn controller(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Vec<Complex64> {
+        sum(stages, of, &self.t)
+    }
+
+    /// R = S/S0 = (1 + L0)/(1 + L0 - C P) at the lines from the first one on.
+    #[must_use]
+    pub fn left(&self, controller: &[Complex64]) -> Vec<Complex64> {
+        let of = |((rest, p), c): ((&Complex64, &Complex64), &Complex64)| rest / (rest - c * p);
+        self.rest.iter().zip(&self.p).zip(controller).map(of).collect()
+    }
+
+    /// A signal times a response at its lines, and the same within a band [Hz] only. The line at 0 Hz keeps its value, and is in no band.
+    #[must_use]
+    pub fn signal(&self, signal: usize, response: &[Complex64], band: [f64; 2]) -> [Vec<f64>; 2] {
+        let length = self.inverse.length();
+        let mut values = vec![ZERO; length];
+        values[0] = self.signals[signal][0];
+        for (k, (line, response)) in self.signals[signal].iter().skip(1).zip(response).enumerate() {
+            let hz = (k + 1) as f64 * self.spacing();
+            let value = line * response;
+            let inside = if (band[0]..=band[1]).contains(&hz) { value } else { ZERO };
+            // Two real signals are the real and the imaginary part of one transform.
+            let turned = |value: Complex64| Complex64::new(-value.im, value.re);
+            values[k + 1] = value + turned(inside);
+            values[length - k - 1] = value.conj() + turned(inside.conj());
+        }
+        self.inverse.inverse(&mut values);
+        values.truncate(crate::whole(libm::ceil(self.samples as f64 * self.part)));
+        [
+            values.iter().map(|value| value.re * self.part).collect(),
+            values.iter().map(|value| value.im * self.part).collect(),
+        ]
+    }
+
+    /// A signal times a response at its lines.
+    #[must_use]
+    pub fn whole(&self, signal: usize, response: &[Complex64]) -> Vec<f64> {
+        let [whole, _] = self.signal(signal, response, [0.0; 2]);
+        whole
+    }
+}
+
+/// The following error with stages, from that without: e + T sum(v - R v), v the velocity of the motor, both sampled at T.
+#[must_use]
+pub fn following_error(error: &[f64], v_motor: &[f64], left: &[f64], cycle_time: f64) -> Vec<f64> {
+    let mut sum = 0.0;
+    let mut add = |((error, v), left): ((&f64, &f64), &f64)| {
+        sum += cycle_time * (v - left);
+        error + sum
+    };
+    error.iter().zip(v_motor).zip(left).map(&mut add).collect()
+}
