@@ -235,6 +235,44 @@ fn a_known_question_is_not_asked_again() {
 }
 
 #[test]
+fn what_a_flag_was_assigned_is_known_with_the_flag() {
+    let after = |step| run("known", run("typed", program(1, step)).unwrap()).unwrap().step;
+    let low = || binary(Binary::Less, Expr::Var(S), real(1.0));
+    let asked = |condition| if_(condition, vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
+    let flag = || assign(Var::Local(0), binary(Binary::And, ON, low()));
+    let step = vec![flag(), if_(local(0), vec![asked(low())], vec![asked(low())])];
+    assert_eq!(after(step), [flag(), if_(local(0), vec![assign(Y, X)], vec![asked(low())])]);
+    // What it asked for has another value since.
+    let step = vec![flag(), assign(S, X), if_(local(0), vec![asked(low())], vec![assign(Y, X)])];
+    assert_eq!(after(step.clone()), step);
+}
+
+#[test]
+fn what_is_known_of_a_variable_is_known_of_its_copy() {
+    let after = |step| run("known", run("typed", program(1, step)).unwrap()).unwrap().step;
+    let low = |of| binary(Binary::Less, of, real(1.0));
+    let copy = || assign(S, X);
+    let asked = || if_(low(Expr::Var(S)), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);
+    let step = vec![if_(low(X), vec![copy(), asked()], vec![assign(Y, real(2.0))])];
+    assert_eq!(after(step), [if_(low(X), vec![copy(), assign(Y, X)], vec![assign(Y, real(2.0))])]);
+    // A copy that was changed is one no more.
+    let changed = assign(S, binary(Binary::Add, Expr::Var(S), X));
+    let step = vec![if_(low(X), vec![copy(), changed, asked()], vec![assign(Y, real(2.0))])];
+    assert_eq!(after(step.clone()), step);
+}
+
+#[test]
+fn a_flag_gets_the_answer_itself() {
+    let flag = |raised| vec![assign(Var::Local(0), Expr::Literal(Literal::Bool(raised)))];
+    let answered = |step| run("answered", program(1, vec![step])).unwrap().step;
+    assert_eq!(answered(choose(flag(true), flag(false))), [assign(Var::Local(0), ON)]);
+    assert_eq!(answered(choose(flag(false), flag(true))), [assign(Var::Local(0), not(ON))]);
+    // Another statement in a branch keeps the `if`.
+    let more = choose([flag(true), vec![assign(Y, X)]].concat(), flag(false));
+    assert_eq!(answered(more.clone()), [more]);
+}
+
+#[test]
 fn an_assignment_makes_a_question_open_again() {
     let low = || binary(Binary::Less, Expr::Var(S), real(1.0));
     let inner = if_(low(), vec![assign(Y, X)], vec![assign(Y, real(1.0))]);

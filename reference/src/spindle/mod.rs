@@ -34,14 +34,15 @@ use crate::angle::wrapped;
 use crate::call_rate;
 use crate::signal::{error_cycle_time, error_none};
 use calls::look_at_calls;
+use change::resynchronise;
 use jobs::WAITING;
 use motion::{advance, slow_down};
 use portable::{Block, Brake, Enable, Fn, Off, Real, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
-use start::{follow, seize};
+use start::{follow, release, seize};
 use state::enter;
-use transition::{brake, position, to_position, to_velocity, velocity};
+use transition::{brake, coast, interpolated, to_position, velocity};
 use usual::next_usual;
 
 /// Before the first cycle: a request that is TRUE then is none.
@@ -102,12 +103,14 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     if state.lasting_error != error_none() {
         state.lasting_error = error_none();
         state.returns = false;
-        let begins = is_at_start(state);
-        if drive_on && begins {
-            forget(&mut state.seen);
-            enter(state, SpindleState::ToPosition);
-        } else if drive_on {
-            enter(state, SpindleState::Brake);
+        if drive_on {
+            let begins = is_at_start(state);
+            let mut next = SpindleState::Brake;
+            if begins {
+                forget(&mut state.seen);
+                next = SpindleState::ToPosition;
+            }
+            enter(state, next);
         }
     } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
         state.returns = true;
@@ -126,6 +129,20 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     }
 }
 
+/// What a cycle leads to: the spindle coasts, or the next cycle begins in another state.
+#[portable]
+pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    if cycle.lacking != error_none() {
+        coast(state, coeffs, cycle);
+    }
+    if cycle.resynchronises {
+        resynchronise(state, coeffs, inputs, cycle);
+    }
+    if cycle.leaves {
+        enter(state, cycle.next);
+    }
+}
+
 /// Any cycle. Only the samples that the state uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
@@ -141,22 +158,26 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     look_at_calls(state, coeffs, inputs);
     let mut cycle = Cycle::default();
     if !inputs.drive_on {
-        follow(state, coeffs, inputs, &mut cycle);
+        release(state, coeffs);
     }
     outputs.spindle_state = state.control;
-    // The spindle keeps its velocity in the cycle in which the block takes hold of it.
     let begins = is_at_start(state);
-    let is_seized = inputs.drive_on && state.lasting_error != error_none() && begins && state.cycles == 0u32;
+    let is_sound = state.lasting_error == error_none();
+    // The spindle keeps its velocity in the cycle in which the block takes hold of it.
+    let is_seized = inputs.drive_on && !is_sound && begins && state.cycles == 0u32;
+    if begins && (!inputs.drive_on || is_sound || is_seized) {
+        follow(state, coeffs, inputs, &mut cycle);
+    }
     if is_seized {
-        seize(state, coeffs, inputs, &mut cycle);
-    } else if inputs.drive_on && state.lasting_error == error_none() {
+        seize(state);
+    } else if inputs.drive_on && is_sound {
         match state.control {
-            SpindleState::Position => position(state, coeffs, inputs, &mut cycle),
-            SpindleState::ToVelocity => to_velocity(state, coeffs, inputs, &mut cycle),
+            SpindleState::Position | SpindleState::ToVelocity => interpolated(state, coeffs, inputs, &mut cycle),
             SpindleState::Velocity => velocity(state, coeffs, inputs, &mut cycle),
             SpindleState::Brake => brake(state, coeffs, inputs, &mut cycle),
             SpindleState::ToPosition => to_position(state, coeffs, inputs, &mut cycle),
         }
+        end(state, coeffs, inputs, &mut cycle);
     }
     let has_failed = state.lasting_error != error_none();
     if has_failed && inputs.drive_on && !is_seized {

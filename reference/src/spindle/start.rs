@@ -1,11 +1,11 @@
 //! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
 //! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
-use super::change::{complete, is_displayed, lead_time, resynchronise};
+use super::change::{complete, is_displayed, lead_time};
 use super::motion::{advance, ahead, slow_down};
 use super::seen::{forget, look, turns_with};
 use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State, enter, leave_for};
 use crate::angle::{position_limit, wrapped};
 use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
@@ -19,10 +19,9 @@ pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     state.x = x_shown;
 }
 
-/// The drive is off: the commands follow the spindle, so that the drive would not stop it by a step. The velocity command goes to 0 by the
-/// deceleration, and is not faster than the spindle: a drive that is on after all brakes.
+/// The drive is off: nothing is asked for, and what was is forgotten. The velocity command goes to 0 by the deceleration.
 #[portable]
-pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+pub fn release<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if state.control != SpindleState::ToPosition || state.is_moving {
         forget(&mut state.seen);
     }
@@ -33,18 +32,6 @@ pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
     state.queued = 0u32;
     state.takes_over = false;
     slow_down(state, coeffs, R::ZERO, R::ZERO);
-    let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
-    let mut v_turning = R::ZERO;
-    if is_known {
-        v_turning = turns_with(&state.seen, coeffs);
-        state.asks_velocity = !coeffs.only_position && !within(v_turning, R::ZERO);
-        hold_back(state, v_turning);
-    }
-    if in_range(inputs.x_actual, position_limit()) {
-        show(state, coeffs, inputs, v_turning);
-    } else {
-        cycle.sample_error = error_x_actual();
-    }
 }
 
 /// The velocity command is not faster than a velocity, and not against it.
@@ -59,32 +46,38 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
     }
 }
 
-/// The commands of a cycle with a drive that is on, and a spindle that the block does not move yet: as the spindle turns.
+/// The commands follow a spindle that the block does not move yet, so that the drive would not stop it by a step. With a drive that is on
+/// the velocity command is that of the spindle. With one that is off it is not faster than the spindle: a drive that is on after all brakes.
 #[portable]
-pub fn accompany<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
+    let mut v_turning = R::ZERO;
     if is_known {
-        let v_turning = turns_with(&state.seen, coeffs);
-        state.v = v_turning;
-        state.asks_velocity = !coeffs.only_position && !within(v_turning, coeffs.v_taken_up);
+        v_turning = turns_with(&state.seen, coeffs);
+        if inputs.drive_on {
+            state.v = v_turning;
+            state.asks_velocity = !coeffs.only_position && !within(v_turning, coeffs.v_taken_up);
+        } else {
+            state.asks_velocity = !coeffs.only_position && !within(v_turning, R::ZERO);
+            hold_back(state, v_turning);
+        }
     }
     let is_found = in_range(inputs.x_actual, position_limit());
-    if is_known && is_found {
-        show(state, coeffs, inputs, state.v);
-    } else {
+    if is_found && (is_known || !inputs.drive_on) {
+        show(state, coeffs, inputs, v_turning);
+    } else if inputs.drive_on {
         advance(state, coeffs);
     }
-    if !is_known {
+    if !is_known && inputs.drive_on {
         cycle.sample_error = error_v_actual();
-    } else if !is_found && !coeffs.only_velocity {
+    } else if !(is_found || coeffs.only_velocity && inputs.drive_on) {
         cycle.sample_error = error_x_actual();
     }
 }
 
 /// An error that stays has outlasted a drive that was off: the spindle is braked from the velocity that it has.
 #[portable]
-pub fn seize<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    accompany(state, coeffs, inputs, cycle);
+pub fn seize<R: Real>(state: &mut State<R>) {
     state.catches = state.asks_velocity;
     state.is_moving = true;
 }
@@ -92,7 +85,6 @@ pub fn seize<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
 /// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle.
 #[portable]
 pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    accompany(state, coeffs, inputs, cycle);
     let is_known = state.seen.samples >= 3u32 && cycle.sample_error == error_none();
     let is_slow = is_known && state.seen.slow >= 3u32;
     if is_known && !within(state.v, coeffs.v_taken_up) {
@@ -103,12 +95,12 @@ pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             note("TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught");
             state.catches = true;
             state.is_moving = true;
-            enter(state, SpindleState::Brake);
+            leave_for(cycle, SpindleState::Brake);
         }
     } else if is_slow && !within(state.v, R::ZERO) {
         note("TO_POSITION: the spindle turns slowly, and goes on doing so");
-        resynchronise(state, coeffs, inputs);
+        cycle.resynchronises = true;
     } else if is_slow && is_displayed(coeffs, inputs, coeffs.position_mode) {
-        complete(state, coeffs);
+        complete(state, coeffs, cycle);
     }
 }

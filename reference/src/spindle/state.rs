@@ -171,9 +171,24 @@ pub struct Seen<R> {
 pub struct Cycle {
     /// of a sample that is needed and out of range
     pub sample_error: u32,
+    /// of a sample without which the spindle coasts
+    pub lacking: u32,
+    /// whether position control is taken up in the next cycle
+    pub resynchronises: bool,
+    /// whether the next cycle begins in another state
+    pub leaves: bool,
+    /// that state
+    pub next: SpindleState,
 }
 
-/// The next cycle begins in another state.
+/// The next cycle is to begin in another state.
+#[portable]
+pub fn leave_for(cycle: &mut Cycle, next: SpindleState) {
+    cycle.leaves = true;
+    cycle.next = next;
+}
+
+/// From here on the state is another one.
 #[portable]
 pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
     state.control = next;

@@ -1,11 +1,11 @@
 //! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
 
-use super::change::{complete, is_displayed, resynchronise};
+use super::change::{complete, is_displayed};
 use super::jobs::is_free;
 use super::motion::{advance, slow_down};
 use super::signals::Inputs;
 use super::start::start;
-use super::state::{Coeffs, Cycle, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State, leave_for};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
@@ -21,7 +21,8 @@ pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
 
 /// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.
 #[portable]
-pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle, error_id: u32) {
+pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
+    let error_id = cycle.lacking;
     cycle.sample_error = error_id;
     state.missing += 1u32;
     state.takes_over = true;
@@ -63,13 +64,13 @@ pub fn is_led<R: Real>(
 ) -> bool {
     let mut leads = false;
     if !in_range(inputs.v_interpolator, sample_limit()) {
-        coast(state, coeffs, cycle, error_v_interpolator());
+        cycle.lacking = error_v_interpolator();
     } else if !in_range(inputs.x_command, position_limit()) {
-        coast(state, coeffs, cycle, error_x_command());
+        cycle.lacking = error_x_command();
     } else if coeffs.closes_loop && !in_range(inputs.x_actual, position_limit()) {
-        coast(state, coeffs, cycle, error_x_actual());
+        cycle.lacking = error_x_actual();
     } else if !mode_fits {
-        coast(state, coeffs, cycle, error_mode_display());
+        cycle.lacking = error_mode_display();
     } else if is_half_turn(coeffs, inputs.v_interpolator) {
         state.lasting_error = error_half_turn();
     } else {
@@ -82,38 +83,29 @@ pub fn is_led<R: Real>(
     leads
 }
 
-/// POSITION: the interpolator moves the spindle under position control.
+/// POSITION: the interpolator moves the spindle under position control. TO_VELOCITY: the drive may obey the position or the velocity.
 #[portable]
-pub fn position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    let is_position_displayed = is_displayed(coeffs, inputs, coeffs.position_mode);
-    let leads = is_led(state, coeffs, inputs, cycle, is_position_displayed);
-    if leads {
+pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+    let is_position = state.control == SpindleState::Position;
+    if !is_position {
+        state.cycles += 1u32;
+        state.asks_velocity = true;
+    }
+    let leads =
+        is_led(state, coeffs, inputs, cycle, !is_position || is_displayed(coeffs, inputs, coeffs.position_mode));
+    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
+    if leads && !is_position && !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
+        state.lasting_error = error_to_velocity();
+    } else if leads {
         track(state, inputs);
         let is_reached = inputs.v_interpolator >= coeffs.v_velocity_control_on
             || -inputs.v_interpolator >= coeffs.v_velocity_control_on;
-        if state.turns_fast && is_reached && !inputs.reset {
+        if is_position && state.turns_fast && is_reached && !inputs.reset {
             note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
-            enter(state, SpindleState::ToVelocity);
-        }
-    }
-}
-
-/// TO_VELOCITY: the drive may obey the position or the velocity.
-#[portable]
-pub fn to_velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    state.cycles += 1u32;
-    state.asks_velocity = true;
-    let leads = is_led(state, coeffs, inputs, cycle, true);
-    if leads {
-        let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
-        if !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
-            state.lasting_error = error_to_velocity();
-        } else {
-            track(state, inputs);
-            if is_velocity_displayed {
-                note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
-                enter(state, SpindleState::Velocity);
-            }
+            leave_for(cycle, SpindleState::ToVelocity);
+        } else if !is_position && is_velocity_displayed {
+            note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
+            leave_for(cycle, SpindleState::Velocity);
         }
     }
 }
@@ -122,9 +114,9 @@ pub fn to_velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
 #[portable]
 pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     if !in_range(inputs.v_interpolator, sample_limit()) {
-        coast(state, coeffs, cycle, error_v_interpolator());
+        cycle.lacking = error_v_interpolator();
     } else if !is_displayed(coeffs, inputs, coeffs.velocity_mode) {
-        coast(state, coeffs, cycle, error_mode_display());
+        cycle.lacking = error_mode_display();
     } else {
         state.missing = 0u32;
         state.v = inputs.v_interpolator;
@@ -136,7 +128,7 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
         if state.returns || state.queued > 0u32 && !is_free(&state.request[0]) {
             note("VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset");
             state.returns = false;
-            enter(state, SpindleState::Brake);
+            leave_for(cycle, SpindleState::Brake);
         }
     }
 }
@@ -181,14 +173,14 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         advance(state, coeffs);
         if can_leave {
             note("BRAKE -> TO_POSITION: the actual velocity has settled at Voff");
-            resynchronise(state, coeffs, inputs);
+            cycle.resynchronises = true;
         }
     }
 }
 
 /// TO_POSITION behind BRAKE: the drive may obey the velocity or the position.
 #[portable]
-pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.asks_velocity = false;
     if state.cycles == 1u32 {
         state.x = state.x_start;
@@ -196,7 +188,7 @@ pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         advance(state, coeffs);
     }
     if is_displayed(coeffs, inputs, coeffs.position_mode) {
-        complete(state, coeffs);
+        complete(state, coeffs, cycle);
     }
 }
 
@@ -213,10 +205,10 @@ pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
         state.asks_velocity = false;
         state.lasting_error = error_to_position();
     } else if state.is_moving {
-        take_up(state, coeffs, inputs);
+        take_up(state, coeffs, inputs, cycle);
     } else {
         start(state, coeffs, inputs, cycle);
-        if state.cycles > coeffs.start_cycles {
+        if state.cycles > coeffs.start_cycles && !cycle.leaves && !cycle.resynchronises {
             state.lasting_error = error_to_position();
         }
     }

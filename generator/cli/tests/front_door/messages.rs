@@ -39,7 +39,7 @@ const ENDS: &[(&str, i32, &str)] = &[
         "generate axes.toml --emit q",
         2,
         "--emit: error[AX012]: no stage `q`\n    \
-         allowed: parameters, program, typed, identity, known, threaded, live, coalesced, sunk, chained, turned, pruned, verified, \
+         allowed: parameters, program, typed, identity, known, threaded, answered, live, coalesced, sunk, chained, turned, pruned, verified, \
          c, rust, st, twincat, codesys, scl\n",
     ),
     (

@@ -16,6 +16,8 @@ pub(super) struct Facts {
     ranges: Vec<(Var, (i64, i64))>,
     /// a value that an integer does not have
     excluded: Vec<(Var, i64)>,
+    /// what a flag was assigned: its answer is that of the condition
+    flags: Vec<(Var, Id)>,
 }
 
 impl Facts {
@@ -79,7 +81,13 @@ impl Facts {
             Condition::Both(..) => self.open.push((id, holds)),
             Condition::Question(index) => match &conditions.questions[index].comparison {
                 Some(comparison) => self.narrow(comparison, holds),
-                None => self.answers.push((index, holds)),
+                None => {
+                    self.answers.push((index, holds));
+                    let flag = self.flags.iter().find(|(flag, _)| conditions.questions[index].expr == Expr::Var(*flag));
+                    if let Some((_, meant)) = flag.copied() {
+                        self.note(conditions, meant, holds);
+                    }
+                }
             },
         }
     }
@@ -93,6 +101,7 @@ impl Facts {
         if conditions.asked.contains(&target) {
             self.answers.retain(|(index, _)| !conditions.questions[*index].expr.mentions(target));
             self.open.retain(|(id, _)| !conditions.mentions(*id, target));
+            self.flags.retain(|(flag, meant)| *flag != target && !conditions.mentions(*meant, target));
         }
         self.excluded.retain(|(var, _)| *var != target);
         self.ranges.retain(|(var, _)| *var != target);
@@ -101,6 +110,36 @@ impl Facts {
             let id = conditions.number(&Expr::Var(target));
             self.note(conditions, id, *value);
         }
+        if let Expr::Var(source) = value {
+            self.copy(conditions, target, *source);
+        }
+    }
+
+    /// A flag has been assigned a condition; it is a question itself from here on.
+    pub(super) fn mean(&mut self, conditions: &mut Conditions<'_>, flag: Var, meant: Id) {
+        if !matches!(conditions.all[meant], Condition::Known(_)) && !conditions.mentions(meant, flag) {
+            conditions.number(&Expr::Var(flag));
+            self.flags.push((flag, meant));
+        }
+    }
+
+    /// What is known of a variable is known of its copy.
+    fn copy(&mut self, conditions: &mut Conditions<'_>, target: Var, source: Var) {
+        for position in 0..self.answers.len() {
+            let (index, holds) = self.answers[position];
+            let known = &conditions.questions[index].expr;
+            if !known.mentions(source) || known.mentions(target) {
+                continue;
+            }
+            let mut question = known.clone();
+            question.change(&mut |part| {
+                if *part == Expr::Var(source) {
+                    *part = Expr::Var(target);
+                }
+            });
+            let id = conditions.number(&question);
+            self.note(conditions, id, holds);
+        }
     }
 
     /// What holds after two branches: what holds after each of them.
@@ -108,6 +147,7 @@ impl Facts {
         self.answers.retain(|fact| other.answers.contains(fact));
         self.open.retain(|fact| other.open.contains(fact));
         self.excluded.retain(|(var, number)| other.is_excluded(*var, *number));
+        self.flags.retain(|flag| other.flags.contains(flag));
         let mut ranges: Vec<(Var, (i64, i64))> = Vec::new();
         for (var, (a, b)) in self.ranges.into_iter().rev() {
             if ranges.iter().all(|(known, _)| *known != var) {

@@ -28,10 +28,9 @@ fn in_list(
         match statement {
             Statement::Note(text) => kept.push(Statement::Note(text)),
             Statement::Assign { target, mut value } => {
-                if program.ty(target) == Some(Type::Bool) {
-                    simplify(&mut value, facts, conditions);
-                }
+                let meant = (program.ty(target) == Some(Type::Bool)).then(|| simplify(&mut value, facts, conditions));
                 facts.assign(conditions, target, &value);
+                meant.into_iter().for_each(|meant| facts.mean(conditions, target, meant));
                 kept.push(Statement::Assign { target, value });
             }
             Statement::If { mut condition, then, otherwise } => {

@@ -1,5 +1,6 @@
 //! The passes over a [`Program`], one per file, and the order in which they run.
 
+mod answer;
 mod chain;
 mod coalesce;
 mod condition;
@@ -40,11 +41,12 @@ pub(crate) type Pass = fn(Program) -> Result<Program, Defect>;
 pub type Stage = (&'static str, Pass);
 
 /// The stages after specialisation, in their order.
-pub const PASSES: [Stage; 11] = [
+pub const PASSES: [Stage; 12] = [
     ("typed", typing::run),
     ("identity", identity::run),
     ("known", known::run),
     ("threaded", thread::run),
+    ("answered", answer::run),
     ("live", dead::run),
     ("coalesced", coalesce::run),
     ("sunk", sink::run),

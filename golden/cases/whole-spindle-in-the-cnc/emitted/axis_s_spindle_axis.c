@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    b98e7939bc21832beb82006027edb71b
+ * structure   b1d26428c40647f7ac8bedfcaa6450a9
+ * checksum    a239caf36fe7881a83991ae72d595849
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -106,7 +106,6 @@ static const double axis_s_spindle_axis_axis_ipc_rest = 7.806255641895632e-12;
 
 /* OFF to ON takes 0.1 s (key fade), in cycles */
 static const uint32_t axis_s_spindle_axis_axis_ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
-static const double axis_s_spindle_axis_axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
 /* position control in the CNC: Kv = 100/s (P-AXIS-00099) */
 static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gain of the position controller Kv [1/s] */
@@ -262,6 +261,9 @@ static void axis_s_spindle_axis_any_cycle(
 
     /* 1.08s; from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
     static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
+
+    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
     /* the same for every axis */
     static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
@@ -445,24 +447,23 @@ static void axis_s_spindle_axis_any_cycle(
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             state->spindle_returns = false;
-            const bool spindle_begins =
-                state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-            if (inputs->drive_on && spindle_begins) {
-                state->spindle_seen_samples = 0u;
-                state->spindle_seen_slow = 0u;
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                state->spindle_cycles = 0u;
-                state->spindle_settled = 0u;
+            if (inputs->drive_on) {
                 state->spindle_missing = 0u;
-            } else if (inputs->drive_on) {
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                state->spindle_cycles = 0u;
                 state->spindle_settled = 0u;
-                state->spindle_missing = 0u;
-            } else {
-                /* nothing else is to be done */
+                state->spindle_cycles = 0u;
+                const bool spindle_begins =
+                    state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+                        && !state->spindle_is_moving;
+                int32_t spindle_next;
+                if (spindle_begins) {
+                    state->spindle_seen_samples = 0u;
+                    state->spindle_seen_slow = 0u;
+                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                } else {
+                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                }
+                state->spindle_control = spindle_next;
+                state->spindle_control_copy = spindle_next;
             }
         } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
@@ -476,10 +477,7 @@ static void axis_s_spindle_axis_any_cycle(
     if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
-    uint32_t spindle_sample_error;
-    if (inputs->drive_on) {
-        spindle_sample_error = 0u;
-    } else {
+    if (!inputs->drive_on) {
         state->spindle_takes_over = false;
         state->spindle_queued = 0u;
         state->spindle_returns = false;
@@ -506,6 +504,15 @@ static void axis_s_spindle_axis_any_cycle(
         } else {
             /* nothing else is to be done */
         }
+    }
+    const int32_t spindle_spindle_state = state->spindle_control;
+    const bool spindle_begins_next =
+        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    const bool spindle_is_sound_next = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_is_seized =
+        inputs->drive_on && !spindle_is_sound_next && spindle_begins_next && state->spindle_cycles == 0u;
+    uint32_t spindle_sample_error;
+    if (spindle_begins_next && (!inputs->drive_on || spindle_is_sound_next || spindle_is_seized)) {
         const bool spindle_seen_is_known =
             axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
         if (spindle_seen_is_known) {
@@ -563,29 +570,35 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_v_turning = state->spindle_seen_v;
             }
-            double spindle_v_low;
-            if (spindle_v_turning < 0.0) {
-                spindle_v_low = spindle_v_turning;
+            if (inputs->drive_on) {
+                state->spindle_v = spindle_v_turning;
             } else {
-                spindle_v_low = 0.0;
-            }
-            double spindle_v_high;
-            if (spindle_v_turning < 0.0) {
-                spindle_v_high = 0.0;
-            } else {
-                spindle_v_high = spindle_v_turning;
-            }
-            if (state->spindle_v > spindle_v_high) {
-                state->spindle_v = spindle_v_high;
-            } else if (state->spindle_v < spindle_v_low) {
-                state->spindle_v = spindle_v_low;
-            } else {
-                /* nothing else is to be done */
+                double spindle_v_low;
+                if (spindle_v_turning < 0.0) {
+                    spindle_v_low = spindle_v_turning;
+                } else {
+                    spindle_v_low = 0.0;
+                }
+                double spindle_v_high;
+                if (spindle_v_turning < 0.0) {
+                    spindle_v_high = 0.0;
+                } else {
+                    spindle_v_high = spindle_v_turning;
+                }
+                if (state->spindle_v > spindle_v_high) {
+                    state->spindle_v = spindle_v_high;
+                } else if (state->spindle_v < spindle_v_low) {
+                    state->spindle_v = spindle_v_low;
+                } else {
+                    /* nothing else is to be done */
+                }
             }
         } else {
             spindle_v_turning = 0.0;
         }
-        if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+        const bool spindle_is_found =
+            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+        if (spindle_is_found && (spindle_seen_is_known || !inputs->drive_on)) {
             double spindle_time;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
@@ -629,83 +642,262 @@ static void axis_s_spindle_axis_any_cycle(
                 spindle_within_turn = 0.0;
             }
             state->spindle_x = spindle_within_turn;
+        } else if (inputs->drive_on) {
+            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+        } else {
+            /* nothing else is to be done */
+        }
+        if (!spindle_seen_is_known && inputs->drive_on) {
+            spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+        } else if (spindle_is_found) {
             spindle_sample_error = 0u;
         } else {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
         }
+    } else {
+        spindle_sample_error = 0u;
     }
-    const int32_t spindle_spindle_state = state->spindle_control;
-    const bool spindle_begins_next =
-        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-    const bool spindle_is_seized =
-        inputs->drive_on && state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE && spindle_begins_next
-            && state->spindle_cycles == 0u;
-    uint32_t spindle_sample_error_next;
+    uint32_t spindle_sample_error_last;
     if (spindle_is_seized) {
         state->spindle_is_moving = true;
-        const bool spindle_seen_is_known_next =
-            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-        if (spindle_seen_is_known_next) {
-            if (state->spindle_seen_samples == 0u) {
-                state->spindle_seen_v_last = inputs->v_actual;
-                state->spindle_seen_v_before = inputs->v_actual;
+        spindle_sample_error_last = spindle_sample_error;
+    } else if (inputs->drive_on && spindle_is_sound_next) {
+        uint32_t spindle_lacking;
+        bool spindle_leaves;
+        int32_t spindle_next_next;
+        uint32_t spindle_sample_error_next;
+        bool spindle_resynchronises;
+        switch (state->spindle_control) {
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
+            const bool spindle_is_position = state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+            if (!spindle_is_position) {
+                state->spindle_cycles = state->spindle_cycles + 1u;
             }
-            const double spindle_seen_a_next = state->spindle_seen_v_before;
-            const double spindle_seen_b_next = state->spindle_seen_v_last;
-            double spindle_seen_low_next;
-            if (spindle_seen_a_next < spindle_seen_b_next) {
-                spindle_seen_low_next = spindle_seen_a_next;
+            bool spindle_leads;
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                spindle_leads = false;
+            } else if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                spindle_leads = false;
+            } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                bool spindle_is_too_far;
+                if (state->spindle_takes_over) {
+                    const double spindle_distance =
+                        inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                    double spindle_shorter;
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_whole_turns =
+                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                        spindle_shorter =
+                            spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
+                    } else {
+                        /* only what something else has overwritten comes here */
+                        spindle_shorter = 0.0;
+                    }
+                    spindle_is_too_far = !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
+                    if (spindle_is_too_far) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
+                    }
+                } else {
+                    spindle_is_too_far = false;
+                }
+                spindle_leads = !spindle_is_too_far;
+                spindle_lacking = 0u;
             } else {
-                spindle_seen_low_next = spindle_seen_b_next;
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                spindle_leads = false;
             }
-            double spindle_seen_high_next;
-            if (spindle_seen_a_next < spindle_seen_b_next) {
-                spindle_seen_high_next = spindle_seen_b_next;
+            if (spindle_leads) {
+                state->spindle_missing = 0u;
+                state->spindle_takes_over = false;
+                state->spindle_x = inputs->x_command;
+                state->spindle_v = inputs->v_interpolator;
+                const bool spindle_is_reached =
+                    inputs->v_interpolator >= spindle_v_velocity_control_on
+                        || -inputs->v_interpolator >= spindle_v_velocity_control_on;
+                if (spindle_is_position && state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
+                    /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                } else if (spindle_is_position) {
+                    spindle_leaves = false;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                } else {
+                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                }
             } else {
-                spindle_seen_high_next = spindle_seen_a_next;
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             }
-            double spindle_seen_below_high_next;
-            if (inputs->v_actual < spindle_seen_high_next) {
-                spindle_seen_below_high_next = inputs->v_actual;
+            spindle_sample_error_next = spindle_sample_error;
+            spindle_resynchronises = false;
+            break;
+        }
+        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
+            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
+                state->spindle_missing = 0u;
+                state->spindle_v = inputs->v_interpolator;
+                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    state->spindle_x = inputs->x_actual;
+                } else {
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                }
+                if (state->spindle_returns
+                        || (state->spindle_queued > 0u
+                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
+                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                    state->spindle_returns = false;
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                } else {
+                    spindle_leaves = false;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                }
+                spindle_lacking = 0u;
             } else {
-                spindle_seen_below_high_next = spindle_seen_high_next;
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             }
-            double spindle_seen_v_middle_next;
-            if (spindle_seen_below_high_next < spindle_seen_low_next) {
-                spindle_seen_v_middle_next = spindle_seen_low_next;
+            spindle_sample_error_next = spindle_sample_error;
+            spindle_resynchronises = false;
+            break;
+        }
+        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE, AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
+            if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+                state->spindle_cycles = state->spindle_cycles + 1u;
+                const bool spindle_is_known =
+                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+                bool spindle_is_slow;
+                if (spindle_is_known) {
+                    const double spindle_v_before = state->spindle_v;
+                    double spindle_v_magnitude_next;
+                    if (spindle_v_before < 0.0) {
+                        spindle_v_magnitude_next = -spindle_v_before;
+                    } else {
+                        spindle_v_magnitude_next = spindle_v_before;
+                    }
+                    spindle_is_slow =
+                        axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
+                            && axis_s_spindle_axis_magnitude(inputs->v_actual)
+                            <= spindle_v_magnitude_next + spindle_window;
+                } else {
+                    spindle_is_slow = false;
+                }
+                if (spindle_is_slow) {
+                    state->spindle_settled = state->spindle_settled + 1u;
+                } else {
+                    state->spindle_settled = 0u;
+                }
+                const bool spindle_is_settled = state->spindle_settled >= 3u;
+                const bool spindle_can_leave =
+                    spindle_is_settled
+                        && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+                if (!spindle_is_known) {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+                } else if (spindle_is_settled && !spindle_can_leave) {
+                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                } else {
+                    spindle_sample_error_next = spindle_sample_error;
+                }
+                if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
+                    spindle_resynchronises = false;
+                } else {
+                    if (state->spindle_v > spindle_v_position_control_on) {
+                        state->spindle_v = state->spindle_v - spindle_v_step;
+                        if (state->spindle_v < spindle_v_position_control_on) {
+                            state->spindle_v = spindle_v_position_control_on;
+                        }
+                    } else if (state->spindle_v < spindle_v_position_control_on_negative) {
+                        state->spindle_v = state->spindle_v + spindle_v_step;
+                        if (state->spindle_v > spindle_v_position_control_on_negative) {
+                            state->spindle_v = spindle_v_position_control_on_negative;
+                        }
+                    } else {
+                        /* nothing else is to be done */
+                    }
+                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    if (spindle_can_leave) {
+                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                        spindle_resynchronises = true;
+                    } else {
+                        spindle_resynchronises = false;
+                    }
+                }
+                spindle_leaves = false;
+                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             } else {
-                spindle_seen_v_middle_next = spindle_seen_below_high_next;
+                state->spindle_cycles = state->spindle_cycles + 1u;
+                if (state->spindle_is_moving) {
+                    state->spindle_takes_over = true;
+                    if (state->spindle_cycles == 1u) {
+                        state->spindle_x = state->spindle_x_start;
+                    } else {
+                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                    }
+                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    spindle_resynchronises = false;
+                    spindle_leaves = true;
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                } else {
+                    const bool spindle_is_known_next =
+                        state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                    const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
+                    if (spindle_is_known_next
+                            && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
+                        /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
+                        state->spindle_is_moving = true;
+                        spindle_resynchronises = false;
+                        spindle_leaves = true;
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                        /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                        spindle_resynchronises = true;
+                        spindle_leaves = false;
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    } else {
+                        if (spindle_is_slow_next) {
+                            state->spindle_takes_over = true;
+                            /* TO_POSITION -> POSITION: the drive displays position control */
+                            spindle_leaves = true;
+                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                        } else {
+                            spindle_leaves = false;
+                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                        }
+                        spindle_resynchronises = false;
+                    }
+                    if (state->spindle_cycles > spindle_start_cycles && !spindle_leaves && !spindle_resynchronises) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
+                    }
+                }
+                spindle_sample_error_next = spindle_sample_error;
             }
-            state->spindle_seen_v = spindle_seen_v_middle_next;
-            state->spindle_seen_v_before = state->spindle_seen_v_last;
-            state->spindle_seen_v_last = inputs->v_actual;
-            if (state->spindle_seen_samples < 3u) {
-                state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-            }
-            if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                state->spindle_seen_slow = 0u;
-            } else if (state->spindle_seen_slow < 3u) {
-                state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+            spindle_lacking = 0u;
+            break;
+        }
+        }
+        if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            state->spindle_missing = state->spindle_missing + 1u;
+            state->spindle_takes_over = true;
+            if (state->spindle_missing > 3u) {
+                state->spindle_lasting_error = spindle_lacking;
             } else {
-                /* nothing else is to be done */
+                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
             }
+            spindle_sample_error_last = spindle_lacking;
         } else {
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
+            spindle_sample_error_last = spindle_sample_error_next;
         }
-        if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-            double spindle_v_turning_next;
-            if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                spindle_v_turning_next = 0.0;
-            } else {
-                spindle_v_turning_next = state->spindle_seen_v;
-            }
-            state->spindle_v = spindle_v_turning_next;
-        }
-        const bool spindle_is_found =
-            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-        if (spindle_seen_is_known_next && spindle_is_found) {
-            const double spindle_v = state->spindle_v;
+        bool spindle_leaves_next;
+        int32_t spindle_next_last;
+        if (spindle_resynchronises) {
+            state->spindle_is_moving = true;
             double spindle_time_next;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage_next;
@@ -719,8 +911,7 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_time_next = spindle_lead_time;
             }
-            const double spindle_lead_next = spindle_time_next - spindle_cycle_time;
-            const double spindle_way_next = spindle_v * spindle_lead_next;
+            const double spindle_way_next = state->spindle_v * spindle_time_next;
             double spindle_ahead_next;
             if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
                 spindle_ahead_next = inputs->x_actual + spindle_way_next;
@@ -750,534 +941,22 @@ static void axis_s_spindle_axis_any_cycle(
                 /* only what something else has overwritten comes here */
                 spindle_within_turn_next = 0.0;
             }
-            state->spindle_x = spindle_within_turn_next;
+            state->spindle_x_start = spindle_within_turn_next;
+            spindle_leaves_next = true;
+            spindle_next_last = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
         } else {
-            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+            spindle_leaves_next = spindle_leaves;
+            spindle_next_last = spindle_next_next;
         }
-        if (!spindle_seen_is_known_next) {
-            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-        } else if (spindle_is_found) {
-            spindle_sample_error_next = spindle_sample_error;
-        } else {
-            spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-        }
-    } else if (inputs->drive_on && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        switch (state->spindle_control) {
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: {
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                bool spindle_leads;
-                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    spindle_leads = false;
-                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    bool spindle_is_too_far;
-                    if (state->spindle_takes_over) {
-                        const double spindle_distance =
-                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                        double spindle_shorter;
-                        if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_whole_turns =
-                                axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
-                            spindle_shorter =
-                                spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_shorter = 0.0;
-                        }
-                        spindle_is_too_far =
-                            !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
-                        if (spindle_is_too_far) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                        }
-                    } else {
-                        spindle_is_too_far = false;
-                    }
-                    spindle_leads = !spindle_is_too_far;
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    spindle_leads = false;
-                }
-                if (spindle_leads) {
-                    state->spindle_missing = 0u;
-                    state->spindle_takes_over = false;
-                    state->spindle_x = inputs->x_command;
-                    state->spindle_v = inputs->v_interpolator;
-                    const bool spindle_is_reached =
-                        inputs->v_interpolator >= spindle_v_velocity_control_on
-                            || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                    if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
-                        /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                        state->spindle_cycles = 0u;
-                        state->spindle_settled = 0u;
-                        state->spindle_missing = 0u;
-                    }
-                }
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                bool spindle_leads_next;
-                if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    spindle_leads_next = false;
-                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    bool spindle_is_too_far_next;
-                    if (state->spindle_takes_over) {
-                        const double spindle_distance_next =
-                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                        double spindle_shorter_next;
-                        if (axis_s_spindle_axis_magnitude(spindle_distance_next) <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_whole_turns_next =
-                                axis_s_spindle_axis_nearest(spindle_distance_next * axis_s_spindle_axis_per_turn);
-                            spindle_shorter_next =
-                                spindle_distance_next
-                                    - (double)spindle_whole_turns_next * axis_s_spindle_axis_full_turn;
-                        } else {
-                            /* only what something else has overwritten comes here */
-                            spindle_shorter_next = 0.0;
-                        }
-                        spindle_is_too_far_next =
-                            !(axis_s_spindle_axis_magnitude(spindle_shorter_next) <= spindle_takeover_window);
-                        if (spindle_is_too_far_next) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                        }
-                    } else {
-                        spindle_is_too_far_next = false;
-                    }
-                    spindle_leads_next = !spindle_is_too_far_next;
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    state->spindle_missing = state->spindle_missing + 1u;
-                    state->spindle_takes_over = true;
-                    if (state->spindle_missing > 3u) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                    }
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    spindle_leads_next = false;
-                }
-                if (spindle_leads_next) {
-                    state->spindle_missing = 0u;
-                    state->spindle_takes_over = false;
-                    state->spindle_x = inputs->x_command;
-                    state->spindle_v = inputs->v_interpolator;
-                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                }
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                state->spindle_missing = 0u;
-                state->spindle_v = inputs->v_interpolator;
-                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    state->spindle_x = inputs->x_actual;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                if (state->spindle_returns
-                        || (state->spindle_queued > 0u
-                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
-                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                    state->spindle_returns = false;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                }
-                spindle_sample_error_next = spindle_sample_error;
-            } else {
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE: {
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            const bool spindle_is_known =
-                axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-            bool spindle_is_slow;
-            if (spindle_is_known) {
-                const double spindle_v_before = state->spindle_v;
-                double spindle_v_magnitude_next;
-                if (spindle_v_before < 0.0) {
-                    spindle_v_magnitude_next = -spindle_v_before;
-                } else {
-                    spindle_v_magnitude_next = spindle_v_before;
-                }
-                spindle_is_slow =
-                    axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
-                        && axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_magnitude_next + spindle_window;
-            } else {
-                spindle_is_slow = false;
-            }
-            if (spindle_is_slow) {
-                state->spindle_settled = state->spindle_settled + 1u;
-            } else {
-                state->spindle_settled = 0u;
-            }
-            const bool spindle_is_settled = state->spindle_settled >= 3u;
-            const bool spindle_can_leave =
-                spindle_is_settled
-                    && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-            if (!spindle_is_known) {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-            } else if (spindle_is_settled && !spindle_can_leave) {
-                spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-            } else {
-                spindle_sample_error_next = spindle_sample_error;
-            }
-            if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
-            } else {
-                if (state->spindle_v > spindle_v_position_control_on) {
-                    state->spindle_v = state->spindle_v - spindle_v_step;
-                    if (state->spindle_v < spindle_v_position_control_on) {
-                        state->spindle_v = spindle_v_position_control_on;
-                    }
-                } else if (state->spindle_v < spindle_v_position_control_on_negative) {
-                    state->spindle_v = state->spindle_v + spindle_v_step;
-                    if (state->spindle_v > spindle_v_position_control_on_negative) {
-                        state->spindle_v = spindle_v_position_control_on_negative;
-                    }
-                } else {
-                    /* nothing else is to be done */
-                }
-                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                if (spindle_can_leave) {
-                    state->spindle_missing = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_cycles = 0u;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_is_moving = true;
-                    /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                    double spindle_time_last;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_last;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_last = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_last = 100;
-                        }
-                        spindle_time_last =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_last);
-                    } else {
-                        spindle_time_last = spindle_lead_time;
-                    }
-                    const double spindle_way_last = state->spindle_v * spindle_time_last;
-                    double spindle_ahead_last;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_last) <= lead_limit) {
-                        spindle_ahead_last = inputs->x_actual + spindle_way_last;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_last = inputs->x_actual;
-                    }
-                    double spindle_within_turn_last;
-                    if (spindle_ahead_last >= 0.0 && spindle_ahead_last < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_last = spindle_ahead_last;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_last) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_last = (int32_t)(spindle_ahead_last * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_last =
-                            spindle_ahead_last - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
-                        double spindle_above_last;
-                        if (spindle_rest_last < 0.0) {
-                            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_last = spindle_rest_last;
-                        }
-                        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_last = spindle_above_last;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_last = 0.0;
-                    }
-                    state->spindle_x_start = spindle_within_turn_last;
-                }
-            }
-            break;
-        }
-        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
-            state->spindle_cycles = state->spindle_cycles + 1u;
-            if (state->spindle_is_moving) {
-                state->spindle_missing = 0u;
-                state->spindle_settled = 0u;
-                state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                state->spindle_takes_over = true;
-                if (state->spindle_cycles == 1u) {
-                    state->spindle_x = state->spindle_x_start;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                /* TO_POSITION -> POSITION: the drive displays position control */
-                state->spindle_cycles = 0u;
-                spindle_sample_error_next = spindle_sample_error;
-            } else {
-                const bool spindle_seen_is_known_last =
-                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-                if (spindle_seen_is_known_last) {
-                    if (state->spindle_seen_samples == 0u) {
-                        state->spindle_seen_v_last = inputs->v_actual;
-                        state->spindle_seen_v_before = inputs->v_actual;
-                    }
-                    const double spindle_seen_a_last = state->spindle_seen_v_before;
-                    const double spindle_seen_b_last = state->spindle_seen_v_last;
-                    double spindle_seen_low_last;
-                    if (spindle_seen_a_last < spindle_seen_b_last) {
-                        spindle_seen_low_last = spindle_seen_a_last;
-                    } else {
-                        spindle_seen_low_last = spindle_seen_b_last;
-                    }
-                    double spindle_seen_high_last;
-                    if (spindle_seen_a_last < spindle_seen_b_last) {
-                        spindle_seen_high_last = spindle_seen_b_last;
-                    } else {
-                        spindle_seen_high_last = spindle_seen_a_last;
-                    }
-                    double spindle_seen_below_high_last;
-                    if (inputs->v_actual < spindle_seen_high_last) {
-                        spindle_seen_below_high_last = inputs->v_actual;
-                    } else {
-                        spindle_seen_below_high_last = spindle_seen_high_last;
-                    }
-                    double spindle_seen_v_middle_last;
-                    if (spindle_seen_below_high_last < spindle_seen_low_last) {
-                        spindle_seen_v_middle_last = spindle_seen_low_last;
-                    } else {
-                        spindle_seen_v_middle_last = spindle_seen_below_high_last;
-                    }
-                    state->spindle_seen_v = spindle_seen_v_middle_last;
-                    state->spindle_seen_v_before = state->spindle_seen_v_last;
-                    state->spindle_seen_v_last = inputs->v_actual;
-                    if (state->spindle_seen_samples < 3u) {
-                        state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                    }
-                    if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                        state->spindle_seen_slow = 0u;
-                    } else if (state->spindle_seen_slow < 3u) {
-                        state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                    } else {
-                        /* nothing else is to be done */
-                    }
-                } else {
-                    state->spindle_seen_samples = 0u;
-                    state->spindle_seen_slow = 0u;
-                }
-                if (axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit) {
-                    double spindle_v_turning_last;
-                    if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                        spindle_v_turning_last = 0.0;
-                    } else {
-                        spindle_v_turning_last = state->spindle_seen_v;
-                    }
-                    state->spindle_v = spindle_v_turning_last;
-                }
-                const bool spindle_is_found_next =
-                    axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-                if (spindle_seen_is_known_last && spindle_is_found_next) {
-                    const double spindle_v_next = state->spindle_v;
-                    double spindle_time_then;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_then;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_then = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_then = 100;
-                        }
-                        spindle_time_then =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_then);
-                    } else {
-                        spindle_time_then = spindle_lead_time;
-                    }
-                    const double spindle_lead_last = spindle_time_then - spindle_cycle_time;
-                    const double spindle_way_then = spindle_v_next * spindle_lead_last;
-                    double spindle_ahead_then;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_then) <= lead_limit) {
-                        spindle_ahead_then = inputs->x_actual + spindle_way_then;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_then = inputs->x_actual;
-                    }
-                    double spindle_within_turn_then;
-                    if (spindle_ahead_then >= 0.0 && spindle_ahead_then < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_then = spindle_ahead_then;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_then) <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_then = (int32_t)(spindle_ahead_then * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_then =
-                            spindle_ahead_then - (double)spindle_turns_then * axis_s_spindle_axis_full_turn;
-                        double spindle_above_then;
-                        if (spindle_rest_then < 0.0) {
-                            spindle_above_then = spindle_rest_then + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_then = spindle_rest_then;
-                        }
-                        if (spindle_above_then >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_then = spindle_above_then - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_then = spindle_above_then;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_then = 0.0;
-                    }
-                    state->spindle_x = spindle_within_turn_then;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                if (!spindle_seen_is_known_last) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-                } else if (spindle_is_found_next) {
-                    spindle_sample_error_next = spindle_sample_error;
-                } else {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                }
-                const bool spindle_is_known_next =
-                    state->spindle_seen_samples >= 3u && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
-                if (spindle_is_known_next && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
-                    /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
-                    state->spindle_is_moving = true;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
-                    state->spindle_missing = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_cycles = 0u;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                    state->spindle_is_moving = true;
-                    /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                    double spindle_time_after;
-                    if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                        int32_t spindle_percentage_after;
-                        if (inputs->feedforward_percentage < 100) {
-                            spindle_percentage_after = inputs->feedforward_percentage;
-                        } else {
-                            spindle_percentage_after = 100;
-                        }
-                        spindle_time_after =
-                            spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_after);
-                    } else {
-                        spindle_time_after = spindle_lead_time;
-                    }
-                    const double spindle_way_after = state->spindle_v * spindle_time_after;
-                    double spindle_ahead_after;
-                    if (axis_s_spindle_axis_magnitude(spindle_way_after) <= lead_limit) {
-                        spindle_ahead_after = inputs->x_actual + spindle_way_after;
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_ahead_after = inputs->x_actual;
-                    }
-                    double spindle_within_turn_after;
-                    if (spindle_ahead_after >= 0.0 && spindle_ahead_after < axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn_after = spindle_ahead_after;
-                    } else if (axis_s_spindle_axis_magnitude(spindle_ahead_after)
-                            <= axis_s_spindle_axis_counted_limit) {
-                        const int32_t spindle_turns_after =
-                            (int32_t)(spindle_ahead_after * axis_s_spindle_axis_per_turn);
-                        const double spindle_rest_after =
-                            spindle_ahead_after - (double)spindle_turns_after * axis_s_spindle_axis_full_turn;
-                        double spindle_above_after;
-                        if (spindle_rest_after < 0.0) {
-                            spindle_above_after = spindle_rest_after + axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_above_after = spindle_rest_after;
-                        }
-                        if (spindle_above_after >= axis_s_spindle_axis_full_turn) {
-                            spindle_within_turn_after = spindle_above_after - axis_s_spindle_axis_full_turn;
-                        } else {
-                            spindle_within_turn_after = spindle_above_after;
-                        }
-                    } else {
-                        /* only what something else has overwritten comes here */
-                        spindle_within_turn_after = 0.0;
-                    }
-                    state->spindle_x_start = spindle_within_turn_after;
-                } else if (spindle_is_slow_next) {
-                    state->spindle_takes_over = true;
-                    /* TO_POSITION -> POSITION: the drive displays position control */
-                    state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    state->spindle_cycles = 0u;
-                    state->spindle_settled = 0u;
-                    state->spindle_missing = 0u;
-                } else {
-                    /* nothing else is to be done */
-                }
-                if (state->spindle_cycles > spindle_start_cycles) {
-                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
-                }
-            }
-            break;
-        }
+        if (spindle_leaves_next) {
+            state->spindle_control = spindle_next_last;
+            state->spindle_control_copy = spindle_next_last;
+            state->spindle_cycles = 0u;
+            state->spindle_settled = 0u;
+            state->spindle_missing = 0u;
         }
     } else {
-        spindle_sample_error_next = spindle_sample_error;
+        spindle_sample_error_last = spindle_sample_error;
     }
     const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     if (spindle_has_failed && inputs->drive_on && !spindle_is_seized) {
@@ -1297,43 +976,43 @@ static void axis_s_spindle_axis_any_cycle(
         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
     }
     const double spindle_angle = state->spindle_x;
-    double spindle_within_turn_later;
+    double spindle_within_turn_last;
     if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
-        spindle_within_turn_later = spindle_angle;
+        spindle_within_turn_last = spindle_angle;
     } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-        const int32_t spindle_turns_later = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-        const double spindle_rest_later = spindle_angle - (double)spindle_turns_later * axis_s_spindle_axis_full_turn;
-        double spindle_above_later;
-        if (spindle_rest_later < 0.0) {
-            spindle_above_later = spindle_rest_later + axis_s_spindle_axis_full_turn;
+        const int32_t spindle_turns_last = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_last = spindle_angle - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
+        double spindle_above_last;
+        if (spindle_rest_last < 0.0) {
+            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
         } else {
-            spindle_above_later = spindle_rest_later;
+            spindle_above_last = spindle_rest_last;
         }
-        if (spindle_above_later >= axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_later = spindle_above_later - axis_s_spindle_axis_full_turn;
+        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
         } else {
-            spindle_within_turn_later = spindle_above_later;
+            spindle_within_turn_last = spindle_above_last;
         }
     } else {
         /* only what something else has overwritten comes here */
-        spindle_within_turn_later = 0.0;
+        spindle_within_turn_last = 0.0;
     }
-    state->spindle_x = spindle_within_turn_later;
+    state->spindle_x = spindle_within_turn_last;
     const double spindle_x_spindle_next = state->spindle_x;
     const double spindle_v_spindle_last = state->spindle_v;
     const uint32_t spindle_lasting = state->spindle_lasting_error;
     uint32_t spindle_error_now;
     if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = spindle_lasting;
-    } else if (spindle_sample_error_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        spindle_error_now = spindle_sample_error_next;
+    } else if (spindle_sample_error_last != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_sample_error_last;
     } else {
         spindle_error_now = spindle_request_error;
     }
     const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_loop_closed =
         spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
-            && spindle_sample_error_next == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            && spindle_sample_error_last == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     if (!inputs->drive_on || inputs->reset || spindle_has_failed
             || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
         if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP) {
@@ -1454,8 +1133,8 @@ static void axis_s_spindle_axis_any_cycle(
         }
         const double axis_inputs_x_actual_next = spindle_x_spindle_next - lag_then;
         double axis_feedforward_v_feedforward_next;
-        bool axis_feedforward_fault_next;
-        uint32_t axis_feedforward_error_id_next;
+        bool axis_feedforward_fault;
+        uint32_t axis_feedforward_error_id;
         if (axis_s_spindle_axis_magnitude(spindle_v_spindle_last) <= axis_s_spindle_axis_sample_limit) {
             double axis_feedforward_gain_now_next;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
@@ -1469,43 +1148,43 @@ static void axis_s_spindle_axis_any_cycle(
                 axis_feedforward_gain_now_next = 0.0;
             }
             axis_feedforward_v_feedforward_next = axis_feedforward_gain_now_next * spindle_v_spindle_last;
-            axis_feedforward_fault_next = false;
-            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_feedforward_fault = false;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
             axis_feedforward_v_feedforward_next = 0.0;
-            axis_feedforward_fault_next = true;
-            axis_feedforward_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            axis_feedforward_fault = true;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
         }
         outputs->v_feedforward = axis_feedforward_v_feedforward_next;
-        uint32_t axis_error_id_last;
-        bool axis_fault_last;
-        if (axis_feedforward_fault_next) {
-            axis_error_id_last = axis_feedforward_error_id_next;
-            axis_fault_last = true;
+        uint32_t axis_error_id;
+        bool axis_fault;
+        if (axis_feedforward_fault) {
+            axis_error_id = axis_feedforward_error_id;
+            axis_fault = true;
         } else {
-            axis_error_id_last = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault_last = false;
+            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_fault = false;
         }
         const double axis_lag_next = spindle_x_spindle_next - axis_inputs_x_actual_next;
         const double axis_v_lag_next = axis_s_spindle_axis_axis_position_control_kv * axis_lag_next;
         const double axis_v_controller_next = axis_v_lag_next + axis_feedforward_v_feedforward_next;
         outputs->v_command = axis_v_controller_next;
-        bool axis_ipc_runs_next;
-        uint32_t axis_ipc_reason_next;
+        bool axis_ipc_runs;
+        uint32_t axis_ipc_reason;
         if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
         } else if (spindle_loop_closed && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
                 && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            axis_ipc_runs_next = true;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_runs = true;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
         } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
                 || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
             if (spindle_loop_closed) {
@@ -1520,38 +1199,38 @@ static void axis_s_spindle_axis_any_cycle(
                             state->axis_ipc_preset = false;
                         }
                     }
-                    axis_ipc_runs_next = true;
+                    axis_ipc_runs = true;
                 } else {
                     if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
                         /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
                         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
                          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                        const double axis_ipc_stage0_filter0_section0_s_next =
+                        const double axis_ipc_stage0_filter0_section0_s =
                             axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s_next;
-                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s_next;
+                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
+                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
                         state->axis_ipc_preset = true;
                     }
-                    axis_ipc_runs_next = false;
+                    axis_ipc_runs = false;
                 }
             } else {
                 state->axis_ipc_preset = false;
                 state->axis_ipc_fade = 0u;
-                axis_ipc_runs_next = false;
+                axis_ipc_runs = false;
             }
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
             state->axis_ipc_preset = false;
             state->axis_ipc_fade = 0u;
-            axis_ipc_runs_next = false;
-            axis_ipc_reason_next = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
         }
-        bool axis_ipc_limited_next;
-        double axis_ipc_v_add_next;
-        bool axis_ipc_fault_next;
-        uint32_t axis_ipc_error_id_next;
-        if (axis_ipc_runs_next) {
-            const uint32_t axis_ipc_fade_next = state->axis_ipc_fade;
+        bool axis_limited_next;
+        double axis_ipc_v_add;
+        bool axis_ipc_fault;
+        uint32_t axis_ipc_error_id;
+        if (axis_ipc_runs) {
+            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
             /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
              * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -1567,97 +1246,84 @@ static void axis_s_spindle_axis_any_cycle(
                     - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_next;
             const double axis_ipc_v_stage0_next =
                 axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_next;
-            double axis_ipc_v_limited_next;
+            double axis_ipc_v_limited;
             if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_limit) {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_rest) {
-                    axis_ipc_v_limited_next = 0.0;
+                    axis_ipc_v_limited = 0.0;
                 } else {
-                    axis_ipc_v_limited_next = axis_ipc_v_stage0_next;
+                    axis_ipc_v_limited = axis_ipc_v_stage0_next;
                 }
-                axis_ipc_limited_next = false;
+                axis_limited_next = false;
             } else {
                 if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
                     if (axis_ipc_v_stage0_next > 0.0) {
-                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_limit;
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
                     } else {
-                        axis_ipc_v_limited_next = axis_s_spindle_axis_axis_ipc_lower_limit;
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
                     }
                 } else {
                     /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
                      * then everything starts anew */
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                    axis_ipc_v_limited_next = 0.0;
+                    axis_ipc_v_limited = 0.0;
                 }
-                axis_ipc_limited_next = true;
+                axis_limited_next = true;
             }
-            if (axis_ipc_fade_next < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                if (axis_ipc_fade_next > 0u) {
-                    axis_ipc_v_add_next =
-                        axis_ipc_v_limited_next * ((double)axis_ipc_fade_next * axis_s_spindle_axis_axis_ipc_fade_step);
+            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
+                if (axis_ipc_fade > 0u) {
+                    axis_ipc_v_add = axis_ipc_v_limited * ((double)axis_ipc_fade * axis_ipc_fade_step);
                 } else {
-                    axis_ipc_v_add_next = 0.0;
+                    axis_ipc_v_add = 0.0;
                 }
                 if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
                     outputs->v_add_calculated = 0.0;
                 } else {
-                    outputs->v_add_calculated = axis_ipc_v_limited_next;
+                    outputs->v_add_calculated = axis_ipc_v_limited;
                 }
             } else {
-                axis_ipc_v_add_next = axis_ipc_v_limited_next;
-                outputs->v_add_calculated = axis_ipc_v_limited_next;
+                axis_ipc_v_add = axis_ipc_v_limited;
+                outputs->v_add_calculated = axis_ipc_v_limited;
             }
-            axis_ipc_fault_next = false;
-            axis_ipc_error_id_next = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_fault = false;
+            axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_ipc_fault_next = axis_ipc_reason_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_ipc_v_add_next = 0.0;
+            axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
-            axis_ipc_limited_next = false;
-            axis_ipc_error_id_next = axis_ipc_reason_next;
-        }
-        outputs->v_add = axis_ipc_v_add_next;
-        uint32_t axis_error_id_then;
-        bool axis_fault_then;
-        if (axis_ipc_fault_next) {
-            axis_error_id_then = axis_ipc_error_id_next;
-            axis_fault_then = true;
-        } else {
-            axis_error_id_then = axis_error_id_last;
-            axis_fault_then = axis_fault_last;
-        }
-        bool axis_limited_next;
-        if (axis_ipc_limited_next) {
-            axis_limited_next = true;
-        } else {
             axis_limited_next = false;
+            axis_ipc_error_id = axis_ipc_reason;
         }
-        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add_next;
+        outputs->v_add = axis_ipc_v_add;
+        uint32_t axis_error_id_next;
+        bool axis_fault_next;
+        if (axis_ipc_fault) {
+            axis_error_id_next = axis_ipc_error_id;
+            axis_fault_next = true;
+        } else {
+            axis_error_id_next = axis_error_id;
+            axis_fault_next = axis_fault;
+        }
+        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add;
         const double axis_position_control_increments_next =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_next;
-        bool axis_position_control_limited_last;
+        bool axis_position_control_limited_next;
         if (axis_s_spindle_axis_magnitude(axis_position_control_increments_next)
                 <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_next);
-            axis_position_control_limited_last = false;
+            axis_position_control_limited_next = false;
         } else if (axis_position_control_increments_next > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited_last = true;
+            axis_position_control_limited_next = true;
         } else if (axis_position_control_increments_next < 0.0) {
-            axis_position_control_limited_last =
+            axis_position_control_limited_next =
                 axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* only what is no number comes here, which no sample in range leads to: nothing is put out */
             outputs->manipulated_variable = 0;
-            axis_position_control_limited_last = true;
+            axis_position_control_limited_next = true;
         }
-        bool axis_position_control_limited_then;
-        if (axis_position_control_limited_last) {
-            axis_position_control_limited_then = true;
-        } else {
-            axis_position_control_limited_then = false;
-        }
-        outputs->limited = axis_position_control_limited_then || axis_limited_next;
+        outputs->limited = axis_position_control_limited_next || axis_limited_next;
         if (gives_up_next) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1671,14 +1337,14 @@ static void axis_s_spindle_axis_any_cycle(
                 state->spindle_v = axis_v_controller_next;
             }
         }
-        uint32_t error_now_next;
-        if (axis_fault_then) {
-            error_now_next = axis_error_id_then;
+        uint32_t error_now;
+        if (axis_fault_next) {
+            error_now = axis_error_id_next;
         } else {
-            error_now_next = spindle_error_now;
+            error_now = spindle_error_now;
         }
-        outputs->error_id = error_now_next;
-        outputs->fault = error_now_next != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->error_id = error_now;
+        outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
         outputs->loop_closed = spindle_loop_closed;
         outputs->fault = spindle_fault;
@@ -1741,6 +1407,8 @@ void axis_s_spindle_axis_step(
             && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
     if (in_position) {
         outputs->loop_closed = true;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
         /* a usual cycle in POSITION */
@@ -1771,179 +1439,64 @@ void axis_s_spindle_axis_step(
             gives_up = !(axis_s_spindle_axis_magnitude(lag_next) <= axis_s_spindle_axis_lag_limit);
         }
         const double axis_inputs_x_actual = spindle_x_spindle - lag_next;
-        double axis_feedforward_v_feedforward;
-        bool axis_feedforward_fault;
-        uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_v_spindle) <= axis_s_spindle_axis_sample_limit) {
-            double axis_feedforward_gain_now;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                if (inputs->feedforward_percentage >= 100) {
-                    axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
-                } else {
-                    axis_feedforward_gain_now =
-                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                }
+        double axis_feedforward_gain_now;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            if (inputs->feedforward_percentage >= 100) {
+                axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
             } else {
-                axis_feedforward_gain_now = 0.0;
+                axis_feedforward_gain_now =
+                    axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
             }
-            axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
-            axis_feedforward_fault = false;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_feedforward_v_feedforward = 0.0;
-            axis_feedforward_fault = true;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+            axis_feedforward_gain_now = 0.0;
         }
+        const double axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
         outputs->v_feedforward = axis_feedforward_v_feedforward;
-        uint32_t axis_error_id;
-        bool axis_fault;
-        if (axis_feedforward_fault) {
-            axis_error_id = axis_feedforward_error_id;
-            axis_fault = true;
-        } else {
-            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault = false;
-        }
         const double axis_lag = spindle_x_spindle - axis_inputs_x_actual;
         const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
         const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
         outputs->v_command = axis_v_controller;
-        bool axis_ipc_runs;
-        uint32_t axis_ipc_reason;
-        if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
-        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
-                && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            axis_ipc_runs = true;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
-                || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
-            if (state->axis_ipc_preset) {
-                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
-                    state->axis_ipc_fade = state->axis_ipc_fade + 1u;
-                } else if (state->axis_ipc_fade > 1u) {
-                    state->axis_ipc_fade = state->axis_ipc_fade - 1u;
-                } else {
-                    state->axis_ipc_fade = 0u;
-                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                        state->axis_ipc_preset = false;
-                    }
-                }
-                axis_ipc_runs = true;
-            } else {
-                if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                    /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                    /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                     * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                    const double axis_ipc_stage0_filter0_section0_s =
-                        axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                    state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
-                    state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
-                    state->axis_ipc_preset = true;
-                }
-                axis_ipc_runs = false;
-            }
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
-        }
-        bool axis_ipc_limited;
-        double axis_ipc_v_add;
-        bool axis_ipc_fault;
-        uint32_t axis_ipc_error_id;
-        if (axis_ipc_runs) {
-            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-            const double axis_ipc_stage0_filter0_section0_t =
-                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double axis_ipc_stage0_filter0_section0_y =
-                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
-            state->axis_ipc_stage0_filter0_section0_s1 =
-                state->axis_ipc_stage0_filter0_section0_s2
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
-            state->axis_ipc_stage0_filter0_section0_s2 =
-                axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
-            const double axis_ipc_v_stage0 =
-                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
-            double axis_ipc_v_limited;
-            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
-                    axis_ipc_v_limited = 0.0;
-                } else {
-                    axis_ipc_v_limited = axis_ipc_v_stage0;
-                }
-                axis_ipc_limited = false;
-            } else {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                    if (axis_ipc_v_stage0 > 0.0) {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
-                    } else {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
-                    }
-                } else {
-                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                     * then everything starts anew */
-                    state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                    axis_ipc_v_limited = 0.0;
-                }
-                axis_ipc_limited = true;
-            }
-            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                if (axis_ipc_fade > 0u) {
-                    axis_ipc_v_add =
-                        axis_ipc_v_limited * ((double)axis_ipc_fade * axis_s_spindle_axis_axis_ipc_fade_step);
-                } else {
-                    axis_ipc_v_add = 0.0;
-                }
-                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                    outputs->v_add_calculated = 0.0;
-                } else {
-                    outputs->v_add_calculated = axis_ipc_v_limited;
-                }
-            } else {
-                axis_ipc_v_add = axis_ipc_v_limited;
-                outputs->v_add_calculated = axis_ipc_v_limited;
-            }
-            axis_ipc_fault = false;
-            axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_ipc_v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            axis_ipc_limited = false;
-            axis_ipc_error_id = axis_ipc_reason;
-        }
-        outputs->v_add = axis_ipc_v_add;
-        uint32_t axis_error_id_next;
-        bool axis_fault_next;
-        if (axis_ipc_fault) {
-            axis_error_id_next = axis_ipc_error_id;
-            axis_fault_next = true;
-        } else {
-            axis_error_id_next = axis_error_id;
-            axis_fault_next = axis_fault;
-        }
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+        const double axis_ipc_stage0_filter0_section0_t =
+            axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double axis_ipc_stage0_filter0_section0_y =
+            state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
+        state->axis_ipc_stage0_filter0_section0_s1 =
+            state->axis_ipc_stage0_filter0_section0_s2
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
+        state->axis_ipc_stage0_filter0_section0_s2 =
+            axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
+        const double axis_ipc_v_stage0 = axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
+        double axis_ipc_v_add_calculated;
         bool axis_limited;
-        if (axis_ipc_limited) {
-            axis_limited = true;
-        } else {
+        if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
+                axis_ipc_v_add_calculated = 0.0;
+            } else {
+                axis_ipc_v_add_calculated = axis_ipc_v_stage0;
+            }
             axis_limited = false;
+        } else {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                if (axis_ipc_v_stage0 > 0.0) {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_limit;
+                } else {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_lower_limit;
+                }
+            } else {
+                /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
+                 * then everything starts anew */
+                state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
+                axis_ipc_v_add_calculated = 0.0;
+            }
+            axis_limited = true;
         }
-        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add;
+        outputs->v_add_calculated = axis_ipc_v_add_calculated;
+        outputs->v_add = axis_ipc_v_add_calculated;
+        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add_calculated;
         const double axis_position_control_increments =
             axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
         bool axis_position_control_limited;
@@ -1963,13 +1516,7 @@ void axis_s_spindle_axis_step(
             outputs->manipulated_variable = 0;
             axis_position_control_limited = true;
         }
-        bool axis_position_control_limited_next;
-        if (axis_position_control_limited) {
-            axis_position_control_limited_next = true;
-        } else {
-            axis_position_control_limited_next = false;
-        }
-        outputs->limited = axis_position_control_limited_next || axis_limited;
+        outputs->limited = axis_position_control_limited || axis_limited;
         if (gives_up) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1983,14 +1530,6 @@ void axis_s_spindle_axis_step(
                 state->spindle_v = axis_v_controller;
             }
         }
-        uint32_t error_now;
-        if (axis_fault_next) {
-            error_now = axis_error_id_next;
-        } else {
-            error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-        outputs->error_id = error_now;
-        outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
             && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
             && inputs->drive_on && !inputs->reset

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   88092532f202fe7776a7c5c650d9deca
- * checksum    4e06ebd2180d112860da8e0da76e15b1
+ * structure   b1d26428c40647f7ac8bedfcaa6450a9
+ * checksum    32291dd2cf7bf98b8bef8a672eb1f2e8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* the digest of its structure: the same where two blocks differ in the values of coefficients only */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x88092532u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xf202fe77u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x76a7c5c6u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x50d9decau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xb1d26428u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xc40647f7u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xac8bedfcu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xaa6450a9u
 /* the bytes of its structs where a bool has one and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
