@@ -199,3 +199,17 @@ fn each_row_of_a_page_is_a_parameter_set_for_its_block() {
         assert!(judgement.is_enough(), "{weights:?}: {:?}", judgement.reasons());
     }
 }
+
+/// The manual changes parameters at standstill: what `tunable` gives to the caller need not wait for it, and the page says why.
+#[test]
+fn what_may_change_while_the_axis_moves() {
+    let ipc = format!("enable = \"DRYRUN\"\nv_add_max_fact = 100\nstage = [{{ {STAGE} }}]");
+    let manual = "The manual of the controller changes parameters at standstill only.";
+    let weights = page("tunable = \"weights\"\nfade = \"50ms\"", &ipc);
+    let acts = "each change acts over 50 ms, and\n  no number makes a weight or the limit larger than designed. Load a new block at standstill.";
+    assert_says(&weights, &[manual, acts]);
+    let sets = page("tunable = \"all\"\nfade = \"50ms\"", &ipc);
+    let fades = "the block fades `v_add` out before it takes\n  the set, fades it in again in 50 ms, and takes no limit above its own.";
+    assert_says(&sets, &[manual, fades]);
+    assert!(!page("", &ipc).contains(manual));
+}
