@@ -1,5 +1,5 @@
-//! Runs the program on the lives of both axes and says what is wrong: against the reference blocks, what has to be seen, and rules that hold
-//! in every cycle.
+//! Runs the program on the lives of both axes and says what is wrong: against the reference blocks, what has to be
+//! seen, and rules that hold in every cycle.
 
 use super::project::{Axis, Project};
 use super::script::Row;
