@@ -1,5 +1,6 @@
-//! The names on commissioning pages: each signal, block and self-test that a page names for a target is declared in the files that `generate`
-//! writes for it; what a page says of the example for TwinCAT is there. What the steps do is tested elsewhere.
+//! The names on commissioning pages: each signal, block and self-test that a page names for a target is declared in
+//! the files that `generate` writes for it; what a page says of the example for TwinCAT is there. What the steps do
+//! is tested elsewhere.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -10,7 +11,8 @@ use generator::target::{TARGETS, Target};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-/// Sets with every kind of page: constants, inputs that tune, parameter sets, watch, a counter of calls, a whole axis, a spindle.
+/// Sets with every kind of page: constants, inputs that tune, parameter sets, watch, a counter of calls, a whole
+/// axis, a spindle.
 const SETS: [&str; 8] = [
     "examples/rack-and-pinion.toml",
     "examples/twincat/axes.toml",
@@ -118,7 +120,8 @@ fn missing(page: &str, known: &BTreeMap<&str, BTreeSet<String>>, example: &BTree
         }
         let is_asked = |target: &str| targets.is_empty() || targets.iter().any(|own| own == target);
         let asked: Vec<&str> = known.keys().copied().filter(|target| is_asked(target)).collect();
-        // A page for several targets says which of them have a function as self-test: these two are those of a function block.
+        // A page for several targets says which of them have a function as self-test: these two are those of a
+        // function block.
         let is_of_block = ["done", "differing"].contains(&name.as_str());
         let blocks: Vec<&str> = asked.iter().copied().filter(|target| !["c", "rust"].contains(target)).collect();
         let asked = if is_of_block && !blocks.is_empty() { blocks } else { asked };

@@ -1,5 +1,5 @@
-//! Runs the program on the lives of both axes and says what is wrong: against the reference blocks, what has to be seen, and rules that hold
-//! in every cycle.
+//! Runs the program on the lives of both axes and says what is wrong: against the reference blocks, what has to be
+//! seen, and rules that hold in every cycle.
 
 use super::project::{Axis, Project};
 use super::script::Row;
@@ -220,7 +220,7 @@ fn controlled(row: &Row) -> bool {
 /// The first few things that are wrong.
 pub fn violations(project: &Project, program: &Block, lives: &[Vec<Row>; 2]) -> Vec<String> {
     let mut run = program.start(&[], &[], &[]).unwrap();
-    let mut courses = project.axes.each_ref().map(|axis| Course::new(axis));
+    let mut courses = project.axes.each_ref().map(Course::new);
     let (mut said, mut results, mut count) = (Vec::new(), Vec::new(), 1000_u32);
     for at in 0..lives[0].len() {
         count += 1 + lives[0][at].missing;

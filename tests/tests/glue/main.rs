@@ -1,11 +1,14 @@
-//! The example `examples/twincat`: its program, its function blocks and the emitted blocks of two axes run together in the strict engine,
-//! cycle by cycle, against the reference blocks and lives written by hand; planted mistakes are found.
+//! The example `examples/twincat`: its program, its function blocks and the emitted blocks of two axes run together
+//! in the strict engine, cycle by cycle, against the reference blocks and lives written by hand; planted mistakes are
+//! found.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many mistakes were planted and found")]
 
 mod checks;
+mod gravity;
 mod lives;
+mod ordinary;
 mod planted;
 mod project;
 mod script;
@@ -84,8 +87,8 @@ fn a_block_that_fails_its_self_test_never_acts() {
     }
 }
 
-/// A PLC that stops in the middle of a motion sends 0; when it starts again the axis still moves. Everything begins anew then: the first
-/// cycle adds nothing but the weight, the self-tests come first, and the fade begins at 0.
+/// A PLC that stops in the middle of a motion sends 0; when it starts again the axis still moves. Everything begins
+/// anew then: the first cycle adds nothing but the weight, the self-tests come first, and the fade begins at 0.
 #[test]
 fn a_plc_that_starts_while_the_axis_moves_begins_at_0() {
     let project = Project::of_example();
@@ -127,7 +130,8 @@ fn a_plc_that_starts_while_the_axis_moves_begins_at_0() {
     assert_eq!(moved, [true; 2]);
 }
 
-/// Two axes from one text: the function blocks name none, and what names one differs by its letter alone, and by the numbers of the machine.
+/// Two axes from one text: the function blocks name none, and what names one differs by its letter alone, and by the
+/// numbers of the machine.
 #[test]
 fn the_axes_share_one_text() {
     let project = Project::of_example();
@@ -173,7 +177,8 @@ fn planted_mistakes_are_found() {
     shown(&format!("{} mistakes planted by hand, all found", PLANTED.len()));
 }
 
-/// Without any one of its assignments the glue is wrong somewhere: in the lives of the axes, beyond 32 bits, or where a self-test fails.
+/// Without any one of its assignments the glue is wrong somewhere: in the lives of the axes, beyond 32 bits, or where
+/// a self-test fails.
 #[test]
 fn each_lost_statement_is_found() {
     let [usual, held, failed] = [Project::of_example(), Project::with_increments(1.0e6), Project::with_spoilt("ipc")];

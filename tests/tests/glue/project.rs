@@ -1,4 +1,5 @@
-//! The example's files, the test doubles and the emitted blocks, read by the strict engine into one program. No cycle is run here.
+//! The example's files, the test doubles and the emitted blocks, read by the strict engine into one program. No cycle
+//! is run here.
 
 use generator::blocks::{self, Block as Emitted, Designed};
 use generator::config::ListOptions;
@@ -121,7 +122,8 @@ impl Project {
         if file == MAIN { main.without(which).unwrap() } else { main }
     }
 
-    /// The assignments of a file's body, in its order: a call has parentheses before `:=`, or the rest of them on other lines.
+    /// The assignments of a file's body, in its order: a call has parentheses before `:=`, or the rest of them on
+    /// other lines.
     pub fn statements(&self, file: &str) -> Vec<String> {
         let text = self.text(file);
         let code = |line: &str| line.split("//").next().unwrap_or_default().trim().to_owned();
