@@ -80,7 +80,9 @@ def alarms(program: Path) -> tuple[str, list[str]]:
 def main() -> int:
     verbose, folder = "--verbose" in sys.argv, Path(sys.argv[-1])
     sources = [c for c in sorted(folder.glob("*/*.c")) if not c.stem.endswith(("_self_test", "_model", "_eva", "_runner"))]
-    programs = [driver(source) for source in sources]
+    # Some cases differ in their stimulus alone.
+    different = {source.read_text() + source.with_suffix(".h").read_text(): source for source in reversed(sources)}
+    programs = [driver(source) for source in sorted(different.values())]
     with ThreadPoolExecutor(2) as pool:
         results = list(pool.map(alarms, programs))
     count = sum(len(found) for _, found in results)

@@ -2,4 +2,4 @@
 
 mod certificate;
 mod design;
-mod sets;
+pub(crate) mod sets;

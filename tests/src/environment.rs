@@ -18,6 +18,16 @@ pub fn is_every_level() -> bool {
     is_set("AXGEN_EVERY_LEVEL")
 }
 
+/// What there is of something: in a plain run, in an exhaustive one, and where even what that does in turn is to be run.
+#[must_use]
+pub fn by_depth<T>(plain: T, exhaustive: T, every: T) -> T {
+    match (is_every_level(), is_exhaustive()) {
+        (true, _) => every,
+        (_, true) => exhaustive,
+        _ => plain,
+    }
+}
+
 /// Whether a program is there, judged by what it says of its version.
 ///
 /// Where it is not, a plain `cargo test` goes on without it and says so, past the capture of test output; in CI and in an

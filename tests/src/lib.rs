@@ -3,6 +3,7 @@
 
 pub mod accuracy;
 pub mod cases;
+pub mod engines;
 pub mod environment;
 pub mod exploration;
 pub mod model;

@@ -2,7 +2,7 @@
 //! golden cases. What does not need a design is tested beside the reference.
 
 use axgen_tests::cases::{in_both_real_types, title};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, Numbers, Prototype, Stage};
 use generator::blocks;
 use generator::blocks::Designed;
@@ -53,7 +53,7 @@ fn no_state_of_a_golden_case_is_ever_subnormal_or_no_number() {
 }
 
 fn assert_states_normal(case: &Case) {
-    let count = if is_exhaustive() { 200_000 } else { 50_000 };
+    let count = by_depth(20_000, 50_000, 200_000);
     let samples = case::inputs(case, count).unwrap_or_else(|mistake| panic!("{mistake}"));
     let kind = blocks::named(case.block.program.block).expect("the axis has the block");
     let (mut reference, mut values, mut outputs) = (kind.start(&case.axis), Vec::new(), Vec::new());

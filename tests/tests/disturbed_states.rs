@@ -1,7 +1,7 @@
 //! States that something else has overwritten, in double and in single precision: what is no number is a fault with an id and a fresh start, anything else
 //! decays; the limit holds all the while.
 
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::subject;
 use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
@@ -128,7 +128,7 @@ where
 
 #[test]
 fn an_overwritten_state_is_a_fault_or_decays() {
-    let count = if is_exhaustive() { 10_000 } else { 2_000 };
+    let count = by_depth(1_000, 3_000, 10_000);
     for tunable in ["nothing", "weights"] {
         for (real, faults) in
             [("f64", faults::<f64>("f64", tunable, count)), ("f32", faults::<f32>("f32", tunable, count))]

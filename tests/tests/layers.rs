@@ -198,3 +198,28 @@ fn crates_are_layers_too() {
         }
     }
 }
+
+/// Examples in documents would be compiled as programs of their own, crate by crate, and no manifest asks for that (`doctest = false`): what
+/// stands in a fence is `text`.
+#[test]
+fn documents_in_the_source_hold_no_program() {
+    let mut fences = 0;
+    let others = ["generator/stability/src", "reference/portable/macro/src", "tests/inside/src", "tests/src"];
+    for folder in CRATES.map(|(_, folder)| folder).into_iter().chain(others) {
+        let mut files = BTreeMap::new();
+        modules(&root().join(folder), "", &mut files);
+        for path in files.values() {
+            let text = fs::read_to_string(path).unwrap();
+            let lines = text
+                .lines()
+                .map(str::trim_start)
+                .filter(|line| line.starts_with("//! ```") || line.starts_with("/// ```"));
+            for (number, line) in lines.enumerate() {
+                let wanted = if number.is_multiple_of(2) { "```text" } else { "```" };
+                assert_eq!(&line[4..], wanted, "{}", path.display());
+                fences += 1;
+            }
+        }
+    }
+    assert!(fences > 100, "{fences}");
+}

@@ -1,22 +1,21 @@
 //! The reference against the independent model, on random axes and random histories.
 
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::agree::{self, Tally};
 use axgen_tests::model::alone::{self, agree::Seen};
 use axgen_tests::model::spindle::{self, Parameters, block};
 use axgen_tests::random::rng::Rng;
 use rayon::prelude::*;
 
-/// Sets, and cycles of each.
-const SETS: usize = 1000;
+/// Cycles of each set.
 const CYCLES: usize = 1000;
 const SEED: u64 = 20_261_122;
 
 #[test]
-fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
+fn the_reference_agrees_with_the_model_on_random_sets_of_1000_cycles() {
     let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
     let seed = number("AXGEN_MODEL_SEED", SEED);
-    let sets = usize::try_from(number("AXGEN_MODEL_SETS", SETS as u64)).expect("a number of sets");
+    let sets = usize::try_from(number("AXGEN_MODEL_SETS", by_depth(200, 400, 1000))).expect("a number of sets");
     let run = |index| agree::set(seed, index, CYCLES);
     let (told, wrong): (Vec<_>, Vec<_>) = (0..sets).into_par_iter().map(run).partition(Result::is_ok);
     let told_of = wrong.iter().take(3).filter_map(|result| result.as_ref().err());
@@ -32,8 +31,7 @@ fn the_reference_agrees_with_the_model_on_1000_random_sets_of_1000_cycles() {
     assert!(tally.trips * 500 > sets as u64, "{tally:?}");
 }
 
-/// Histories of the changeover, and cycles of each.
-const SPINDLES: u64 = 10_000;
+/// Cycles of each history of the changeover.
 const SPINDLE_CYCLES: usize = 2000;
 
 #[test]
@@ -42,12 +40,12 @@ fn the_changeover_agrees_with_its_model_on_random_histories_of_2000_cycles() {
         let p = Parameters::random(&mut Rng::new(SEED.wrapping_add(seed)));
         spindle::agree(&p, seed, SPINDLE_CYCLES, block::start(&p)).err()
     };
-    let wrong: Vec<String> = (0..SPINDLES).into_par_iter().filter_map(differs).collect();
-    assert!(wrong.is_empty(), "{} of {SPINDLES} histories disagree\n{}", wrong.len(), wrong[0]);
+    let histories: u64 = by_depth(2_000, 4_000, 10_000);
+    let wrong: Vec<String> = (0..histories).into_par_iter().filter_map(differs).collect();
+    assert!(wrong.is_empty(), "{} of {histories} histories disagree\n{}", wrong.len(), wrong[0]);
 }
 
-/// Axes with a block `ipc` that stands alone, and cycles of each.
-const ALONE: usize = 400;
+/// Cycles of each axis with a block `ipc` that stands alone.
 const ALONE_CYCLES: usize = 1500;
 
 /// Ride-through, watch, tuned weights and parameter sets.
@@ -55,8 +53,7 @@ const ALONE_CYCLES: usize = 1500;
 fn the_block_ipc_agrees_with_its_model_whatever_the_caller_tunes() {
     let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
     let seed = number("AXGEN_MODEL_SEED", SEED);
-    let usual = if is_exhaustive() { 25 * ALONE } else { ALONE };
-    let count = usize::try_from(number("AXGEN_MODEL_SETS", usual as u64)).expect("a number of axes");
+    let count = usize::try_from(number("AXGEN_MODEL_SETS", by_depth(200, 800, 10_000))).expect("a number of axes");
     let run = |index| alone::agree::axis(seed, index, ALONE_CYCLES);
     let (seen, wrong): (Vec<_>, Vec<_>) = (0..count).into_par_iter().map(run).partition(Result::is_ok);
     let first: Vec<&str> =

@@ -4,6 +4,7 @@
 
 #![expect(clippy::print_stdout, reason = "what the run has covered")]
 
+use axgen_tests::environment::by_depth;
 use axgen_tests::random::campaign::{self, Settings};
 use axgen_tests::random::print;
 use inside::defect::DEFECTS;
@@ -27,7 +28,8 @@ fn random_programs_agree_in_every_engine() {
 #[test]
 fn a_planted_defect_is_found_and_made_small() {
     let folder = folder();
-    for (name, defect) in DEFECTS {
+    // One that the interpreter has; what a printer has is compiled in every round of the shrinking.
+    for (name, defect) in DEFECTS.into_iter().take(by_depth(1, 2, 2)) {
         let settings = Settings { folder: &folder, name, seed: 1, programs: 20, defect: Some(defect) };
         let report = campaign::run(&settings).unwrap();
         let shrunk = report.shrunk.unwrap_or_else(|| panic!("{name} is not found"));

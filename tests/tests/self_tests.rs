@@ -4,7 +4,7 @@
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many faults were planted and found")]
 
 use axgen_tests::cases::{in_both_real_types, title};
-use axgen_tests::environment::is_every_level;
+use axgen_tests::environment::by_depth;
 use generator::target::File;
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Engine, emitted};
@@ -43,8 +43,11 @@ impl<'a> Emitted<'a> {
 
 #[test]
 fn a_self_test_finds_nothing_in_its_block() {
-    in_both_real_types().par_iter().for_each(|case| {
-        for dialect in DIALECTS {
+    in_both_real_types().par_iter().enumerate().for_each(|(number, case)| {
+        // The dialects differ in names and declarations: a plain run has the plain one and one of the others in turn.
+        let more = &DIALECTS[1..];
+        let dialects = [&DIALECTS[..1], by_depth(&more[number % more.len()..][..1], more, more)].concat();
+        for dialect in dialects {
             let emitted = Emitted::of(case, dialect);
             assert_eq!(emitted.differing(&emitted.block), 0, "{}: {dialect:?}", title(case));
             assert_eq!(emitted.differing(&emitted.block.clone().wide()), 0, "{}: {dialect:?}", title(case));
@@ -71,9 +74,14 @@ fn shows(case: &Case, inputs: &Samples, expected: &Samples, block: &Block) -> bo
     emitted::run_read(Dialect::Plain, block, &case.block, inputs).unwrap() != *expected
 }
 
-/// Of so many faults of a case one is planted, in turn: mostly in one of the two real types, which follow each other.
+/// Of so many faults of a case one is planted, in turn.
 fn part() -> usize {
-    if is_every_level() { 1 } else { 2 }
+    by_depth(4, 3, 1)
+}
+
+/// So many that are missed, of a case in which none is found, are no accident of which of them were planted.
+fn too_many() -> usize {
+    by_depth(3, 3, 1)
 }
 
 fn count(case: &Case, turn: usize, name: &str, plant: Plant) -> Count {
@@ -90,7 +98,7 @@ fn count(case: &Case, turn: usize, name: &str, plant: Plant) -> Count {
     }
     let is_claimed = !(case.block.program.block == "spindle" && name == FUSED);
     assert!(
-        !is_claimed || count.found > 0 || count.missed == 0,
+        !is_claimed || count.found > 0 || count.missed < too_many(),
         "{}: no {name} is found, {} can be seen",
         title(case),
         count.missed
@@ -98,8 +106,8 @@ fn count(case: &Case, turn: usize, name: &str, plant: Plant) -> Count {
     count
 }
 
-/// Each single fault that is planted, every second one or with `AXGEN_EVERY_LEVEL` all, in each case's block: in each case some of each kind are found, and of those that the case's own
-/// stimulus shows at most one in 25 is missed. Many that are planted can be seen by nobody: a number beside a comparison, a value
+/// Each single fault that is planted, one in so many or with `AXGEN_EVERY_LEVEL` all, in each case's block: in each case some of each kind
+/// are found, and of those that the case's own stimulus shows at most one in 25 is missed. Many that are planted can be seen by nobody: a number beside a comparison, a value
 /// that is there already. The numbers of a spindle decide when it changes: a scenario in a closed loop shows what a self-test, which
 /// comes near few of them, does not. There at most as many are missed as are found, and of fused operations nothing is claimed.
 #[test]

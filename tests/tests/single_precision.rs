@@ -4,7 +4,7 @@
 
 use axgen_tests::accuracy::filters::Prototype;
 use axgen_tests::accuracy::{Before, Cell, Found};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -93,9 +93,16 @@ fn is_beside(cell: &Cell) -> bool {
     cell.vibration > 1.0
 }
 
-/// A part of the cells always, all with `AXGEN_EXHAUSTIVE`.
+/// A part of the cells always, in an exhaustive run every third of the others too, all with `AXGEN_EVERY_LEVEL`.
 fn part(cells: Vec<Cell>, is_quick: impl Fn(&Cell) -> bool) -> Vec<Cell> {
-    cells.into_iter().filter(|cell| is_exhaustive() || is_quick(cell)).collect()
+    let step = by_depth(usize::MAX, 3, 1);
+    let is_in_turn = |number: usize| (number + 1).is_multiple_of(step);
+    cells
+        .into_iter()
+        .enumerate()
+        .filter(|(number, cell)| is_in_turn(*number) || is_quick(cell))
+        .map(|of| of.1)
+        .collect()
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! Random requests, drives and interpolators through every engine: the same bits, of the changeover and of the whole axis of a spindle.
 
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::engines::agree;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::spindle::{Inputs, Parameters, history};
 use axgen_tests::model::subject;
 use axgen_tests::random::rng::Rng;
 use generator::blocks::{Designed, blocks};
-use golden::compare::{Difference, compare};
-use golden::engine::{self, ENGINES, Engine};
+use golden::engine::{self, Engine};
 use golden::samples::{Samples, Shape};
 use portable::{Literal, Real, RealKind};
 use rayon::prelude::*;
@@ -14,8 +14,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Cycles of a history; then the drive is off for a while.
 const CYCLES: usize = 2000;
-/// Cycles of a run of an engine: several histories.
-const RUN: usize = 20_000;
 
 /// A spindle in the drive, in the CNC with all that an axis has, and both in single precision.
 const SPINDLES: [&str; 2] = [
@@ -126,11 +124,11 @@ fn crowd(seed: u64, p: &Parameters) -> Vec<Inputs> {
 }
 
 /// The inputs of a block, history after history.
-fn samples(shape: Shape, p: &Parameters, run: usize) -> Samples {
-    let mut samples = Samples::with_capacity(shape, RUN);
-    for seed in run * RUN / CYCLES..(run + 1) * RUN / CYCLES {
+fn samples(shape: Shape, p: &Parameters, cycles: usize) -> Samples {
+    let mut samples = Samples::with_capacity(shape, cycles);
+    for seed in 0..cycles.div_ceil(CYCLES) as u64 {
         // A machine's histories, and requests so close together that no machine would follow.
-        let inputs = if run.is_multiple_of(2) { history(seed as u64, CYCLES, p) } else { crowd(seed as u64, p) };
+        let inputs = if seed.is_multiple_of(2) { history(seed, CYCLES, p) } else { crowd(seed, p) };
         for inputs in inputs {
             let value = |(name, start): (&String, Literal)| match (signal(name, &inputs).unwrap_or(start), start) {
                 (Literal::F64(wide), Literal::F32(_)) => Literal::F32(f32::lit(wide)),
@@ -147,7 +145,7 @@ fn samples(shape: Shape, p: &Parameters, run: usize) -> Samples {
 #[test]
 fn random_requests_give_the_same_bits_in_every_engine() {
     let given = std::env::var("AXGEN_SPINDLE_CYCLES").ok().and_then(|text| text.parse().ok());
-    let cycles: usize = given.unwrap_or(if is_exhaustive() { 16 * RUN } else { 2 * RUN });
+    let cycles: usize = given.unwrap_or(by_depth(40_000, 80_000, 320_000));
     let all: Vec<Designed> =
         SPINDLES.iter().flat_map(|of| [RealKind::F64, RealKind::F32].map(|real| spindle(of, real))).collect();
     let requests = AtomicU64::new(0);
@@ -155,28 +153,16 @@ fn random_requests_give_the_same_bits_in_every_engine() {
         let p = parameters(designed);
         for block in blocks(designed).unwrap().iter().filter(|block| block.program.block.starts_with("spindle")) {
             let name = format!("{} in {:?}", block.program.block, block.program.real);
-            for run in 0..cycles.div_ceil(RUN) {
-                let inputs = samples(Shape::of(&block.program.inputs, block.program.real), &p, run);
-                let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
-                if run == 0 {
-                    visits_everything(&name, &expected);
-                }
-                requests.fetch_add(counted(&inputs), Ordering::Relaxed);
-                // Rust in the first run only: it is compiled anew for each.
-                for engine in ENGINES.into_iter().filter(|engine| run == 0 || *engine != Engine::Rust) {
-                    let found = engine::run(engine, designed, block, &inputs).unwrap();
-                    assert_eq!(
-                        compare(&expected, &found),
-                        Difference { bits: 0, first: None },
-                        "{name}, {engine}, run {run}"
-                    );
-                }
-            }
+            let inputs = samples(Shape::of(&block.program.inputs, block.program.real), &p, cycles);
+            let expected = engine::run(Engine::Reference, designed, block, &inputs).unwrap();
+            visits_everything(&name, &expected);
+            requests.fetch_add(counted(&inputs), Ordering::Relaxed);
+            agree(&name, designed, block, &inputs, &expected);
         }
     });
     let requests = requests.into_inner();
     eprintln!("{requests} requests");
-    assert!(requests > if is_exhaustive() { 1_000_000 } else { 100_000 });
+    assert!(requests > 2 * cycles as u64, "{requests} in 8 runs of {cycles} cycles");
 }
 
 /// How many requests there are: inputs that become TRUE.

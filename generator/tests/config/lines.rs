@@ -1,7 +1,6 @@
 //! How a line of a list is split: seen at what is read from it, and at the places of messages.
 
 use super::{IPC, read_list, said, said_of_axis};
-use proptest::prelude::*;
 
 #[test]
 fn statements_and_comments() {
@@ -80,17 +79,4 @@ fn lines_and_columns_count_characters_from_one() {
     let wide = "\u{e4}".repeat(5000);
     let said = said_of_axis(&format!("kopf = {{ '{wide}' = 1, b = 2 }}"));
     assert!(said.contains("set.toml:3:10: ") && said.contains("set.toml:3:5018: "), "{said}");
-}
-
-proptest! {
-    /// A file in which every byte is plain is split faster: to the same parts.
-    #[test]
-    fn what_stands_elsewhere_in_a_file_changes_no_line(bytes in prop::collection::vec(
-        prop::sample::select(&b"\n\t a.b1#(/*;\""[..]), 0..200
-    )) {
-        // What kind of file it is, is told from all of it.
-        let list = [b"kopf.achs_nr 1\n", &bytes[..]].concat();
-        let other = [&list[..], b"\n#\xE4"].concat();
-        prop_assert_eq!(read_list(&list).1, read_list(&other).1);
-    }
 }

@@ -1,10 +1,9 @@
-//! Structured Text: literals, what a dialect changes in a program, and which lines of a file change with what. What the
+//! Structured Text: constants, what a dialect changes in a program, and which lines of a file change with what. What the
 //! text computes is compared by the engines; what the file forms demand, in `file_forms`.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod changes;
-mod literals;
 mod programs;
 mod targets;
 

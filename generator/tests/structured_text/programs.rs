@@ -1,8 +1,9 @@
 //! What a dialect changes in a program, run by the interpreter: the values stay.
 
-use super::{MACHINE, set};
+use super::{MACHINE, files, set};
 use compiler::interp::Machine;
 use compiler::legalise::{RENAMED, WITH_ENABLE};
+use compiler::print::st::literal;
 use compiler::program::{Expr, Program, Statement, Var, Variable};
 use generator::blocks::{Block, blocks};
 use portable::Literal;
@@ -165,4 +166,22 @@ fn a_number_beside_a_variable_gets_a_name() {
     let names: Vec<&str> = named.constants[own..].iter().map(|constant| constant.path.as_str()).collect();
     assert_eq!(names, ["number_0p5", "number_0p25"]);
     assert_eq!(run(&named, block), run(&program, block));
+}
+
+/// The constants of real blocks, in the files themselves.
+#[test]
+fn every_constant_of_the_example_is_in_its_files_with_its_bits() {
+    let files = files(MACHINE);
+    let mut constants = 0;
+    for axis in set(MACHINE).axes {
+        let name = axis.axis.name.to_ascii_lowercase();
+        let text = &files[&format!("axis_{name}_ipc.st")];
+        for constant in &blocks(&axis).unwrap()[0].program.constants {
+            if let value @ (Literal::F64(_) | Literal::F32(_)) = constant.value {
+                constants += 1;
+                assert!(text.contains(&literal(value)), "{name}: {}", constant.path);
+            }
+        }
+    }
+    assert!(constants > 40, "{constants}");
 }

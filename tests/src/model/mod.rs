@@ -7,7 +7,7 @@
 //!
 //! # What is compared
 //!
-//! `tests/model.rs` draws 1,000 axes ([`random`]) with histories of 1,000 cycles each ([`history`]), runs the three blocks
+//! `tests/model.rs` draws axes ([`random`]) with histories of 1,000 cycles each ([`history`]), runs the three blocks
 //! with the coefficients that `axgen` designs ([`subject`]) and compares every output of every cycle ([`agree`]). A
 //! disagreement names the set, the block, the cycle, the signal and both values.
 //! `AXGEN_MODEL_SEED` and `AXGEN_MODEL_SETS` take other sets.

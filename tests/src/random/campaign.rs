@@ -7,6 +7,7 @@ use super::rng::Rng;
 use super::shrink;
 use super::syntax::Program;
 use super::{generate, print};
+use crate::environment::by_depth;
 use inside::defect::Defect;
 use inside::judge::INVALID;
 use std::collections::BTreeMap;
@@ -15,8 +16,6 @@ use std::path::Path;
 
 /// The seed of a plain test run.
 const SEED: u64 = 2026;
-/// The programs of a plain test run.
-const PROGRAMS: usize = 1_000;
 /// Programs that are built together.
 const TOGETHER: usize = 1_000;
 
@@ -43,8 +42,8 @@ impl<'s> Settings<'s> {
     #[must_use]
     pub fn from_environment(folder: &'s Path, name: &'s str) -> Self {
         let seed = number("AXGEN_RANDOM_SEED").unwrap_or(SEED);
-        let programs = number("AXGEN_RANDOM_PROGRAMS").unwrap_or(PROGRAMS as u64);
-        Self { folder, name, seed, programs: usize::try_from(programs).unwrap_or(PROGRAMS), defect: None }
+        let programs = number("AXGEN_RANDOM_PROGRAMS").and_then(|programs| usize::try_from(programs).ok());
+        Self { folder, name, seed, programs: programs.unwrap_or(by_depth(125, 250, 1_000)), defect: None }
     }
 }
 

@@ -2,6 +2,7 @@
 //! the compiler itself has for arithmetic.
 
 use crate::boards::{BOARDS, object};
+use crate::in_turn;
 use crate::runners::blocks;
 use axgen_tests::environment::{has, is_exhaustive};
 use rayon::prelude::*;
@@ -21,9 +22,10 @@ fn objects_for_a_bare_processor_need_no_symbol() {
     if !BOARDS[0].is_there() || !has("arm-none-eabi-nm", "nm", "binutils-arm-none-eabi") {
         return;
     }
-    let levels = if is_exhaustive() { &LEVELS[..] } else { &LEVELS[2..3] };
     let emitted = ["f32", "f64"].map(|real| (real, blocks(real)));
-    let runs: Vec<_> = WAYS.iter().flat_map(|way| levels.iter().map(move |level| (way, *level))).collect();
+    let levels = |number| if is_exhaustive() { in_turn(&LEVELS, number, 2) } else { LEVELS[2..3].to_vec() };
+    let of_way = |(number, way)| levels(number).into_iter().map(move |level| (way, level));
+    let runs: Vec<_> = WAYS.iter().enumerate().flat_map(of_way).collect();
     runs.par_iter().for_each(|((name, real, computes), level)| {
         let board = BOARDS.iter().find(|board| board.name == *name).expect("the board");
         let (_, emitted) = emitted.iter().find(|(of, _)| of == real).expect("the real type");

@@ -3,6 +3,7 @@
 
 use crate::bare::is_arithmetic;
 use crate::boards::{BOARDS, Emitted, finished, said, written};
+use crate::in_turn;
 use axgen_tests::cases::{all, in_both_real_types, title};
 use axgen_tests::environment::{has, is_every_level, is_exhaustive};
 use rayon::prelude::*;
@@ -38,8 +39,8 @@ fn what_clang_makes_for_arm_calls_no_library() {
     if !is_there() {
         return;
     }
-    // In a plain run one level, one of two processors each, and of three cases their self-tests and runners. In an exhaustive run each
-    // case has one level in turn with all processors; all of them with AXGEN_EVERY_LEVEL.
+    // In a plain run one level and one of two processors each, in an exhaustive run one level and two processors, both in turn; of three
+    // cases their self-tests and runners too. All of them with AXGEN_EVERY_LEVEL.
     let mut seen = BTreeSet::new();
     let emitted: Vec<_> = in_both_real_types()
         .iter()
@@ -51,12 +52,10 @@ fn what_clang_makes_for_arm_calls_no_library() {
         .enumerate()
         .map(|(number, (title, emitted))| {
             let is_whole = is_every_level() || number < 3;
-            let levels = match (is_every_level(), is_exhaustive()) {
-                (true, _) => &LEVELS[..],
-                (_, true) => &LEVELS[number % LEVELS.len()..][..1],
-                _ => &LEVELS[..1],
+            let (levels, processors) = match is_exhaustive() {
+                true => (in_turn(&LEVELS, number, 1), in_turn(&PROCESSORS, number / LEVELS.len(), 2)),
+                false => (LEVELS[..1].to_vec(), PROCESSORS[number % 2..][..1].to_vec()),
             };
-            let processors = if is_exhaustive() { &PROCESSORS[..] } else { &PROCESSORS[number % 2..][..1] };
             let folder = written(&[emitted]);
             let sources: Vec<&str> = emitted
                 .files
@@ -66,8 +65,8 @@ fn what_clang_makes_for_arm_calls_no_library() {
                 .collect();
             let single = usize::from(title.ends_with("f64"));
             let mut count = 0;
-            for (processor, computes) in processors {
-                for level in levels {
+            for (processor, computes) in &processors {
+                for level in &levels {
                     finished(clang(folder.path(), processor).arg(level).args(&sources), title);
                     let objects: Vec<String> = sources.iter().map(|name| name.replace(".c", ".o")).collect();
                     let undefined = undefined(folder.path(), &objects);

@@ -1,6 +1,6 @@
 //! The emitted files as a user's build sees them: no warning under strict options, fit for C++, no undefined symbol.
 
-use crate::{cases, tools};
+use crate::{cases, in_turn, tools};
 use axgen_tests::cases::{title, without_stages};
 use axgen_tests::environment::has;
 use generator::generate::header;
@@ -28,9 +28,9 @@ const LEVELS: [&[&str]; 8] = [
 #[test]
 fn strict_compilers_have_nothing_to_say() {
     for tool in tools() {
-        cases().par_iter().for_each(|case| {
+        cases().par_iter().enumerate().for_each(|(number, case)| {
             let (folder, stem) = written(case);
-            for level in ["-O0", "-O2"] {
+            for level in in_turn(&["-O0", "-O2"], number, 1) {
                 let sources = [&format!("{stem}.c")[..], &format!("{stem}_self_test.c")];
                 compile(tool.command, folder.path(), &[&STRICT[..], &[level, "-c"], &sources].concat());
             }
@@ -58,7 +58,9 @@ fn all_blocks_of_an_axis_stand_beside_each_other() {
         }
         std::fs::write(folder.path().join("all.c"), all).unwrap();
         let sources = files.iter().map(|file| file.name.as_str()).filter(|name| name.ends_with(".c")).chain(["all.c"]);
-        for (source, level) in sources.flat_map(|source| ["-O0", "-O2"].map(|level| (source, level))) {
+        let levels =
+            |(number, source)| in_turn(&["-O0", "-O2"], number, 1).into_iter().map(move |level| (source, level));
+        for (source, level) in sources.enumerate().flat_map(levels) {
             compile(
                 tool.command,
                 folder.path(),
@@ -95,9 +97,9 @@ fn objects_need_no_symbol_and_hold_no_writable_data() {
         return;
     }
     for tool in tools() {
-        cases().par_iter().for_each(|case| {
+        cases().par_iter().enumerate().for_each(|(number, case)| {
             let (folder, stem) = written(case);
-            for level in LEVELS {
+            for level in in_turn(&LEVELS, number, 3) {
                 // Some distributions switch the stack protector on, which is a symbol of theirs.
                 let sources = [format!("{stem}.c"), format!("{stem}_self_test.c")];
                 let options = ["-std=c99", "-fno-stack-protector", "-c", &sources[0], &sources[1]];

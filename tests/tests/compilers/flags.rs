@@ -3,7 +3,7 @@
 
 use crate::{CLANG, GCC, Tool, cases, is_measured, reference, tools};
 use axgen_tests::cases::title;
-use axgen_tests::environment::{has_fma, is_every_level, is_exhaustive};
+use axgen_tests::environment::{by_depth, has_fma};
 use golden::case::Case;
 use golden::compare::compare;
 use golden::engine::{Compiler, Failure, Harness};
@@ -115,8 +115,8 @@ const TABLE: [Row; 54] = [
     row(CLANG, &["-mrecip"], SameBits),
 ];
 
-/// In an exhaustive run a row has every sixth block, and every one with `AXGEN_EVERY_LEVEL=1`.
-const PART: usize = 6;
+/// What the stimulus of a case does, it has done in so many cycles.
+const SAMPLES: usize = 20_000;
 
 /// A case that is ready for every row of one compiler.
 struct Ready {
@@ -134,7 +134,7 @@ fn options_that_change_bits_are_refused_or_caught() {
         let ready = ready(&tool);
         let is_measured = is_measured(&tool);
         // Each row has a part of the blocks in turn, each block a part of the rows.
-        let part = if is_exhaustive() && !is_every_level() { PART } else { 1 };
+        let part = by_depth(4, 15, 1);
         println!("\n{} behind `-std=c99 -O2`, {} blocks", tool.command, ready.len());
         let of_tool = TABLE.iter().filter(|row| row.tool.command == tool.command);
         for (number, row) in of_tool.enumerate() {
@@ -159,9 +159,8 @@ fn options_that_change_bits_are_refused_or_caught() {
 }
 
 fn ready(tool: &Tool) -> Vec<Ready> {
-    let count = if is_exhaustive() { 100_000 } else { 20_000 };
     let ready = |case: Case| {
-        let (inputs, expected) = reference(&case, count);
+        let (inputs, expected) = reference(&case, SAMPLES);
         let harness = Harness::compile(&case.axis, &case.block, &Compiler::new(tool.command, &[]));
         let harness = harness.unwrap_or_else(|failure| panic!("{}: {failure}", tool.command));
         Ready { case, inputs, expected, harness }

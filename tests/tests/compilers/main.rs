@@ -54,7 +54,15 @@ fn tools() -> Vec<Tool> {
     [GCC, CLANG].into_iter().filter(is_there).collect()
 }
 
-/// The cases for what takes its time: all in an exhaustive run, else a few.
+/// `count` of all levels, options or processors for the case of a number: each has its share of the cases, in both real types, which
+/// follow each other. All of them with `AXGEN_EVERY_LEVEL`.
+fn in_turn<T: Clone>(all: &[T], number: usize, count: usize) -> Vec<T> {
+    let count = if environment::is_every_level() { all.len() } else { count };
+    let start = (number + number / all.len()) * count;
+    all.iter().cycle().skip(start % all.len()).take(count).cloned().collect()
+}
+
+/// The cases for what takes its time: a third in an exhaustive run, else a few.
 fn cases() -> Vec<Case> {
     let mut cases = in_both_real_types();
     // Every third one beside those: the levels of optimisation see all.

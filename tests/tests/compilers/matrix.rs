@@ -1,9 +1,9 @@
-//! Every case, in both real types, with every compiler at several levels: the bits of the reference. `AXGEN_EVERY_LEVEL=1` takes every level
-//! and a million samples for each case.
+//! Every case, in both real types, with every compiler at one of its levels: the bits of the reference. `AXGEN_EVERY_LEVEL=1` takes every
+//! level and a million samples for each case.
 
-use crate::{reference, tools};
+use crate::{in_turn, reference, tools};
 use axgen_tests::cases::{in_both_real_types, title};
-use axgen_tests::environment::{is_every_level, is_exhaustive};
+use axgen_tests::environment::{by_depth, is_every_level};
 use golden::case::{Case, DIGEST_SAMPLES};
 use golden::compare::{Difference, compare};
 use golden::engine::{Compiler, Harness};
@@ -11,37 +11,29 @@ use golden::samples::Samples;
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// The level that every case has; of the others each case has one, in turn. The engine `c` is the host's compiler with -O2.
-const ALWAYS: [&[&str]; 1] = [&["-O0"]];
-const IN_TURN: [&[&str]; 5] = [&["-O1"], &["-O3"], &["-O2"], &["-Os"], &["-O3", "-march=native", "-ffp-contract=off"]];
-const QUICK_LEVELS: [&[&str]; 2] = [&["-O0"], &["-O3"]];
-/// All that a stimulus does. The engine `c` has a million of each case (tests/tests/golden.rs).
-const SAMPLES: usize = 100_000;
-const QUICK_SAMPLES: usize = 20_000;
+/// The engine `c`, which every case has, is the host's compiler with -O2.
+const LEVELS: [&[&str]; 6] =
+    [&["-O0"], &["-O3"], &["-Os"], &["-O1"], &["-O2"], &["-O3", "-march=native", "-ffp-contract=off"]];
+/// In so many cycles a stimulus has shown all that it does, but for what a counter of 32 bits does at its end.
+const SAMPLES: usize = 20_000;
 
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn every_level_of_every_compiler_gives_the_bits_of_the_reference() {
     let begin = Instant::now();
-    let is_deep = is_every_level();
-    let count = match is_deep {
-        true => DIGEST_SAMPLES,
-        false if is_exhaustive() => SAMPLES,
-        false => QUICK_SAMPLES,
-    };
-    let levels = |number: usize| match is_deep {
-        true => [&ALWAYS[..], &IN_TURN].concat(),
-        false if is_exhaustive() => [&ALWAYS[..], &IN_TURN[number % IN_TURN.len()..][..1]].concat(),
-        false => QUICK_LEVELS.to_vec(),
-    };
+    let count = if is_every_level() { DIGEST_SAMPLES } else { SAMPLES };
     let (cases, commands) = (in_both_real_types(), tools().into_iter().map(|tool| tool.command).collect::<Vec<_>>());
+    // A plain run has a third of the cases with each compiler.
+    let part = by_depth(3, 1, 1);
     let of_case = |(number, case): (usize, &Case)| {
         let (inputs, expected) = reference(case, count);
-        let levels = levels(number);
-        for command in &commands {
+        let mut builds = 0;
+        for (of, command) in commands.iter().enumerate().filter(|(of, _)| (number + of).is_multiple_of(part)) {
+            let levels = in_turn(&LEVELS, number + LEVELS.len() / 2 * of, 1);
             every_level(case, command, &levels, &inputs, &expected);
+            builds += levels.len();
         }
-        commands.len() * levels.len()
+        builds
     };
     let builds: usize = cases.par_iter().enumerate().map(of_case).sum();
     println!(

@@ -1,7 +1,7 @@
 //! Random axes: the emitted C, many axes in one program, gives the bits of the reference. `AXGEN_RANDOM_AXES` is another number of them.
 
 use crate::boards::{Emitted, run_here};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::{random, subject};
 use axgen_tests::random::rng::Rng;
 use generator::axis::Axis;
@@ -35,7 +35,7 @@ fn emitted(index: usize) -> Option<Emitted> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_axes_have_the_bits_of_the_reference() {
-    let axes = numbers(if is_exhaustive() { 200 } else { 30 });
+    let axes = numbers(by_depth(20, 60, 200));
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let said = run_here(&emitted.iter().collect::<Vec<_>>());

@@ -2,7 +2,7 @@
 //! another number of them, as of the C.
 
 use crate::random_axes::{numbered, numbers};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::random;
 use axgen_tests::random::rng::Rng;
 use generator::blocks::{self, Block, Designed};
@@ -84,7 +84,7 @@ fn wrong(batch: &[Emitted]) -> Vec<&str> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_modules_have_the_bits_of_the_reference() {
-    let axes = numbers(if is_exhaustive() { 200 } else { 32 });
+    let axes = numbers(by_depth(24, 60, 200));
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let spindles = emitted.iter().filter(|of| of.block.program.block.starts_with("spindle")).count();

@@ -14,15 +14,15 @@ mod corrupted;
 mod written_meanwhile;
 
 use axes::{FACT, STRUCTURES, block, other, set, sets};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::engines::agree;
+use axgen_tests::environment::by_depth;
 use axgen_tests::random::overwritten::flipped;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use compiler::program::Type;
 use corrupted::{Set, are_same, corrupted, real};
 use generator::blocks::{Block, Designed};
-use golden::compare::{Difference, compare};
-use golden::engine::{self, ENGINES, Engine};
+use golden::engine::{self, Engine};
 use golden::samples::{Samples, Shape};
 use portable::{Literal, Portable, Real, RealKind};
 use rayon::prelude::*;
@@ -114,7 +114,7 @@ fn samples(bench: &Bench, length: usize) -> Samples {
 
 #[test]
 fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
-    let length = if is_exhaustive() { 9 * RUN } else { RUN };
+    let length = RUN * by_depth(1, 3, 9);
     let cases: Vec<(usize, RealKind)> =
         (0..STRUCTURES).flat_map(|structure| KINDS.map(|kind| (structure, kind))).collect();
     let cycles: usize = cases
@@ -124,16 +124,12 @@ fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
             let inputs = samples(&bench, length);
             let expected = engine::run(Engine::Reference, &bench.designed, &bench.block, &inputs).unwrap();
             takes_over_at_rest(&inputs, &expected, &bench);
-            for engine in ENGINES {
-                let found = engine::run(engine, &bench.designed, &bench.block, &inputs).unwrap();
-                let name = format!("structure {structure} in {kind:?}, {engine}");
-                assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{name}");
-            }
+            agree(&format!("structure {structure} in {kind:?}"), &bench.designed, &bench.block, &inputs, &expected);
             length
         })
         .sum();
-    eprintln!("{cycles} cycles with sets at any moment in {} engines: 0 differing bits", ENGINES.len());
-    assert!(cycles >= if is_exhaustive() { 1_000_000 } else { 100_000 });
+    eprintln!("{cycles} cycles with sets at any moment in every engine: 0 differing bits");
+    assert_eq!(cycles, 2 * STRUCTURES * length);
 }
 
 /// A value of an output, reals in double precision.
@@ -220,7 +216,7 @@ where
 
 #[test]
 fn no_corrupted_set_is_taken_over() {
-    let count = if is_exhaustive() { 40_000 } else { 4_000 };
+    let count = by_depth(4_000, 10_000, 40_000);
     let counts: Vec<(usize, usize)> = (0..STRUCTURES)
         .into_par_iter()
         .flat_map_iter(|structure| [taken_over::<f64>(structure, count), taken_over::<f32>(structure, count)])
@@ -300,7 +296,7 @@ fn a_set_of_another_axis_is_refused() {
 /// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
 #[test]
 fn no_overwritten_number_leads_beyond_the_limit() {
-    let count = if is_exhaustive() { 20_000 } else { 1_000 };
+    let count = by_depth(1_000, 4_000, 20_000);
     let of_each = |of| [overwritten::<f64>(of, count), overwritten::<f32>(of, count)];
     // Most leaves belong to stages that the axis does not have.
     let faults: Vec<usize> = (0..STRUCTURES).into_par_iter().flat_map_iter(of_each).collect();

@@ -6,7 +6,7 @@
 mod planted;
 mod sound;
 
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::model::{random, subject};
 use axgen_tests::random::rng::Rng;
 use generator::blocks::{Designed, Kind, of_axis};
@@ -44,7 +44,7 @@ fn every_golden_case_is_shown() {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_axes_are_shown() {
-    let axes = if is_exhaustive() { 10_000 } else { 300 };
+    let axes = by_depth(200, 1_000, 10_000);
     let blocks_of = |index: usize| {
         let designed = subject::read(&random::parameters(&mut Rng::numbered(SEED, index)).set());
         let shown = of_axis(&designed.axis).map(|kind| {

@@ -1,7 +1,7 @@
 //! Runs from random states with random inputs stay within what was shown. The interpreter shares nothing with the analysis.
 
 use super::subjects;
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::by_depth;
 use axgen_tests::random::rng::Rng;
 use compiler::interp::Machine;
 use compiler::program::{Program, Type, Variable};
@@ -38,7 +38,7 @@ fn filled(variables: &[Variable], program: &Program, rng: &mut Rng) -> Vec<Liter
 
 #[test]
 fn what_runs_from_any_state_stays_within_what_was_shown() {
-    let runs = if is_exhaustive() { 20_000 } else { 500 };
+    let runs = by_depth(300, 2_000, 20_000);
     subjects().into_par_iter().for_each(|(name, designed, kind)| {
         let program = kind.program(&designed, Some("verified")).expect("a program");
         let shown = kind.shown(&designed).expect("a program");

@@ -2,7 +2,7 @@
 //! exactly where the delay is whole.
 
 use crate::random::{axis, read, stage};
-use axgen_tests::environment::is_exhaustive;
+use axgen_tests::environment::{by_depth, is_every_level};
 use generator::analysis::{Known, analyze};
 use generator::axis::DriveModel;
 use generator::blocks::Designed;
@@ -185,7 +185,7 @@ const UNDECIDED: f64 = 1e-7;
 
 #[test]
 fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
-    let count = if is_exhaustive() { 10_000 } else { 300 };
+    let count = by_depth(300, 1_000, 10_000);
     let mut rng = Rng::new(0x5ab1);
     let (mut unstable, mut undecided) = (0, 0);
     for _ in 0..count {
@@ -207,7 +207,7 @@ fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
 
 #[test]
 fn the_largest_s_is_that_of_a_fine_grid() {
-    let count = if is_exhaustive() { 500 } else { 60 };
+    let count = by_depth(60, 120, 500);
     let mut rng = Rng::new(0x0517);
     let (mut stable, mut worst) = (0, 0.0_f64);
     for _ in 0..count {
@@ -243,7 +243,7 @@ fn largest(holds: impl Fn(f64) -> bool) -> f64 {
 
 #[test]
 fn the_largest_weights_are_those_of_eigenvalues_and_of_a_grid() {
-    let count = if is_exhaustive() { 200 } else { 15 };
+    let count = by_depth(15, 40, 200);
     let mut rng = Rng::new(0x3a7e);
     let mut bounded = 0;
     for _ in 0..count {
@@ -258,7 +258,7 @@ fn the_largest_weights_are_those_of_eigenvalues_and_of_a_grid() {
                     || found < searched && plain.with(n, found * 1.003).radius() > 1.0
             };
             assert!(is_right(of.largest_stable_weight, stable), "{}", text());
-            if stable > 0.0 && !is_exhaustive() || n == 0 {
+            if stable > 0.0 && !is_every_level() || n == 0 {
                 let calm = largest(|weight| weight <= stable && coarse(&plain.with(n, weight)) <= 2.0);
                 assert!(
                     (of.largest_weight - calm).abs() <= 0.01 * calm.max(0.05) || stable <= 0.0,
