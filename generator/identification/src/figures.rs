@@ -114,7 +114,7 @@ impl<'a> Judge<'a> {
         let response = if response.is_empty() { &one } else { response };
         let of = |vibration: &Vibration| {
             let [signal, ringing] =
-                self.what_if.signal(vibration.channel, response, OF_RING.map(|part| part * vibration.hz));
+                self.what_if.signal(vibration.channel, response, 1.0, OF_RING.map(|part| part * vibration.hz));
             match vibration.when {
                 When::Driving => {
                     [self.amplitude(&signal, &self.dwells(), OF_DWELL.map(|part| part * vibration.hz)), 1.0]
@@ -175,7 +175,7 @@ impl<'a> Judge<'a> {
     pub fn following_error(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Option<f64> {
         let error = self.record.error?;
         let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
-        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)));
+        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)), 1.0);
         let with = following_error(error, self.record.v_motor, &left, self.axis.cycle_time);
         let without = peak(error);
         (without > 0.0).then(|| peak(&with) / without)
@@ -188,10 +188,8 @@ impl<'a> Judge<'a> {
         let controller = what_if.controller(stages, of);
         let left = what_if.left(&controller);
         let added: Vec<Complex64> = left.iter().zip(&controller).map(|(left, c)| left * c).collect();
-        // C is 0 at 0 Hz, where the record keeps its line: the mean of the record is taken off.
-        let signal = what_if.whole(0, &added);
-        let constant = what_if.constant(0);
-        signal.iter().fold(0.0, |peak: f64, v| peak.larger(libm::fabs(v - constant)))
+        // C is 0 at 0 Hz.
+        peak(&what_if.whole(0, &added, 0.0))
     }
 }
 

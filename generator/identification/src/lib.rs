@@ -39,7 +39,7 @@ pub mod proposals;
 pub mod resonance;
 pub mod response;
 pub mod scenarios;
-pub mod search;
+mod search;
 pub mod segments;
 pub mod shape;
 pub mod source;

@@ -130,6 +130,10 @@ impl Lines {
         let m = commands.len() as f64;
         let [u, y] = [commands, answers].map(|of| of.iter().sum::<Complex64>() / m);
         let p = y / u;
+        // Nothing was excited: such a line says nothing.
+        if !(p.re.is_finite() && p.im.is_finite()) {
+            return;
+        }
         let squares: f64 = commands.iter().zip(answers).map(|(u, y)| (y - p * u).norm_sqr()).sum();
         let power = answers.iter().map(Complex64::norm_sqr).sum::<f64>() / m;
         self.hz.push(hz);
