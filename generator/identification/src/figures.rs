@@ -48,7 +48,8 @@ const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
 const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
 /// Lines in 1/(length of a window).
 const PADDED: f64 = 8.0;
-/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it, a peak 16 samples a period.
+/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it,
+/// a peak 16 samples a period.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
 
 /// What is left, as parts.
@@ -108,7 +109,7 @@ impl<'a> Judge<'a> {
         Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
     }
 
-    /// Amplitude and ring-down of each vibration behind a response at the lines; an empty one is 1.
+    /// Amplitude and ring-down of each vibration after a response at the lines; an empty one is 1.
     fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
         let one = vec![Complex64::from(1.0); self.what_if.lines()];
         let response = if response.is_empty() { &one } else { response };
@@ -135,7 +136,8 @@ impl<'a> Judge<'a> {
         whole((seconds / self.what_if.step()).larger(0.0))
     }
 
-    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the third and the fourth.
+    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
+    /// third and the fourth.
     fn dwells(&self) -> Vec<Range<usize>> {
         let cycle = self.axis.cycle_time;
         let dwell = |pair: &[Range<usize>]| {

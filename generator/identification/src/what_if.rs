@@ -28,8 +28,8 @@ impl Axis<'_> {
 
 /// 1 + L0, where P is known: the position is the integral of the velocity, as an encoder reads it at the same instant.
 ///
-/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums the velocities of the cycles
-/// before, half a cycle later: its |S| is up to a few percent larger.
+/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums
+/// the velocities of the cycles before, half a cycle later: its |S| is up to a few percent larger.
 pub(crate) fn rest(axis: &Axis<'_>, t: f64, p: Complex64) -> Complex64 {
     let position = Complex64::new(0.0, -0.5 / t) * (axis.position_gain.unwrap_or(0.0) * axis.cycle_time);
     position * p + 1.0
@@ -113,7 +113,8 @@ impl<'a> WhatIf<'a> {
         self.rest.iter().zip(&self.p).zip(controller).map(of).collect()
     }
 
-    /// A signal times a response at its lines, and the same within a band [Hz] only; at 0 Hz times a real number, and in no band.
+    /// A signal times a response at its lines, and the same within a band [Hz] only; at 0 Hz times a real number, and
+    /// in no band.
     #[must_use]
     pub fn signal(&self, signal: usize, response: &[Complex64], at_0: f64, band: [f64; 2]) -> [Vec<f64>; 2] {
         let length = self.inverse.length();
