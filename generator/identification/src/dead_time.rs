@@ -1,4 +1,5 @@
-//! The dead time of an axis: what its phase turns beyond the minimum phase of its magnitude; what it says of the channels. No offset of channels.
+//! The dead time of an axis: what its phase turns beyond the minimum phase of its magnitude; what it says of the
+//! channels. No offset of channels.
 
 use crate::offset::{Phasor, Time, delay};
 use crate::response::Lines;
@@ -15,8 +16,9 @@ const FROM_WHOLE: f64 = 0.15e-3;
 
 /// The dead time of P [s]: the slope of its phase beyond the minimum phase of |P|, the Hilbert transform of ln |P|.
 ///
-/// The lines have to be evenly spaced from the first one, 1/(N T), to half the sampling frequency: an excitation with clocks of one cycle. None: they
-/// are not, or do not agree. Of signals that the controller's task samples it is a whole number of cycles: those of the bus and one more.
+/// The lines have to be evenly spaced from the first one, 1/(N T), to half the sampling frequency: an excitation with
+/// clocks of one cycle. None: they are not, or do not agree. Of signals that the controller's task samples it is a
+/// whole number of cycles: those of the bus and one more.
 #[must_use]
 pub fn of(lines: &Lines, cycle_time: f64) -> Option<Time> {
     let spacing = *lines.hz.first()?;
@@ -52,7 +54,8 @@ fn minimum_phase(lines: &Lines) -> Vec<f64> {
 /// What a dead time says of the two channels.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Channels {
-    /// a whole number of cycles: both may be recorded by the task that runs the block. Whole cycles more or less cannot be seen
+    /// a whole number of cycles: both may be recorded by the task that runs the block. Whole cycles more or less
+    /// cannot be seen
     Whole(u32),
     /// not a whole number of cycles: a channel is from elsewhere
     NotWhole,

@@ -7,7 +7,7 @@ use portable::Extreme;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A window begins so long after its ramp, and is so long [s].
+/// The time from a ramp's end to its window, and the length of a window [s].
 const SETTLE: f64 = 0.15;
 const LENGTH: f64 = 0.8;
 /// Where the search starts: parts of the frequency, and dampings.
@@ -51,8 +51,9 @@ pub fn windows(segments: &[Segment], cycle_time: f64) -> Vec<Range<usize>> {
     after_ramps(segments, whole(SETTLE / cycle_time), whole(LENGTH / cycle_time)).collect()
 }
 
-/// The vibration near a frequency [Hz] in windows of a signal: common f and sigma of exp(-sigma t) (cos, sin)(2 pi f t), next to 1, t, t^2 and the
-/// companions in each window; variable projection (Golub, Pereyra 1973) on the scaled signal. None: no decay is found there.
+/// The vibration near a frequency [Hz] in windows of a signal: common f and sigma of exp(-sigma t) (cos, sin)(2 pi f
+/// t), next to 1, t, t^2 and the companions in each window; variable projection (Golub, Pereyra 1973) on the scaled
+/// signal. None: no decay is found there.
 #[must_use]
 pub fn decay(
     signal: &[f64],

@@ -36,8 +36,9 @@ const BITS: [u32; 2] = [7, 15];
 
 /// A maximum-length sequence.
 ///
-/// A register of n bits begins with ones. A clock puts out the last bit, 1 as +1 and 0 as -1, then shifts the exclusive-or of the tapped bits in
-/// at the front. A clock lasts c cycles: the period is N = (2^n - 1) c cycles, its sum is one clock.
+/// A register of n bits begins with ones. A clock puts out the last bit, 1 as +1 and 0 as -1, then shifts the
+/// exclusive-or of the tapped bits in at the front. A clock lasts c cycles: the period is N = (2^n - 1) c cycles, its
+/// sum is one clock.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Sequence {
     bits: u32,
@@ -58,7 +59,8 @@ impl Sequence {
         Self::shortest(cycle_time, PERIOD)
     }
 
-    /// The same, and with lines no farther apart than a quarter of the half-power width 2 zeta f of the slowest vibration [Hz].
+    /// The same, and with lines no farther apart than a quarter of the half-power width 2 zeta f of the slowest
+    /// vibration [Hz].
     #[must_use]
     pub fn for_vibration(cycle_time: f64, hz: f64, damping: f64) -> Self {
         let spacing = 2.0 * damping * hz / LINES_IN_WIDTH;
@@ -189,8 +191,8 @@ impl Excitation {
         LEAST_SPEED * self.amplitude
     }
 
-    /// The largest value of what answers the excitation with this frequency response [Hz], settled: of j 2 pi f P the acceleration of the motor, of
-    /// a response of the load the acceleration of the load.
+    /// The largest value of what answers the excitation with this frequency response [Hz], settled: of j 2 pi f P the
+    /// acceleration of the motor, of a response of the load the acceleration of the load.
     #[must_use]
     pub fn peak(&self, response: impl Fn(f64) -> Complex64) -> f64 {
         let period: Vec<f64> = self.sequence.signs().take(self.sequence.period()).collect();
@@ -203,7 +205,8 @@ impl Excitation {
     }
 }
 
-/// The fastest move, by the pitch of rack and pinion or of a screw: its mesh frequency speed/pitch stays below the band that is of interest [Hz].
+/// The fastest move, by the pitch of rack and pinion or of a screw: its mesh frequency speed/pitch stays below the
+/// band that is of interest [Hz].
 #[must_use]
 pub fn largest_speed(pitch: f64, lowest_hz: f64) -> f64 {
     pitch * lowest_hz

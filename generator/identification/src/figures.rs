@@ -48,7 +48,8 @@ const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
 const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
 /// Lines in 1/(length of a window).
 const PADDED: f64 = 8.0;
-/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it, a peak 16 samples a period.
+/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it,
+/// a peak 16 samples a period.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
 
 /// What is left, as parts.
@@ -108,13 +109,13 @@ impl<'a> Judge<'a> {
         Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
     }
 
-    /// Amplitude and ring-down of each vibration behind a response at the lines; an empty one is 1.
+    /// Amplitude and ring-down of each vibration after a response at the lines; an empty one is 1.
     fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
         let one = vec![Complex64::from(1.0); self.what_if.lines()];
         let response = if response.is_empty() { &one } else { response };
         let of = |vibration: &Vibration| {
             let [signal, ringing] =
-                self.what_if.signal(vibration.channel, response, OF_RING.map(|part| part * vibration.hz));
+                self.what_if.signal(vibration.channel, response, 1.0, OF_RING.map(|part| part * vibration.hz));
             match vibration.when {
                 When::Driving => {
                     [self.amplitude(&signal, &self.dwells(), OF_DWELL.map(|part| part * vibration.hz)), 1.0]
@@ -135,7 +136,8 @@ impl<'a> Judge<'a> {
         whole((seconds / self.what_if.step()).larger(0.0))
     }
 
-    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the third and the fourth.
+    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
+    /// third and the fourth.
     fn dwells(&self) -> Vec<Range<usize>> {
         let cycle = self.axis.cycle_time;
         let dwell = |pair: &[Range<usize>]| {
@@ -175,7 +177,7 @@ impl<'a> Judge<'a> {
     pub fn following_error(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Option<f64> {
         let error = self.record.error?;
         let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
-        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)));
+        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)), 1.0);
         let with = following_error(error, self.record.v_motor, &left, self.axis.cycle_time);
         let without = peak(error);
         (without > 0.0).then(|| peak(&with) / without)
@@ -188,10 +190,8 @@ impl<'a> Judge<'a> {
         let controller = what_if.controller(stages, of);
         let left = what_if.left(&controller);
         let added: Vec<Complex64> = left.iter().zip(&controller).map(|(left, c)| left * c).collect();
-        // C is 0 at 0 Hz, where the record keeps its line: the mean of the record is taken off.
-        let signal = what_if.whole(0, &added);
-        let constant = what_if.constant(0);
-        signal.iter().fold(0.0, |peak: f64, v| peak.larger(libm::fabs(v - constant)))
+        // C is 0 at 0 Hz.
+        peak(&what_if.whole(0, &added, 0.0))
     }
 }
 

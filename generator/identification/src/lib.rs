@@ -1,8 +1,10 @@
-//! From a recording to a proposal: how an axis is excited, its response, its vibrations, what stages of improved position control would leave of
-//! them, which stages are proposed. No parameter, no file, no block: arrays in, numbers out; the response of a stage is a closure of the caller.
+//! From a recording to a proposal: how an axis is excited, its response, its vibrations, what stages of improved
+//! position control would leave of them, which stages are proposed. No parameter, no file, no block: arrays in,
+//! numbers out; the response of a stage is a closure of the caller.
 //!
-//! Velocities are in one unit of the caller's, times in seconds, frequencies in Hz. z^-1 = exp(-j 2 pi f T), T the cycle of the position controller.
-//! P is the response from the commanded velocity `v_cmd` to the motor's `v_motor`; C, L and S are those of the crate `stability`.
+//! Velocities are in one unit of the caller's, times in seconds, frequencies in Hz. z^-1 = exp(-j 2 pi f T), T the
+//! cycle of the position controller. P is the response from the commanded velocity `v_cmd` to the motor's `v_motor`;
+//! C, L and S are those of the crate `stability`.
 //!
 //! ```text
 //! fourier        transforms of any length
@@ -39,7 +41,7 @@ pub mod proposals;
 pub mod resonance;
 pub mod response;
 pub mod scenarios;
-pub mod search;
+mod search;
 pub mod segments;
 pub mod shape;
 pub mod source;

@@ -1,5 +1,6 @@
-//! How much later one channel of a recording is than another one that it follows in a known way. No dead time of an axis: between `v_cmd` and
-//! `v_motor` an offset cannot be known, one cycle more of delay gives the same record to the bit.
+//! How much later one channel of a recording is than another one that it follows in a known way. No dead time of an
+//! axis: between `v_cmd` and `v_motor` an offset cannot be known, one cycle more of delay gives the same record to the
+//! bit.
 
 use crate::welch::Spectra;
 use crate::{Complex64, angle, magnitude, turned};
@@ -8,7 +9,7 @@ use std::f64::consts::TAU;
 
 /// Samples of a segment of the spectra.
 const SEGMENT: usize = 2048;
-/// Lines with less coherence are left out; so many have to be left.
+/// Lines with less coherence are left out; the fewest that have to be left.
 const LEAST_COHERENCE: f64 = 0.3;
 const FEWEST_LINES: usize = 8;
 /// A coherence nearer to 1 is not believed: q stays finite.
@@ -32,8 +33,8 @@ pub struct Time {
     pub error: f64,
 }
 
-/// How much later `y` is than `x` [s], where y = F x with a response F that is known: 1 for the same velocity twice, j 2 pi f for a velocity and its
-/// position, C for `v_motor` and the `v_add` of a dry run.
+/// How much later `y` is than `x` [s], where y = F x with a response F that is known: 1 for the same velocity twice, j
+/// 2 pi f for a velocity and its position, C for `v_motor` and the `v_add` of a dry run.
 ///
 /// ```text
 /// G = S_xy / (S_xx F)      Welch, segments of 2048 samples, lines with a coherence k above 0.3, at least 8

@@ -1,4 +1,5 @@
-//! Peaks of the spectrum while an axis drives: where, how strong, which are in doubt, which stand. No damping: it comes from a decay.
+//! Peaks of the spectrum while an axis drives: where, how strong, which are in doubt, which stand. No damping: it
+//! comes from a decay.
 
 use crate::segments::{Kind, Segment, settled};
 use crate::welch::hann;
@@ -20,7 +21,7 @@ const RESOLVED: f64 = 2.0;
 const ABOVE: f64 = 10.0;
 /// Two peaks compete where the second has that part of the first one's power.
 const COMPETES: f64 = 0.3;
-/// A peak is at the edge within so many lines, 1/(length of the window), of an end.
+/// A peak is at the edge within this number of lines, 1/(length of the window), of an end.
 const EDGE: f64 = 3.0;
 /// How much less a Hann window knows of a frequency than a rectangle: the square root of 2.34, of the moments of both.
 const OF_HANN: f64 = 1.53;
@@ -61,7 +62,8 @@ pub fn driving(segments: &[Segment], cycle_time: f64) -> Vec<Range<usize>> {
 }
 
 impl Spectrum {
-    /// Of windows of a signal: a quadratic trend is taken off, a Hann window, zeros to at least 2^14 samples. None: no window.
+    /// Of windows of a signal: a quadratic trend is taken off, a Hann window, zeros to at least 2^14 samples. None: no
+    /// window.
     #[must_use]
     pub fn of(signal: &[f64], windows: &[Range<usize>], cycle_time: f64) -> Option<Self> {
         let shortest = windows.iter().map(ExactSizeIterator::len).min()?;
@@ -85,8 +87,8 @@ impl Spectrum {
         })
     }
 
-    /// The peaks, the strongest first: the largest line within 2/(length of the window), 10 dB above the median of half an octave to each side
-    /// beyond that; a parabola through ln(power) places it.
+    /// The peaks, the strongest first: the largest line within 2/(length of the window), 10 dB above the median of
+    /// half an octave to each side beyond that; a parabola through ln(power) places it.
     #[must_use]
     pub fn peaks(&self) -> Vec<Peak> {
         let near = whole(RESOLVED * self.resolution / self.spacing).max(1);
@@ -135,7 +137,8 @@ impl Spectrum {
         let place = if bend < 0.0 { 0.5 * (a - c) / bend } else { 0.0 };
         let hz = (k as f64 + place) * self.spacing;
         let power = libm::exp(b - 0.25 * (a - c) * place);
-        // The least error of a sine in white noise of a mean power m of a line: sqrt(m / power) / (pi length). Of a power the median is ln 2 m.
+        // The least error of a sine in white noise of a mean power m of a line: sqrt(m / power) / (pi length). Of a
+        // power the median is ln 2 m.
         let mean = median / LN_2 / self.windows as f64;
         let end = (self.power.len() - 1) as f64 * self.spacing;
         Peak {
@@ -170,8 +173,8 @@ pub(crate) fn at(windowed: &[f64], cycle_time: f64, hz: f64) -> Complex64 {
     windowed.iter().enumerate().map(term).sum::<Complex64>() * (4.0 / windowed.len() as f64)
 }
 
-/// Whether a line stands at constant speed: it is forced, and has no damping. Its amplitude in the second halves of the windows is at least 0.8 of
-/// that in the first.
+/// Whether a line stands at constant speed: it is forced, and has no damping. Its amplitude in the second halves of
+/// the windows is at least 0.8 of that in the first.
 #[must_use]
 pub fn stands(signal: &[f64], windows: &[Range<usize>], cycle_time: f64, hz: f64) -> bool {
     let mut halves = [0.0; 2];

@@ -1,4 +1,5 @@
-//! What is proposed: recommended, strong and cautious stages from a response and a record; first ones without a response. The search stands elsewhere.
+//! What is proposed: recommended, strong and cautious stages from a response and a record; first ones without a
+//! response. The search stands elsewhere.
 
 use crate::figures::{Judge, Left, Record, Vibration};
 use crate::response::{Lines, is_too_uncertain};
@@ -123,7 +124,7 @@ pub fn propose(task: &Task<'_, '_>) -> Result<Vec<Proposal>, Refused> {
     if proposals.is_empty() { Err(Refused::NoWeight) } else { Ok(proposals) }
 }
 
-/// Each combination of modes of so many stages.
+/// Each combination of modes of a number of stages.
 fn modes(count: usize) -> Vec<Vec<Mode>> {
     let mode = |bits: usize, i: usize| if bits >> i & 1 == 0 { Mode::Direct } else { Mode::Indirect };
     (0..1_usize << count).map(|bits| (0..count).map(|i| mode(bits, i)).collect()).collect()
@@ -143,8 +144,8 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
     })
 }
 
-/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and frequencies [Hz] of the
-/// vibrations; a stage for each. None: no vibration, or more than there are stages.
+/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms.
+/// Modes and frequencies [Hz] of the vibrations; a stage for each. None: no vibration, or more than there are stages.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],

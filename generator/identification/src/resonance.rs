@@ -20,10 +20,12 @@ const FEWEST_LINES: f64 = 6.0;
 /// The vibration near a frequency f0 [Hz] in a response H: one pole and what is smooth about it.
 ///
 /// ```text
-/// H (s - p) = b0 + b1 s + b2 s^2        s = j (f - f0)/f0 within f0 +-12 %, weights 1/(se |s - p|), 8 times (Sanathanan, Koerner 1963)
+/// H (s - p) = b0 + b1 s + b2 s^2        s = j (f - f0)/f0 within f0 +-12 %, weights 1/(se |s - p|), 8 times
+/// (Sanathanan, Koerner 1963)
 /// ```
 ///
-/// The pole is at 2 pi f0 (j + p). None: fewer lines than numbers, or no pole that decays within the band. The amplitude is the largest |H|.
+/// The pole is at 2 pi f0 (j + p). None: fewer lines than numbers, or no pole that decays within the band. The
+/// amplitude is the largest |H|.
 #[must_use]
 pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
     let inside = |k: &usize| libm::fabs(lines.hz[*k] / f0 - 1.0) <= BAND;
@@ -63,8 +65,9 @@ pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
     })
 }
 
-/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. None: fewer than 6 lines across, of
-/// which four make it a fifth too large, or the power does not fall to a half on both sides.
+/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. None:
+/// fewer than 6 lines across, of which four make it a fifth too large, or the power does not fall to a half on both
+/// sides.
 #[must_use]
 pub fn half_power(power: &[f64], peak: usize) -> Option<f64> {
     let half = power.get(peak)? / 2.0;

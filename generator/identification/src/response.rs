@@ -45,22 +45,24 @@ pub enum Refused {
     NotPeriods,
     /// fewer than [`FEWEST_PERIODS`]
     TooFewPeriods(usize),
-    /// the velocity of the motor changes its sign at this sample: friction acts as an excitation of its own, with a high coherence
+    /// the velocity of the motor changes its sign at this sample: friction acts as an excitation of its own, with a
+    /// high coherence
     Reverses(usize),
 }
 
 impl Lines {
     /// P from the measured periods of an excitation: those after the first one, in which the axis settles.
     ///
-    /// U_m, Y_m are the transforms of period m of `v_cmd`, `v_motor`, without a window; the excitation is the instrument, so that a closed loop
-    /// makes no bias.
+    /// U_m, Y_m are the transforms of period m of `v_cmd`, `v_motor`, without a window; the excitation is the
+    /// instrument, so that a closed loop makes no bias.
     ///
     /// ```text
     /// P = sum Y_m / sum U_m        e_m = Y_m - P U_m        se^2 = sum |e_m|^2 / (M (M - 1) |mean U|^2)
     /// coherence = max(0, (M |mean Y|^2 / mean |Y|^2 - 1) / (M - 1))
     /// ```
     ///
-    /// Lines lie at k/(N T), up to half the sampling frequency, where the excitation has at least 1/1000 of its largest line.
+    /// Lines lie at k/(N T), up to half the sampling frequency, where the excitation has at least 1/1000 of its
+    /// largest line.
     ///
     /// # Errors
     /// [`Refused`]
@@ -73,7 +75,8 @@ impl Lines {
         }
     }
 
-    /// The same of any two signals while an axis is excited, as `v_motor` and the acceleration of the load, which need not keep a sign.
+    /// The same of any two signals while an axis is excited, as `v_motor` and the acceleration of the load, which need
+    /// not keep a sign.
     ///
     /// # Errors
     /// [`Refused`]
@@ -97,10 +100,12 @@ impl Lines {
         Ok(lines)
     }
 
-    /// P from an excitation without a period, with all stages off: H1 = S_xy/S_xx over segments of 4 s under Hann windows that overlap by half.
+    /// P from an excitation without a period, with all stages off: H1 = S_xy/S_xx over segments of 4 s under Hann
+    /// windows that overlap by half.
     ///
-    /// Less exact than periods: near a vibration of 11 Hz its phase is wrong by some degrees without any noise, and in a closed loop noise makes a
-    /// bias. k is the coherence, n = 9/11 of the number of segments (Welch 1967): se^2 = |P|^2 (1 - k)/(k n).
+    /// Less exact than periods: near a vibration of 11 Hz its phase is wrong by some degrees without any noise, and in
+    /// a closed loop noise makes a bias. k is the coherence, n = 9/11 of the number of segments (Welch 1967): se^2 =
+    /// |P|^2 (1 - k)/(k n).
     ///
     /// # Errors
     /// [`Refused`]
@@ -130,6 +135,10 @@ impl Lines {
         let m = commands.len() as f64;
         let [u, y] = [commands, answers].map(|of| of.iter().sum::<Complex64>() / m);
         let p = y / u;
+        // Nothing was excited: such a line says nothing.
+        if !(p.re.is_finite() && p.im.is_finite()) {
+            return;
+        }
         let squares: f64 = commands.iter().zip(answers).map(|(u, y)| (y - p * u).norm_sqr()).sum();
         let power = answers.iter().map(Complex64::norm_sqr).sum::<f64>() / m;
         self.hz.push(hz);
@@ -152,8 +161,8 @@ impl Lines {
 
     /// The same, smoothed over frequency, with the errors that this leaves.
     ///
-    /// R = P exp(j w 2 T) turns slowly. At each line a quadratic in f is fitted to R with the weights (1 - |x|^3)^3 / se^2, x = distance/(h + 1 line),
-    /// half width h = max(2 lines, 0.02 f). Each line stays in.
+    /// R = P exp(j w 2 T) turns slowly. At each line a quadratic in f is fitted to R with the weights (1 - |x|^3)^3 /
+    /// se^2, x = distance/(h + 1 line), half width h = max(2 lines, 0.02 f). Each line stays in.
     #[must_use]
     pub fn smoothed(&self, cycle_time: f64) -> Self {
         let turn = |hz: f64| turned(TAU * hz * TAKEN_OUT * cycle_time);
@@ -195,7 +204,8 @@ impl Lines {
     }
 }
 
-/// The share of each value in the value at 0 of the quadratic through values at places x with weights w; none: fewer than three places.
+/// The share of each value in the value at 0 of the quadratic through values at places x with weights w; none: fewer
+/// than three places.
 fn shares(places: &[[f64; 2]]) -> Option<Vec<f64>> {
     let largest = places.iter().fold(0.0, |largest: f64, [_, w]| largest.larger(*w));
     let term = |[x, w]: &[f64; 2]| {

@@ -1,4 +1,5 @@
-//! The drives that a proposal has to bear, and how much weight they bear: the measured one, one that is half a cycle later, two with another load.
+//! The drives that a proposal has to bear, and how much weight they bear: the measured one, one that is half a cycle
+//! later, two with another load.
 
 use crate::response::Lines;
 use crate::shape::{Shape, Stages};
@@ -34,7 +35,7 @@ impl Scenarios {
     /// Of measured lines at a cycle time T [s]; stages lie from the lowest f0 [Hz] on. None: no line.
     ///
     /// ```text
-    /// P                 P exp(-j w T/2)                 P'(f) = R(f/k) exp(-j w T), R = P exp(j w T), k = 1/sqrt(0.85), 1/sqrt(1.15)
+    /// P        P exp(-j w T/2)        P'(f) = R(f/k) exp(-j w T), R = P exp(j w T), k = 1/sqrt(0.85), 1/sqrt(1.15)
     /// ```
     #[must_use]
     pub fn new(lines: &Lines, cycle_time: f64, position_gain: Option<f64>, lowest_f0: f64) -> Option<Self> {
@@ -67,7 +68,8 @@ impl Scenarios {
         crate::shape::sum(stages, of, &self.t)
     }
 
-    /// The largest factor of C, up to `most`, up to which every loop is stable and has |S| within its limit, P at most two standard errors away.
+    /// The largest factor of C, up to `most`, up to which every loop is stable and has |S| within its limit, P at most
+    /// two standard errors away.
     #[must_use]
     pub fn largest_factor(&self, controller: &[Complex64], limits: [f64; 4], most: f64) -> f64 {
         let mut largest = most;
@@ -88,8 +90,9 @@ impl Scenarios {
         std::array::from_fn(|scenario| 1.0 / least(&self.points[scenario]))
     }
 
-    /// Whether every loop with stages and weights is stable, as the crate `stability` finds it between all points too, with P as measured. A drive
-    /// whose loop is not stable without stages says nothing: that one runs on the machine, and its lowest lines are uncertain.
+    /// Whether every loop with stages and weights is stable, as the crate `stability` finds it between all points too,
+    /// with P as measured. A drive whose loop is not stable without stages says nothing: that one runs on the machine,
+    /// and its lowest lines are uncertain.
     #[must_use]
     pub fn are_stable(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> bool {
         let drives: Vec<Drive<'_>> = self.drives.iter().map(Drive::Measured).collect();

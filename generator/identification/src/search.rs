@@ -1,4 +1,5 @@
-//! The search for shapes and weights that leave the least: starts, then a compass search. What a proposal is stands elsewhere.
+//! The search for shapes and weights that leave the least: starts, then a compass search. What a proposal is stands
+//! elsewhere.
 
 use crate::angle;
 use crate::figures::{Judge, Left};
@@ -76,8 +77,8 @@ impl Search<'_, '_> {
         if degrees < -90.0 { degrees + 360.0 } else { degrees }
     }
 
-    /// The weights that the scenarios allow, what they leave, and the cost: J = max(r, ring) + mean(r, ring) + 0.1 Ms. None: an all-pass that is
-    /// needed is not to be had, or no weight is allowed.
+    /// The weights that the scenarios allow, what they leave, and the cost: J = max(r, ring) + mean(r, ring) + 0.1 Ms.
+    /// None: an all-pass that is needed is not to be had, or no weight is allowed.
     #[must_use]
     pub fn judged(&self, candidate: &Candidate) -> Option<Judged> {
         let mut of = Vec::new();
@@ -170,7 +171,8 @@ impl Search<'_, '_> {
         candidates
     }
 
-    /// A compass search: one step along each variable to both sides, the first that is better is taken; steps are halved where none is.
+    /// A compass search: one step along each variable to both sides, the first that is better is taken; steps are
+    /// halved where none is.
     fn descend(&self, mut best: Judged) -> Judged {
         let mut part = 1.0;
         while part >= SMALLEST {

@@ -22,8 +22,8 @@ pub struct Segment {
     pub samples: Range<usize>,
 }
 
-/// The segments of a record by its commanded velocity: accelerating where |a| is above 2 % of its peak, else driving where |v| is above 5 % of its
-/// peak, else rest.
+/// The segments of a record by its commanded velocity: accelerating where |a| is above 2 % of its peak, else driving
+/// where |v| is above 5 % of its peak, else rest.
 #[must_use]
 pub fn of(v_command: &[f64]) -> Vec<Segment> {
     let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)));
@@ -56,7 +56,7 @@ pub fn settled(segments: &[Segment], kind: Kind, settle: usize) -> impl Iterator
     segments.iter().filter(move |segment| segment.kind == kind).map(of).filter(|window| window.start < window.end)
 }
 
-/// From some time after each ramp's end, so long, but not into the next ramp; at least half as long.
+/// Windows of a length from some time after each ramp's end; shorter before the next ramp, but at least half as long.
 pub fn after_ramps(segments: &[Segment], settle: usize, length: usize) -> impl Iterator<Item = Range<usize>> {
     let window = move |pair: &[Segment]| {
         let from = pair[0].samples.end + settle;

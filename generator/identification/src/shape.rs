@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 pub enum Mode {
     /// at `v_motor`
     Direct,
-    /// at the simulated oscillation of a load behind `v_motor`
+    /// at the simulated oscillation of a load that `v_motor` drives
     Indirect,
 }
 
@@ -21,7 +21,8 @@ pub struct Allpass {
     pub q: f64,
 }
 
-/// A stage but for its weight: one band-pass of order 1, for which the prototypes are equal, and an all-pass where there is one.
+/// A stage but for its weight: one band-pass of order 1, for which the prototypes are equal, and an all-pass where
+/// there is one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     pub mode: Mode,
@@ -56,10 +57,11 @@ pub fn highest(cycle_time: f64) -> f64 {
     HIGHEST.smaller(HIGHEST_PART / cycle_time)
 }
 
-/// The all-pass of quality factor 2 that turns a stage by a lead [degrees] at its f0 [Hz]; none: no f0 up to the highest one reaches it.
+/// The all-pass of quality factor 2 that turns a stage by a lead [degrees] at its f0 [Hz]; none: no f0 up to the
+/// highest one reaches it.
 ///
-/// H = (s^2 - B s + W^2)/(s^2 + B s + W^2), W = tan(pi f T), B = (1 + W^2) tan(pi f T / Q): its phase at the stage's f0 rises with its own f, from -360 to
-/// 0 degrees, and a lead is a lag of 360 degrees less.
+/// H = (s^2 - B s + W^2)/(s^2 + B s + W^2), W = tan(pi f T), B = (1 + W^2) tan(pi f T / Q): its phase at the stage's
+/// f0 rises with its own f, from -360 to 0 degrees, and a lead is a lag of 360 degrees less.
 #[must_use]
 pub fn allpass(f0: f64, lead: f64, cycle_time: f64) -> Option<Allpass> {
     let wanted = (lead % 360.0) - 360.0;

@@ -16,8 +16,8 @@ pub enum Side {
     Load,
 }
 
-/// `a_load`/`v_motor` at a frequency [Hz] in windows in which an axis drives: the ratio of the cross spectrum to that of `v_motor`. None: a window is
-/// not in the record, or `v_motor` is 0 there.
+/// `a_load`/`v_motor` at a frequency [Hz] in windows in which an axis drives: the ratio of the cross spectrum to that
+/// of `v_motor`. None: a window is not in the record, or `v_motor` is 0 there.
 #[must_use]
 pub fn ratio(a_load: &[f64], v_motor: &[f64], windows: &[Range<usize>], cycle_time: f64, hz: f64) -> Option<Complex64> {
     let (mut cross, mut power) = (Complex64::from(0.0), 0.0);

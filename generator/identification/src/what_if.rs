@@ -28,8 +28,8 @@ impl Axis<'_> {
 
 /// 1 + L0, where P is known: the position is the integral of the velocity, as an encoder reads it at the same instant.
 ///
-/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums the velocities of the cycles
-/// before, half a cycle later: its |S| is up to a few percent larger.
+/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums
+/// the velocities of the cycles before, half a cycle later: its |S| is up to a few percent larger.
 pub(crate) fn rest(axis: &Axis<'_>, t: f64, p: Complex64) -> Complex64 {
     let position = Complex64::new(0.0, -0.5 / t) * (axis.position_gain.unwrap_or(0.0) * axis.cycle_time);
     position * p + 1.0
@@ -100,12 +100,6 @@ impl<'a> WhatIf<'a> {
         self.t.len()
     }
 
-    /// What the line at 0 Hz of a signal gives each sample.
-    #[must_use]
-    pub fn constant(&self, signal: usize) -> f64 {
-        self.signals[signal][0].re * self.part / self.inverse.length() as f64
-    }
-
     /// C at the lines from the first one on.
     #[must_use]
     pub fn controller(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Vec<Complex64> {
@@ -119,12 +113,13 @@ impl<'a> WhatIf<'a> {
         self.rest.iter().zip(&self.p).zip(controller).map(of).collect()
     }
 
-    /// A signal times a response at its lines, and the same within a band [Hz] only. The line at 0 Hz keeps its value, and is in no band.
+    /// A signal times a response at its lines, and the same within a band [Hz] only; at 0 Hz times a real number, and
+    /// in no band.
     #[must_use]
-    pub fn signal(&self, signal: usize, response: &[Complex64], band: [f64; 2]) -> [Vec<f64>; 2] {
+    pub fn signal(&self, signal: usize, response: &[Complex64], at_0: f64, band: [f64; 2]) -> [Vec<f64>; 2] {
         let length = self.inverse.length();
         let mut values = vec![ZERO; length];
-        values[0] = self.signals[signal][0];
+        values[0] = self.signals[signal][0] * at_0;
         for (k, (line, response)) in self.signals[signal].iter().skip(1).zip(response).enumerate() {
             let hz = (k + 1) as f64 * self.spacing();
             let value = line * response;
@@ -144,8 +139,8 @@ impl<'a> WhatIf<'a> {
 
     /// A signal times a response at its lines.
     #[must_use]
-    pub fn whole(&self, signal: usize, response: &[Complex64]) -> Vec<f64> {
-        let [whole, _] = self.signal(signal, response, [0.0; 2]);
+    pub fn whole(&self, signal: usize, response: &[Complex64], at_0: f64) -> Vec<f64> {
+        let [whole, _] = self.signal(signal, response, at_0, [0.0; 2]);
         whole
     }
 }

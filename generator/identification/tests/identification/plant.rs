@@ -1,4 +1,5 @@
-//! The demonstration plant as the tests record it: its exact response, its excitation in the closed position loop, noise. No assertion.
+//! The demonstration plant as the tests record it: its exact response, its excitation in the closed position loop,
+//! noise. No assertion.
 
 use identification::Complex64;
 use identification::excitation::Excitation;
@@ -135,7 +136,8 @@ pub struct Move {
     pub error: Vec<f64>,
 }
 
-/// The moves forward and back, with a closure as improved position control (`v_motor` in, `v_add` out, m/s), whose figures come with them.
+/// The moves forward and back, with a closure as improved position control (`v_motor` in, `v_add` out, m/s), whose
+/// figures come with them.
 pub fn moved(plant: &Plant, mut ipc: impl FnMut(f64) -> f64) -> (Move, Figures) {
     let record = closed_loop::run(plant.at_rest(), &Position::DEMONSTRATION, &Sequence::DEMONSTRATION, |signals| {
         ipc(signals.v_motor / UM) * UM

@@ -1,4 +1,5 @@
-//! Largest weights against the crate `stability` and golden figures; proposals for the demonstration plant, tried on it in truth.
+//! Largest weights against the crate `stability` and golden figures; proposals for the demonstration plant, tried on
+//! it in truth.
 
 use crate::plant::{CYCLE, Impulse, Noise, excited, moved, random_axis};
 use crate::stage::{manual, response, running};

@@ -102,6 +102,8 @@ fn what_is_no_response() {
     let mut reverses = ones(4);
     reverses[200] = 0.0;
     assert_eq!(of(&ones(4), &reverses), Err(Refused::Reverses(200)));
+    let nothing = of(&vec![0.0; 4 * sequence.period()], &ones(4)).unwrap();
+    assert!(nothing.hz.is_empty() && nothing.response(CYCLE).is_none(), "nothing is excited");
 }
 
 #[test]

@@ -1,4 +1,5 @@
-//! Stages as the tests know them: by the formulas of their definition, in the frequency domain and sample by sample. No assertion.
+//! Stages as the tests know them: by the formulas of their definition, in the frequency domain and sample by sample.
+//! No assertion.
 
 use identification::Complex64;
 use identification::shape::{Mode, Shape};

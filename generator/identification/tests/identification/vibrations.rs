@@ -1,4 +1,5 @@
-//! Vibrations: segments and peaks of the demonstration plant's moves, decays that are synthesised, poles of responses, the side of the source.
+//! Vibrations: segments and peaks of the demonstration plant's moves, decays that are synthesised, poles of responses,
+//! the side of the source.
 
 use crate::plant::{CYCLE, Impulse, Move, Noise, excited, moved};
 use identification::Complex64;
