@@ -9,8 +9,8 @@
 //! emitted/       the files that the block gets, but its self-tests
 //! ```
 //!
-//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without `--hex`:
-//! its numbers are decimal, and short. `source` says where the inputs come from.
+//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without
+//! `--hex`: its numbers are decimal, and short. `source` says where the inputs come from.
 
 use crate::csv::{self, Reals, cell};
 use crate::engine::{self, Engine};
@@ -172,7 +172,7 @@ pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
     kind.block(designed).map_err(|defect| defect.to_string())
 }
 
-/// The inputs of a case: at most so many.
+/// The inputs of a case, at most this number of samples.
 ///
 /// # Errors
 /// The stimulus does not fit the block, or the inputs of the scenario are not recorded.
@@ -240,8 +240,8 @@ fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
     })
 }
 
-/// The inputs that the scenario of a case makes now, where there are none recorded yet, or `again`; else those that are recorded stay
-/// as they are. A stimulus needs none.
+/// The inputs that the scenario of a case makes now, where there are none recorded yet, or `again`; else those that are
+/// recorded stay as they are. A stimulus needs none.
 ///
 /// # Errors
 /// The program cannot be run, or is another one than that of the recorded inputs.
@@ -252,8 +252,8 @@ pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, Stri
     }
 }
 
-/// Writes the reference's answers and the emitted files, and the inputs, if they are those of a stimulus or `made`; what else lies
-/// among the emitted files goes.
+/// Writes the reference's answers and the emitted files, and the inputs, if they are those of a stimulus or `made`; what else
+/// lies among the emitted files goes.
 ///
 /// # Errors
 /// The stimulus does not fit, the case does not show what it says, or the folder does not take the files.

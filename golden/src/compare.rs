@@ -1,4 +1,4 @@
-//! Two runs, bit by bit. There is no tolerance anywhere.
+//! Compares two runs bit by bit, without any tolerance.
 
 use crate::samples::Samples;
 use portable::Literal;

@@ -53,7 +53,7 @@ pub fn cell(value: Literal, reals: Reals, text: &mut String) {
         (Literal::F32(value), Reals::Hexadecimal) => write!(text, "0x{:08x}", value.to_bits()),
         (Literal::F64(value), Reals::Decimal) => write!(text, "{value:?}"),
         (Literal::F32(value), Reals::Decimal) => write!(text, "{value:?}"),
-        (Literal::Usize(_) | Literal::Variant(_), _) => panic!("csv: {value:?} is no signal"),
+        (Literal::Usize(_) | Literal::Variant(_), _) => panic!("csv: {value:?} is not a signal"),
     };
     written.expect("csv: a string takes all text");
 }

@@ -13,7 +13,7 @@ pub(crate) struct Instants<'t> {
     since: Vec<i64>,
     /// the line of each
     lines: Vec<usize>,
-    /// whether a cell was no number: then nothing is known
+    /// whether a cell was not a number: then nothing is known
     is_text: bool,
 }
 
@@ -51,7 +51,7 @@ impl<'t> Instants<'t> {
         })
     }
 
-    /// The same as far as the name, or the form of an export, says it.
+    /// Nanoseconds of the unit that the name, or the form of an export, states.
     fn stated_unit(&self) -> Option<i64> {
         match self.column.unit {
             Unit::Nanoseconds(unit) => Some(unit),

@@ -27,13 +27,13 @@ impl Mistake {
         Self { code: codes::SAMPLES, line, column, found, allowed, instead: String::new() }
     }
 
-    /// The same with a code of its own.
+    /// The mistake with a code of its own.
     #[must_use]
     pub fn coded(self, code: &'static str) -> Self {
         Self { code, ..self }
     }
 
-    /// The same with a remedy.
+    /// The mistake with a remedy.
     #[must_use]
     pub fn instead(self, instead: impl Into<String>) -> Self {
         Self { instead: instead.into(), ..self }

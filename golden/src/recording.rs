@@ -35,7 +35,7 @@ pub struct Recording {
 /// How the values of one signal differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Error {
-    /// the largest difference; infinite: one of the values is no number
+    /// the largest difference; infinite: one of the values is NaN
     pub largest: f64,
     /// the sample in which it is
     pub sample: usize,
@@ -64,11 +64,11 @@ impl Error {
     }
 }
 
-/// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do not.
-/// An input without a column keeps its start. Without a shape of inputs only the outputs are read.
+/// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do
+/// not. An input without a column keeps its start. Without a shape of inputs only the outputs are read.
 ///
 /// # Errors
-/// All mistakes; that there is no column of an output is one, another sample time than the cycle time is one.
+/// All mistakes, including a recording without any output column and a sample time that differs from the cycle time.
 pub fn read(
     table: &Table<'_>,
     [inputs, outputs]: [&Shape; 2],
@@ -108,8 +108,8 @@ pub fn read(
     })
 }
 
-/// The inputs of a stimulus, and the positions of those that have a column; columns of `outputs` are left out where the map or an
-/// export names them.
+/// The inputs of a stimulus, and the positions of those that have a column; columns of `outputs` are left out where the map or
+/// an export names them.
 ///
 /// # Errors
 /// All mistakes: unknown and repeated columns, another sample time than the cycle time, bad cells.
@@ -135,7 +135,7 @@ impl Recording {
         self.with_samples(self.inputs.first(count), self.outputs.first(count))
     }
 
-    /// The same with other samples.
+    /// The recording with other samples.
     pub(crate) fn with_samples(&self, inputs: Samples, outputs: Samples) -> Self {
         Self {
             inputs,
@@ -150,7 +150,7 @@ impl Recording {
         }
     }
 
-    /// The same with the inputs of a stimulus, where it has none of its own: every bit of them was given.
+    /// The recording with the inputs of a stimulus, if it has no inputs of its own: all their bits are known.
     #[must_use]
     pub fn with_inputs(self, inputs: &Samples) -> Self {
         if self.inputs.shape == inputs.shape {
@@ -165,8 +165,8 @@ impl Recording {
         }
     }
 
-    /// The same of values that were rounded once more, when all were multiplied by a factor, or when they are not the bits of the
-    /// block: then not every bit must agree.
+    /// The same of values that were rounded once more, when all were multiplied by a factor, or when they are not the bits of
+    /// the block: then not every bit must agree.
     pub(crate) fn inexact(mut self, factor: Option<f64>) -> Self {
         let (real, factor) = (self.outputs.shape.real, factor.unwrap_or(1.0));
         for given in &self.given {
@@ -180,7 +180,7 @@ impl Recording {
         self
     }
 
-    /// The same with a number of digits at the most.
+    /// The recording with at most this number of digits.
     pub(crate) fn up_to(mut self, digits: usize) -> Self {
         for precision in self.input_precision.iter_mut().chain(&mut self.output_precision) {
             precision.digits = precision.digits.min(digits);
@@ -222,8 +222,8 @@ impl Recording {
             .fold(0.0, |largest, value| if value.abs() > largest { value.abs() } else { largest })
     }
 
-    /// How the recorded outputs differ from those that an engine gives; `moved` are those for moved inputs. An error is explained
-    /// by half of what the last digit was worth, together with twice what the moved inputs change at the most.
+    /// How the recorded outputs differ from those that an engine gives; `moved` are those for moved inputs. An error is
+    /// explained by half of what the last digit was worth, together with twice what the moved inputs change at the most.
     #[must_use]
     pub fn errors(&self, computed: &Samples, moved: Option<&Samples>) -> Vec<Error> {
         let signals = 0..self.recorded.len();

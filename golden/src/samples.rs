@@ -109,7 +109,7 @@ impl Samples {
                 Literal::U32(value) => self.bytes.extend(value.to_le_bytes()),
                 Literal::F64(value) => self.bytes.extend(value.to_bits().to_le_bytes()),
                 Literal::F32(value) => self.bytes.extend(value.to_bits().to_le_bytes()),
-                Literal::Usize(_) | Literal::Variant(_) => panic!("samples: {value:?} is no signal"),
+                Literal::Usize(_) | Literal::Variant(_) => panic!("samples: {value:?} is not a signal"),
             }
         }
     }

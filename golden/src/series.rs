@@ -102,7 +102,7 @@ pub(crate) fn read(
     Ok(together(&series, &offsets, shape, lines.collect()))
 }
 
-/// Reads all rows once; gives what is wrong with their lengths.
+/// Reads all rows once; returns what is wrong with their lengths.
 fn read_rows<'t>(table: &Table<'t>, series: &mut [Series<'t>], times: &mut [Instants<'t>], real: RealKind) -> Wrong {
     let (mut cells, mut rows) = (Vec::new(), Wrong::default());
     for row in &table.rows {

@@ -56,8 +56,8 @@ pub struct Window {
 pub struct Event {
     /// the signal
     pub signal: String,
-    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`. An integer without
-    /// sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, and 4
+    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`. An
+    /// integer without sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, and 4
     #[serde(deserialize_with = "cell")]
     pub value: String,
     /// when
@@ -102,7 +102,7 @@ pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Sampl
     answered(stimulus, shape, count, None)
 }
 
-/// The same with a partner.
+/// Makes a run of a block's inputs with a partner.
 ///
 /// # Errors
 /// What the stimulus says of a signal that the block does not have, or cannot have.
@@ -177,7 +177,7 @@ fn counting(text: &str) -> Option<Written> {
 fn real_signal(name: &str, components: &[Component], shape: &Shape) -> Result<usize, String> {
     let signal = position(name, shape)?;
     if shape.signals[signal].ty != Type::Real {
-        return Err(format!("`{name}` is no real: only an event can set it"));
+        return Err(format!("`{name}` is not a real: only an event can set it"));
     }
     match components.iter().find_map(|component| component.form.mistake()) {
         Some(mistake) => Err(format!("`{name}`: {mistake}")),
@@ -195,7 +195,7 @@ fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Written, Window), 
     let counts = shape.signals[signal].ty == Type::U32;
     let value = parse(&event.value, &shape.signals[signal], shape.real).map(Written::Fixed);
     let value = value.or_else(|| counting(&event.value).filter(|_| counts));
-    let value = value.ok_or_else(|| format!("`{}` is no value of `{}`", event.value, event.signal))?;
+    let value = value.ok_or_else(|| format!("`{}` is not a value of `{}`", event.value, event.signal))?;
     Ok((signal, value, event.window))
 }
 

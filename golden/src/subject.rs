@@ -1,4 +1,5 @@
-//! The reference of a block in a loop: its inputs and outputs by name, cycle by cycle, and the record of both. No machine, no program.
+//! The reference of a block in a loop: its inputs and outputs by name, cycle by cycle, and the record of both. No machine, no
+//! program.
 
 use crate::csv::{self, Reals};
 use crate::engine::{self, Cycle};
@@ -56,7 +57,7 @@ impl Subject {
         self.outputs.shape.place(name).map(|at| number(self.answers[at]))
     }
 
-    /// The same; of an output that the block does not have 0.
+    /// The value of an output in the last cycle; 0 if the block does not have it.
     #[must_use]
     pub fn get(&self, name: &str) -> f64 {
         self.output(name).unwrap_or(0.0)
@@ -69,7 +70,7 @@ impl Subject {
         self.outputs.push(&self.answers);
     }
 
-    /// One cycle with what improved position control sees; gives `v_add` [um/s].
+    /// One cycle with what improved position control sees; returns `v_add` [um/s].
     pub fn cycle(&mut self, signals: &Signals) -> f64 {
         let Signals { v_command, v_motor, v_direct } = *signals;
         for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {

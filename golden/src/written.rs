@@ -41,7 +41,7 @@ impl Precision {
         if self.digits > full { Self::default() } else { self }
     }
 
-    /// The same of a value that was rounded once more, when it was multiplied by a factor.
+    /// The digits of a value that was rounded once more when it was multiplied by a factor.
     pub(crate) fn inexact(self, real: RealKind, factor: f64) -> Self {
         let full = match real {
             RealKind::F64 => 15,

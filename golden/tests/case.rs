@@ -1,4 +1,4 @@
-//! Cases as their author meets them: recording, checking, and what is said of a mistake.
+//! Cases as their author meets them: recording, checking, and what is reported for a mistake.
 #![forbid(unsafe_code)]
 
 use golden::case::{self, Case};
@@ -42,7 +42,7 @@ fn read(folder: &TempDir) -> Case {
     case::read(folder.path()).unwrap_or_else(|mistake| panic!("{mistake}"))
 }
 
-/// What is said of a case whose text is changed.
+/// What is reported for a case whose text is changed.
 fn said(replaced: &str, by: &str) -> String {
     assert!(CASE.contains(replaced));
     let folder = folder(&CASE.replace(replaced, by));
@@ -129,12 +129,12 @@ fn mistakes_are_told_with_what_is_there() {
         (said("block = \"ipc\"", "block = \"spindle\""), "no block `spindle`; this axis has: ipc"),
         (said("purpose", "porpoise"), "unknown field `porpoise`"),
         (said("v_motor = [", "v_ist1 = ["), "the block has no input `v_ist1`"),
-        (said("v_motor = [", "mode = ["), "`mode` is no real: only an event can set it"),
+        (said("v_motor = [", "mode = ["), "`mode` is not a real: only an event can set it"),
         (said("noise = { seed = 1 }", "sine = { period = 0 }"), "`v_motor`: `period` is 0; allowed: a number above 0"),
         (said("noise = { seed = 1 }", "move = { phase = 0, ramp = 1 }"), "`phase` is 0; allowed: a number above 0"),
         (said("noise = { seed = 1 }", "noise = { sead = 1 }"), "unexpected keys in table: sead, available keys: seed"),
-        (said("[stimulus.signal]", &event("mode", "\"ON\"")), "`ON` is no value of `mode`"),
-        (said("[stimulus.signal]", &event("reset", "2")), "`2` is no value of `reset`"),
+        (said("[stimulus.signal]", &event("mode", "\"ON\"")), "`ON` is not a value of `mode`"),
+        (said("[stimulus.signal]", &event("reset", "2")), "`2` is not a value of `reset`"),
         (said("[stimulus.signal]", &event("v_ist2", "nan")), "the block has no input `v_ist2`"),
     ];
     for (said, expected) in mistakes {

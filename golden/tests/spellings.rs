@@ -1,5 +1,5 @@
-//! One recording in every form that TwinCAT Scope gives it: separator, decimal mark, columns of times, order of the channels, end,
-//! encoding, line ends. All of them are read as the same samples.
+//! One recording in every form that TwinCAT Scope gives it: separator, decimal mark, columns of times, order of the channels,
+//! end, encoding, line ends. All of them are read as the same samples.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -195,7 +195,7 @@ fn every_form_is_read_as_the_same_samples() {
     assert_eq!(count, 9 * 4 * 2 * 2 * 2 * 2 * 4);
 }
 
-/// Between commas a decimal comma cannot be told from a separator: one message says what to do.
+/// Between commas a decimal comma cannot be distinguished from a separator: one message says what to do.
 #[test]
 fn decimal_commas_between_commas_are_refused() {
     for form in forms().filter(|form| (form.separator, form.mark) == (',', ',')) {
@@ -290,7 +290,7 @@ fn values_that_are_missing_in_the_middle() {
     );
 }
 
-/// Names with blanks between blanks, which neither the user nor a second channel of the name tells apart.
+/// Names with blanks between blanks, which neither the user nor a second channel of the name reports apart.
 #[test]
 fn names_that_are_not_told_apart_are_replaced_by_symbols() {
     let text = written(Form { separator: ' ', ..FORM }).replace("Motor speed (1)", "Command speed");

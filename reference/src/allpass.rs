@@ -1,5 +1,5 @@
-//! An all-pass section: in double precision a biquad with b0 = a2, b1 = a1 and b2 = 1, and no operation spent on the 1; in single
-//! precision the input less twice its band-pass part, which is trapezoidal.
+//! An all-pass section. Double precision: a biquad with b0 = a2, b1 = a1 and b2 = 1, without the multiplication by 1. Single
+//! precision: the input minus twice its band-pass part, which is computed by the trapezoidal rule.
 //!
 //! H(z) = (a2 + a1 z^-1 + z^-2) / (1 + a1 z^-1 + a2 z^-2). Gain 1 everywhere; phase 0 at DC, -180 degrees at the centre
 //! frequency, -360 degrees at the Nyquist frequency.
@@ -29,7 +29,8 @@ pub struct Coeffs<R> {
     pub c: R,
 }
 
-/// One cycle: takes the input and its change since the cycle before, gives the output. In double precision the change is not used.
+/// One cycle: takes the input and its change since the previous cycle, returns the output. Double precision does not use the
+/// change.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     if is_driven_by_change::<R>() {
@@ -49,7 +50,7 @@ pub fn biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     y
 }
 
-/// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: `x`.
+/// Sets the state to the steady state for a constant input `x`; returns the steady output: `x`.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     if is_driven_by_change::<R>() {
@@ -62,7 +63,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     x
 }
 
-/// Takes the numbers of another section over.
+/// Copies the numbers of another section.
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
@@ -72,7 +73,7 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
     let mut at = first;
@@ -100,7 +101,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     at
 }
 
-/// Whether every number is one, and the section is stable.
+/// Whether every number is finite and the section is stable.
 #[portable]
 pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {

@@ -16,25 +16,26 @@ pub fn per_turn<R: Real>() -> R {
     R::lit(TURNS)
 }
 
-/// largest magnitude of a position in range: its number of turns is an integer of 32 bits
+/// largest magnitude of a position in range: its number of turns fits in 32 bits
 #[portable]
 pub fn position_limit<R: Real>() -> R {
     R::per_kind(7.0e14, 1.0e9)
 }
 
-/// largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more
+/// largest magnitude of an angle whose turns are counted: more than half a turn above the position limit
 #[portable]
 pub fn counted_limit<R: Real>() -> R {
     R::per_kind(7.1e14, 2.0e9)
 }
 
-/// Whether an angle is within one turn.
+/// Whether 0 <= angle < full_turn.
 #[portable]
 pub fn is_within_turn<R: Real>(angle: R) -> bool {
     angle >= R::ZERO && angle < full_turn()
 }
 
-/// The angle within one turn: 0 <= angle < full_turn. `angle` is a number, at most half a turn beyond the position limit; anything else gives 0.
+/// The angle within one turn: 0 <= angle < full_turn. `angle` is at most half a turn above the position limit; any other value
+/// returns 0.
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
     let mut within_turn = R::ZERO;
@@ -43,16 +44,17 @@ pub fn wrapped<R: Real>(angle: R) -> R {
     } else if in_range(angle, counted_limit()) {
         let turns = truncate(angle * per_turn());
         let rest = angle - from_i32::<R>(turns) * full_turn();
-        // The number of turns is towards 0, and one beside it where the angle is near a full turn.
+        // Truncation rounds the number of turns towards 0; near a full turn it can be off by one.
         let above = if rest < R::ZERO { rest + full_turn() } else { rest };
         within_turn = if above >= full_turn() { above - full_turn() } else { above };
     } else {
-        note("only what something else has overwritten comes here");
+        note("reached only if the block's memory was corrupted");
     }
     within_turn
 }
 
-/// The same distance by the shortest way: -half a turn <= distance <= half a turn. Anything but a distance of two positions gives 0.
+/// The distance the shorter way round: -half a turn <= distance <= half a turn. A value that cannot be a distance of two
+/// positions returns 0.
 #[portable]
 pub fn shortest<R: Real>(distance: R) -> R {
     let mut shorter = R::ZERO;
@@ -60,7 +62,7 @@ pub fn shortest<R: Real>(distance: R) -> R {
         let whole_turns = nearest(distance * per_turn());
         shorter = distance - from_i32::<R>(whole_turns) * full_turn();
     } else {
-        note("only what something else has overwritten comes here");
+        note("reached only if the block's memory was corrupted");
     }
     shorter
 }

@@ -1,5 +1,5 @@
-//! A band-pass section: in double precision a biquad with b1 = 0 and b2 = -b0, and no operation spent on either; in single
-//! precision trapezoidal.
+//! A band-pass section. Double precision: a biquad with b1 = 0 and b2 = -b0, without operations for these two. Single
+//! precision: the trapezoidal rule.
 //!
 //! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
 
@@ -10,7 +10,7 @@ use portable::{Real, copy, in_range, portable, stored};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
-/// b2 stands here rather than b0 because its product is used as it is in `s2`, where a sign would cost an instruction.
+/// b2 is stored instead of b0 because `s2` uses its product directly; b0 would need an extra negation.
 /// Double precision uses b2, a1 and a2; single precision uses a, b and c.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
@@ -29,7 +29,8 @@ pub struct Coeffs<R> {
     pub c: R,
 }
 
-/// One cycle: takes the input and its change since the cycle before, gives the output. In double precision the change is not used.
+/// One cycle: takes the input and its change since the previous cycle, returns the output. Double precision does not use the
+/// change.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     if is_driven_by_change::<R>() {
@@ -39,7 +40,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) 
     }
 }
 
-/// One cycle behind another band-pass section, which has taken the offset out of the input.
+/// One cycle after another band-pass section, which has removed the offset from the input.
 #[portable]
 pub fn step_behind<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     if is_driven_by_change::<R>() {
@@ -59,7 +60,7 @@ pub fn biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     y
 }
 
-/// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it: 0.
+/// Sets the state to the steady state for a constant input `x`; returns the steady output: 0.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     if is_driven_by_change::<R>() {
@@ -70,7 +71,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     R::ZERO
 }
 
-/// The same behind another band-pass section.
+/// Sets the state to the steady state for a constant input `x` of a preceding band-pass section.
 #[portable]
 pub fn preset_behind<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     if is_driven_by_change::<R>() {
@@ -81,7 +82,7 @@ pub fn preset_behind<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) ->
     R::ZERO
 }
 
-/// The state of the biquad.
+/// Sets the state of the biquad to its steady state.
 #[portable]
 pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let s = coeffs.b2 * x;
@@ -89,7 +90,7 @@ pub fn preset_biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     state.s2 = s;
 }
 
-/// Takes the numbers of another section over.
+/// Copies the numbers of another section.
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
@@ -99,7 +100,7 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
     let mut at = first;
@@ -127,7 +128,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     at
 }
 
-/// Whether every number is one, and the section is stable.
+/// Whether every number is finite and the section is stable.
 #[portable]
 pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {

@@ -1,16 +1,16 @@
-//! The rate of the calls: whether the block is called once in each cycle, by the controller's own counter of cycles. It decides; what follows
-//! from it is each block's own.
+//! The call rate: checks against the controller's cycle counter that the block is called once per cycle. Each block decides how
+//! it reacts.
 //!
 //! ```text
 //! counter as expected, 0, or nothing to compare it with:    score - 1, at least 0
 //! the same counter again, or one or two calls missing:      score + 8
-//! three calls missing or more, or any other counter:        score + 8, and the block starts anew
+//! three calls missing or more, or any other counter:        score + 8, and the block restarts
 //! score + 8 from 16 on:                                     32
 //! score >= 16:                                              fault
 //! ```
 //!
-//! One irregular call in nine is tolerated for good. Of a faster sequence the score grows, and a fault ends with the 17th regular call in a row.
-//! A counter of 0 is none: so a counter that wraps is not compared in the cycle in which it is 0, nor in the next one.
+//! One irregular call in nine is tolerated permanently. With more the score rises. A fault ends with the 17th consecutive
+//! regular call. A counter of 0 means unchecked: a counter that wraps to 0 is not compared in that cycle, nor in the next one.
 
 use portable::{note, portable};
 
@@ -18,7 +18,7 @@ use portable::{note, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs {
-    /// whether calls are counted at all (key cycle_counter)
+    /// whether calls are counted (key cycle_counter)
     pub active: bool,
 }
 
@@ -26,25 +26,25 @@ pub struct Coeffs {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State {
-    /// the counter that the next call should have; 0: any
+    /// expected cycle counter of the next call; 0: any
     pub expected: u32,
-    /// irregular calls of late, less the regular ones after them
+    /// score of irregular calls: each irregular call raises it, each regular call lowers it by 1
     pub score: u32,
 }
 
-/// what an irregular call adds to the score
+/// increase of the score for an irregular call
 #[portable]
 pub fn irregular() -> u32 {
     8u32
 }
 
-/// from this score on the call rate is a fault
+/// the call rate is a fault from this score on
 #[portable]
 pub fn alarm() -> u32 {
     16u32
 }
 
-/// the score of a fault that has just been found
+/// score after the call rate has become a fault
 #[portable]
 pub fn full() -> u32 {
     32u32
@@ -63,13 +63,13 @@ pub fn following(counter: u32) -> u32 {
     if counter < u32::MAX { counter + 1u32 } else { 0u32 }
 }
 
-/// Whether this is the next call, and no irregular one is remembered; calls that are not counted always are.
+/// Whether this is the expected call and the score is 0; always true if calls are not counted.
 #[portable]
 pub fn is_usual(state: &State, coeffs: &Coeffs, counter: u32) -> bool {
     !coeffs.active || counter == state.expected && state.score == 0u32
 }
 
-/// Such a call: the next one is waited for.
+/// A regular call: expects the next one.
 #[portable]
 pub fn go_on(state: &mut State, coeffs: &Coeffs, counter: u32) {
     if coeffs.active {
@@ -77,20 +77,20 @@ pub fn go_on(state: &mut State, coeffs: &Coeffs, counter: u32) {
     }
 }
 
-/// Waits for the call after this one.
+/// Expects the call after this one.
 #[portable]
 pub fn expect(state: &mut State, counter: u32) {
     state.expected = if counter == 0u32 { 0u32 } else { following(counter) };
 }
 
-/// One call. Gives whether the block has not been called for so long that it must start anew.
+/// One call. Returns whether the block has not been called for so long that it must restart.
 #[portable]
 pub fn step(state: &mut State, counter: u32) -> bool {
     let wanted = state.expected;
     expect(state, counter);
     let mut has_paused = false;
     if state.score > full() {
-        note("the score has been overwritten");
+        note("the score was corrupted");
         state.score = full();
     }
     if counter == wanted || counter == 0u32 || wanted == 0u32 {
@@ -107,7 +107,7 @@ pub fn step(state: &mut State, counter: u32) -> bool {
     has_paused
 }
 
-/// Whether the block is called too often or too seldom.
+/// Whether the block is called too often or too rarely.
 #[portable]
 pub fn is_wrong(state: &State, coeffs: &Coeffs) -> bool {
     coeffs.active && state.score >= alarm()

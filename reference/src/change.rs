@@ -1,4 +1,4 @@
-//! What a signal has changed by since the cycle before: the input of the sections of single precision. No section.
+//! The change of a signal since the previous cycle: the input of the sections of single precision. No section.
 
 use crate::section::least_change;
 use portable::{Real, portable};
@@ -7,11 +7,11 @@ use portable::{Real, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// the value of the cycle before
+    /// the value of the previous cycle
     pub before: R,
 }
 
-/// The change since the cycle before, with what keeps the sections that it drives out of the subnormal range.
+/// The change since the previous cycle, plus a constant that keeps the driven sections out of the subnormal range.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, x: R) -> R {
     let change = x - state.before;
@@ -19,7 +19,7 @@ pub fn step<R: Real>(state: &mut State<R>, x: R) -> R {
     change + least_change()
 }
 
-/// Puts the state where a constant `x` would have brought it: the next change is counted from there.
+/// Sets the state to the steady state for a constant `x`: the next change is relative to `x`.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, x: R) {
     state.before = x;

@@ -1,8 +1,8 @@
-//! The check word of a parameter set: what a block forms anew before it takes a set over. No bit is read, so that every language forms
-//! the same word.
+//! The check word of a parameter set. A block recomputes it before it uses a set. It is formed with arithmetic only, without
+//! access to bits, so that every language computes the same word.
 //!
-//! Each number is cut into integers of 31 bits, exactly: nothing of it is left over. The integers are the coefficients of a polynomial,
-//! whose values at two places, modulo a prime, are the word.
+//! Each number is split exactly into integers of 31 bits, without a remainder. The integers are the coefficients of a
+//! polynomial. Its values at two points, modulo a prime, are the word.
 //!
 //! ```text
 //! rest  = number * 2^15
@@ -10,8 +10,8 @@
 //! first = (first * 31337 + piece) mod 46337 ;  second = (second * 17389 + piece) mod 46337
 //! ```
 //!
-//! A number that has changed always changes the word, unless it is 0 and only its sign has. Of other changes, numbers of several sets in
-//! one among them, one in 2e9 does not. 46337 is the largest prime whose square an `i32` holds.
+//! A change of one number always changes the word, except a change of the sign of 0. Any other change, such as a mix of two
+//! sets, is missed with a probability of 1 in 2e9. 46337 is the largest prime whose square fits in an `i32`.
 
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
@@ -24,7 +24,7 @@ use portable::{Real, from_i32, in_range, note, portable, truncate};
 pub struct Word {
     /// check word: the numbers as a polynomial at 31337, modulo 46337
     pub first: i32,
-    /// check word: the same at 17389
+    /// check word: the numbers as a polynomial at 17389, modulo 46337
     pub second: i32,
 }
 
@@ -34,38 +34,38 @@ pub struct Word {
 pub struct Forming<R> {
     /// so far
     pub word: Word,
-    /// what was left over of all numbers: 0, unless one is smaller than any coefficient
+    /// sum of the remainders of all numbers: 0, unless a number is smaller than any coefficient
     pub left_over: R,
 }
 
-/// Integers that a number is cut into, at most.
+/// Largest number of integers that a number is split into.
 pub const PIECES: usize = 4;
 
-/// largest magnitude of a number of a parameter set, limits scaled
+/// largest magnitude of a number of a parameter set, limits scaled by 2^-20
 #[portable]
 pub fn largest_number<R: Real>() -> R {
     R::lit(32_768.0)
 }
 
-/// 2^15: the first cut
+/// 2^15: scales a number before its first integer for the check word is taken
 #[portable]
 pub fn first_cut<R: Real>() -> R {
     R::lit(32_768.0)
 }
 
-/// 2^31: each further cut
+/// 2^31: scales the remainder of a number before its next integer for the check word is taken
 #[portable]
 pub fn next_cut<R: Real>() -> R {
     R::lit(2_147_483_648.0)
 }
 
-/// the largest number below 2^31: what is left of a number is below it after each cut
+/// largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken
 #[portable]
 pub fn largest_piece<R: Real>() -> R {
     R::per_kind(2_147_483_647.999_999_8, 2_147_483_520.0)
 }
 
-/// 2^-20: factor of a limit before it is cut
+/// 2^-20: scales a limit for the check word
 #[portable]
 pub fn limit_scale<R: Real>() -> R {
     R::lit(9.536_743_164_062_5e-7)
@@ -89,7 +89,7 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
             if in_range(rest, largest_piece()) {
                 piece = truncate(rest);
             } else {
-                note("only what something else has overwritten comes here");
+                note("reached only if the block's memory was corrupted");
             }
             add_piece(&mut forming.word, piece);
             rest = (rest - from_i32::<R>(piece)) * next_cut();

@@ -4,10 +4,10 @@
 //! y[n] = (1 - f) x[n-N] + f x[n-N-1]
 //! ```
 //!
-//! Exact for a signal that is linear between its samples, as the acceleration of a jerk-limited profile is; the magnitude
+//! Exact for a signal that is linear between its samples, such as the acceleration of a jerk-limited profile; the magnitude
 //! falls to cos(pi frequency Ts) at f = 1/2.
 //!
-//! Every sample is kept twice. Where something has overwritten one that is due, the present sample is given instead.
+//! Every sample is stored twice. If the due sample was corrupted, the present sample is returned instead.
 
 use portable::{Real, in_range, portable};
 
@@ -32,23 +32,23 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// the samples before the present one, the latest first
+    /// the samples of the previous cycles, the latest first
     pub x: [R; LONGEST],
-    /// the same again: what has been overwritten differs
+    /// second copy, to detect corruption
     pub copy: [R; LONGEST],
 }
 
-/// What a delay gives.
+/// Result of a delay.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Delayed<R> {
     /// the delayed sample
     pub y: R,
-    /// whether a sample has been overwritten: y is the present one
+    /// TRUE: a sample was corrupted, y is the present sample
     pub overwritten: bool,
 }
 
-/// Whether it delays at all.
+/// Whether the delay is above 0.
 #[portable]
 pub fn has_memory<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.fractional || coeffs.whole > 0usize
@@ -68,7 +68,7 @@ pub fn interpolated<R: Real>(samples: &[R; LONGEST], coeffs: &Coeffs<R>, x: R) -
     y
 }
 
-/// Takes over the present sample: each place has what the next younger one had.
+/// Shifts the samples by one cycle and stores the present one.
 #[portable]
 pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
     for k in 0..LONGEST {
@@ -77,7 +77,7 @@ pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
     }
 }
 
-/// Whether the samples that make the delayed one are as they were taken.
+/// Whether the samples from which the delayed one is interpolated are uncorrupted.
 #[portable]
 pub fn is_intact<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
     let mut intact = true;

@@ -4,7 +4,7 @@ use crate::check_word::Forming;
 use crate::{allpass, bandpass, change, section, turn};
 use portable::{Real, portable};
 
-/// The highest order of a band-pass: so many sections.
+/// The highest order of a band-pass, which is its number of sections.
 pub const MAX_ORDER: usize = 3;
 
 /// What a filter is.
@@ -34,7 +34,7 @@ pub struct Coeffs<R> {
     pub allpass: allpass::Coeffs<R>,
 }
 
-/// The numbers of a filter: all of its coefficients that are no structure.
+/// The numbers of a filter that a parameter set may change. Every other coefficient is structure.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
@@ -50,18 +50,18 @@ pub struct Numbers<R> {
 pub struct State<R> {
     /// the sections
     pub section: [section::State<R>; MAX_ORDER],
-    /// the input, where nothing else forms its change
+    /// previous input, if the filter computes the change of its input itself
     pub input: change::State<R>,
 }
 
-/// Whether the filter takes the change of its input: in single precision its first section does, unless it is a band-pass section
-/// behind a band-pass.
+/// Whether the filter uses the change of its input: in single precision its first section does, unless it is a band-pass section
+/// after a band-pass.
 #[portable]
 pub fn takes_change<R: Real>(coeffs: &Coeffs<R>, is_behind: bool) -> bool {
     section::is_driven_by_change::<R>() && (coeffs.kind == Type::Allpass || coeffs.kind == Type::Bandpass && !is_behind)
 }
 
-/// One cycle: takes the input and its change, gives the output. `is_behind`: a band-pass stands before the filter.
+/// One cycle: takes the input and its change, returns the output. `is_behind`: a band-pass precedes the filter.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, is_behind: bool) -> R {
     let mut y = x;
@@ -85,7 +85,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, 
     y
 }
 
-/// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it.
+/// Sets the state to the steady state for a constant input `x`; returns the steady output.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, is_behind: bool) -> R {
     let mut y = x;
@@ -109,7 +109,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, is_behind
     y
 }
 
-/// Takes the numbers of another filter of the same structure over.
+/// Copies the numbers of another filter of the same structure.
 #[portable]
 pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
     match structure.kind {
@@ -125,7 +125,7 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     }
 }
 
-/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
@@ -152,7 +152,7 @@ pub fn compare<R: Real>(
     at
 }
 
-/// Whether every number is one, and each section is stable.
+/// Whether every number is finite and each section is stable.
 #[portable]
 pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     let mut is_sound_so_far = true;

@@ -1,7 +1,7 @@
 //! The control algorithms, each written once, generic over the real type.
 //!
-//! Every target language is derived from this source. Coefficients never change in `step`, state is the only thing
-//! that does, and there is no trigonometry, no unit conversion and no parameter id in here: the design has done that.
+//! Every target language is derived from this source. `step` changes the state and never the coefficients. Trigonometry, unit
+//! conversion and parameter ids belong to the design, not here.
 #![expect(clippy::assign_op_pattern, reason = "the portable subset has one way to assign")]
 #![no_std]
 #![forbid(unsafe_code)]

@@ -1,5 +1,5 @@
-//! The section that simulates the oscillation of the INDIRECT and SET_POINT modes: in double precision a general biquad, in single
-//! precision the input less its high-pass part, which is trapezoidal.
+//! The section that simulates the oscillation of the INDIRECT and SET_POINT modes. Double precision: a general biquad. Single
+//! precision: the input minus its high-pass part, which is computed by the trapezoidal rule.
 //!
 //! H(z) = (b0 + b1 z^-1 + b2 z^-2) / (1 + a1 z^-1 + a2 z^-2), in double precision in transposed direct form II:
 //!
@@ -57,13 +57,14 @@ pub struct Coeffs<R> {
     pub g2: R,
 }
 
-/// One cycle: takes the input and its change since the cycle before, gives the output. In double precision the change is not used.
+/// One cycle: takes the input and its change since the previous cycle, returns the output. Double precision does not use the
+/// change.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     if is_driven_by_change::<R>() { by_change(state, coeffs, x, change) } else { biquad(state, coeffs, x) }
 }
 
-/// One cycle by the change of the input.
+/// One cycle driven by the change of the input.
 #[portable]
 pub fn by_change<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     let left = state.p + change;
@@ -84,7 +85,7 @@ pub fn biquad<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     y
 }
 
-/// Puts the state where a constant input `x` would have brought it; gives the output that belongs to it. Gain at DC: 1.
+/// Sets the state to the steady state for a constant input `x`; returns the steady output. Gain at DC: 1.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     if is_driven_by_change::<R>() {
@@ -96,7 +97,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) -> R {
     x
 }
 
-/// Takes the numbers of another section over.
+/// Copies the numbers of another section.
 #[portable]
 pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     if is_driven_by_change::<R>() {
@@ -106,7 +107,7 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
     let mut at = first;
@@ -142,7 +143,7 @@ pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Co
     at
 }
 
-/// Whether every number is one, and the section is stable.
+/// Whether every number is finite and the section is stable.
 #[portable]
 pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
     if is_driven_by_change::<R>() {

@@ -16,17 +16,17 @@ pub struct Coeffs<R> {
     pub upper_limit: R,
 }
 
-/// What becomes of a number.
+/// A rounded number.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Datum {
     /// the integer
     pub value: i32,
-    /// whether the range cuts the number off
+    /// whether the number is limited to the range
     pub limited: bool,
 }
 
-/// Rounds a number; where it lies beyond what is rounded to an end of the range, that end stands for it.
+/// Rounds a number and limits it to the range.
 #[portable]
 pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
     datum.limited = false;
@@ -36,11 +36,11 @@ pub fn round<R: Real>(datum: &mut Datum, coeffs: &Coeffs<R>, x: R) {
         datum.value = coeffs.highest;
         datum.limited = true;
     } else if x < R::ZERO {
-        // What lies between -highest - 1/2 and lowest - 1/2 is rounded to lowest, which is -highest - 1.
+        // Numbers between -highest - 1/2 and lowest - 1/2 are rounded to lowest = -highest - 1.
         datum.value = coeffs.lowest;
         datum.limited = x < coeffs.lower_limit;
     } else {
-        note("only what is no number comes here, which no sample in range leads to: nothing is put out");
+        note("reached only by NaN, which samples in range never produce: the output is 0");
         datum.value = 0i32;
         datum.limited = true;
     }

@@ -1,4 +1,4 @@
-//! What all second-order sections share: their state, which form they have, the constants that keep them out of the subnormal range.
+//! Common parts of all second-order sections: their state, their form, the constants that keep them out of the subnormal range.
 
 use crate::check_word::largest_number;
 use crate::precision::is_single;
@@ -8,21 +8,21 @@ use portable::{Real, in_range, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// what the next output takes over
+    /// filter state s1: part of the next output
     pub s1: R,
-    /// what `s1` takes over
+    /// filter state s2: part of the next s1
     pub s2: R,
-    /// the input without its low-pass part
+    /// filter state p: the input minus its low-pass part
     pub p: R,
-    /// the low-pass part of the input
+    /// filter state low: the low-pass part of the input
     pub low: R,
 }
 
 /// Whether sections are trapezoidal and driven by the change of their input: in single precision. In double precision they are
 /// biquads.
 ///
-/// The speed of the axis is up to 500 times the vibration. The states of a biquad carry it, so that their roundings are a part of
-/// the speed. A change carries nothing of it.
+/// The speed of the axis is up to 500 times the vibration. The states of a biquad contain the speed, so their rounding errors
+/// are relative to the speed. The change of the input does not contain it.
 #[portable]
 pub fn is_driven_by_change<R: Real>() -> bool {
     is_single::<R>()
@@ -37,7 +37,7 @@ pub fn anti_denormal<R: Real>() -> R {
     R::per_kind(1.0e-30, 1.0e-18)
 }
 
-/// added to every change and to low, so that a section at rest never decays into subnormal numbers
+/// added to every change of an input and to the filter state low, so that a section at rest never decays into subnormal numbers
 ///
 /// One addition to a change serves all sections that it drives.
 #[portable]
@@ -45,13 +45,13 @@ pub fn least_change<R: Real>() -> R {
     R::lit(1.0e-18)
 }
 
-/// 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it
+/// 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section
 #[portable]
 pub fn pole_limit<R: Real>() -> R {
     R::lit(2.0)
 }
 
-/// Whether the poles of a biquad lie inside the unit circle: |a2| < 1 and |a1| < 1 + a2. False of what is no number.
+/// Whether the poles of a biquad lie inside the unit circle: |a2| < 1 and |a1| < 1 + a2. False for a NaN.
 #[portable]
 pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
     let mut is_stable = false;
@@ -62,7 +62,7 @@ pub fn is_stable_biquad<R: Real>(a1: R, a2: R) -> bool {
     is_stable
 }
 
-/// Whether those of a trapezoidal section do: 0 < A C < B < 2. False of what is no number.
+/// Whether the poles of a trapezoidal section lie inside the unit circle: 0 < A C < B < 2. False for a NaN.
 #[portable]
 pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     let mut is_stable = false;
@@ -72,7 +72,7 @@ pub fn is_stable_trapezoidal<R: Real>(a: R, b: R, c: R) -> bool {
     is_stable
 }
 
-/// The same of numbers.
+/// Whether 0 < A C < B < 2, for arguments that are numbers.
 #[portable]
 pub fn are_poles_inside<R: Real>(a: R, b: R, c: R) -> bool {
     let product = a * c;

@@ -1,6 +1,6 @@
-//! What the signals of all blocks share: the error ids and the largest sample in range. Nothing is computed here.
+//! Common to the signals of all blocks: the error ids and the largest sample in range. Nothing is computed here.
 //!
-//! An id of the vendor's keeps its number; below 100 are our own.
+//! Ids of the controller keep their numbers; ids below 100 are axgen's own.
 
 use portable::{Real, portable};
 
@@ -22,25 +22,26 @@ pub fn error_mode() -> u32 {
     2u32
 }
 
-/// error_id: a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew
+/// error_id: the block's memory was corrupted, or an input is far above vb_max; the block restarts
 #[portable]
 pub fn error_state() -> u32 {
     3u32
 }
 
-/// error_id: tuning_limit or a tuning_weight is no number from 0 to 1: what it was holds; no fault
+/// error_id: tuning_limit or a tuning_weight is outside 0 to 1; the last valid value stays active; not a fault
 #[portable]
 pub fn error_tuning() -> u32 {
     4u32
 }
 
-/// error_id: the loop was found unstable and is faded out (key watch): no fault; stays until the mode is not ON, or reset
+/// error_id: the loop was found unstable, and v_add fades out (key watch); not a fault; stays until mode is not ON or reset is
+/// TRUE
 #[portable]
 pub fn error_unstable() -> u32 {
     5u32
 }
 
-/// error_id: a parameter set for another structure is refused; no fault while a set is in use
+/// error_id: a parameter set for another block structure is refused; not a fault while a set is in use
 #[portable]
 pub fn error_set_structure() -> u32 {
     6u32
@@ -52,7 +53,7 @@ pub fn error_set_unsound() -> u32 {
     7u32
 }
 
-/// error_id: a damaged parameter set is refused: it does not have its check word
+/// error_id: a damaged parameter set is refused: its check word is wrong
 #[portable]
 pub fn error_set_damaged() -> u32 {
     8u32
@@ -220,7 +221,8 @@ pub fn error_takeover() -> u32 {
     46u32
 }
 
-/// error_id: spindle: the spindle turns too fast for position control, and the drive has no velocity control to catch it: the block waits
+/// error_id: spindle: the spindle turns too fast for position control, and the drive has no velocity control to catch it: the
+/// block waits
 #[portable]
 pub fn error_too_fast() -> u32 {
     47u32
@@ -244,7 +246,7 @@ pub fn error_gantry_slave() -> u32 {
     70_600u32
 }
 
-/// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range
+/// largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range
 #[portable]
 pub fn sample_limit<R: Real>() -> R {
     R::per_kind(1.0e15, 1.0e9)

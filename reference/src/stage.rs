@@ -11,7 +11,7 @@ pub const FILTERS: usize = 2;
 #[portable]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// the stage is not there
+    /// the stage does not exist
     #[default]
     NotActive,
     /// a measured velocity
@@ -49,7 +49,7 @@ pub struct Coeffs<R> {
     pub gain: R,
 }
 
-/// The numbers of a stage: all of its coefficients that are no structure.
+/// The numbers of a stage that a parameter set may change. Every other coefficient is structure.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
@@ -71,25 +71,25 @@ pub struct State<R> {
     pub filter: [filter::State<R>; FILTERS],
 }
 
-/// Whether the stage looks at the command velocity.
+/// Whether the stage uses the command velocity.
 #[portable]
 pub fn reads_command<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.mode == Mode::SetPoint
 }
 
-/// Whether the stage looks at the motor's velocity.
+/// Whether the stage uses the motor's velocity.
 #[portable]
 pub fn reads_motor<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.mode == Mode::Indirect || coeffs.mode == Mode::Direct && coeffs.direct_source == DirectSource::Motor
 }
 
-/// Whether the stage looks at the velocity of the direct measuring system.
+/// Whether the stage uses the velocity of the direct measuring system.
 #[portable]
 pub fn reads_direct<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.mode == Mode::Direct && coeffs.direct_source == DirectSource::Direct
 }
 
-/// The velocity that the stage looks at.
+/// The velocity that the stage uses.
 #[portable]
 pub fn source<R: Real>(coeffs: &Coeffs<R>, v_command: R, v_motor: R, v_direct: R) -> R {
     if reads_command(coeffs) {
@@ -101,7 +101,7 @@ pub fn source<R: Real>(coeffs: &Coeffs<R>, v_command: R, v_motor: R, v_direct: R
     }
 }
 
-/// Whether a band-pass stands before filter `k`, so that its input has no offset.
+/// Whether a band-pass precedes filter `k`, so that its input has no offset.
 #[portable]
 pub fn is_behind_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     let mut found = false;
@@ -111,7 +111,7 @@ pub fn is_behind_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     found
 }
 
-/// Whether the input of filter `k` is the velocity itself, whose change the block forms for all stages.
+/// Whether the input of filter `k` is the velocity itself, whose change the block computes for all stages.
 #[portable]
 pub fn reads_source<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     let mut reads = coeffs.mode == Mode::Direct;
@@ -121,14 +121,14 @@ pub fn reads_source<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     reads
 }
 
-/// Whether the stage forms the change of the input of filter `k` itself.
+/// Whether the stage computes the change of the input of filter `k` itself.
 #[portable]
 pub fn forms_change<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     filter::takes_change(&coeffs.filter[k], is_behind_bandpass(coeffs, k)) && !reads_source(coeffs, k)
 }
 
-/// One cycle: takes the velocity that the stage looks at and its change since the cycle before, gives
-/// `gain * filter[1](filter[0](oscillation(x)))`. In double precision the change is not used.
+/// One cycle: takes the velocity that the stage uses and its change since the previous cycle, returns
+/// `gain * filter[1](filter[0](oscillation(x)))`. Double precision does not use the change.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) -> R {
     let mut y = x;
@@ -145,7 +145,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) 
     coeffs.gain * y
 }
 
-/// Puts all sections where a constant `x` would have brought them.
+/// Sets all sections to the steady state for a constant `x`.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     let mut y = x;
@@ -166,7 +166,7 @@ pub fn weight_limit<R: Real>() -> R {
     R::lit(7.0)
 }
 
-/// Takes the numbers of another stage of the same structure over.
+/// Copies the numbers of another stage of the same structure.
 #[portable]
 pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
     if structure.mode != Mode::Direct {
@@ -178,7 +178,7 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     now.gain = offered.gain;
 }
 
-/// Compares each number with its copy in its turn, from `first` on. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
@@ -203,7 +203,7 @@ pub fn compare<R: Real>(
     at + 1i32
 }
 
-/// Whether every number is one and in its range, and each section is stable.
+/// Whether every number is finite and in its range, and each section is stable.
 #[portable]
 pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     let mut is_sound_so_far = in_range(offered.gain, weight_limit());

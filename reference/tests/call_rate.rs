@@ -1,12 +1,13 @@
-//! The rate of the calls: what is tolerated, what is a fault, after how many calls, and what follows a pause. The numbers are those of the
-//! document.
+//! The rate of the calls: what is tolerated, what is a fault, after how many calls, and what follows a pause. The numbers are
+//! those of the document.
 #![forbid(unsafe_code)]
 
 use reference::call_rate::{Coeffs, State, is_usual, is_wrong, step};
 
 const COUNTED: Coeffs = Coeffs { active: true };
 
-/// The first call of a sequence in which the rate is a fault, from 1 on; none: within so many calls there is none. No call of it is a pause.
+/// The first call of a sequence, counted from 1, in which the rate is a fault; `None`: no fault within `calls`. No call may be
+/// a pause.
 fn first_fault(counters: impl Iterator<Item = u32>, calls: usize) -> Option<usize> {
     let mut state = State::default();
     counters
@@ -60,14 +61,14 @@ fn a_fault_ends_with_the_17th_regular_call_in_a_row() {
     assert_eq!(faulty.count(), 16);
 }
 
-/// One and two calls that are missing are no pause; three are, and so is a counter that begins anew.
+/// One and two calls that are missing are no pause; three are, and so is a counter that restarts.
 #[test]
 fn from_three_missing_calls_on_it_is_a_pause() {
     let after = |last: u32, next: u32| {
         let mut state = State::default();
         step(&mut state, last);
         let has_paused = step(&mut state, next);
-        assert!(!is_wrong(&state, &COUNTED), "one irregular call is no fault");
+        assert!(!is_wrong(&state, &COUNTED), "one irregular call is not a fault");
         has_paused
     };
     assert_eq!([1000, 1001, 1002, 1003].map(|next| after(1000, next)), [false; 4]);

@@ -4,7 +4,7 @@
 
 use reference::ipc::tuning::{Factor, follow};
 
-/// What is no part begins at 0, and comes back along the ramp: it must not act in full for a cycle.
+/// A corrupted factor starts at 0 and returns along the ramp: it must not act in full for a cycle.
 #[test]
 fn a_part_that_was_overwritten_comes_back_from_0() {
     for now in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1.0 + f64::EPSILON, -1e30] {

@@ -1,5 +1,5 @@
 {%- if draws || !reals.is_empty() %}
-/* the next integer of the noise */
+/* next integer of the pseudo-random noise */
 static uint32_t {{ owner }}_integer(uint32_t *random)
 {
     *random = (*random * {{ Noise::FACTOR }}u + {{ Noise::SUMMAND }}u) % {{ Noise::RANGE }}u;
@@ -7,7 +7,7 @@ static uint32_t {{ owner }}_integer(uint32_t *random)
 }
 {% endif %}
 {%- if is_scaled %}
-/* one in four is small */
+/* a real sample of the noise; one in four is small */
 static {{ real }} {{ owner }}_noise(uint32_t *random, {{ real }} scale)
 {
     const uint32_t integer = {{ owner }}_integer(random);
@@ -15,7 +15,7 @@ static {{ real }} {{ owner }}_noise(uint32_t *random, {{ real }} scale)
     return integer < {{ Noise::SMALL_BELOW }}u ? noise * {{ Noise::SMALL }}{{ suffix }} : noise;
 }
 {% endif %}
-/* the digest with one more word */
+/* the digest after one more word */
 static uint32_t {{ owner }}_fold(uint32_t digest, uint32_t word)
 {
     return (((digest << 5) | (digest >> 27)) ^ word) * UINT32_C(0x9e3779b1);

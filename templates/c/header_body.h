@@ -12,7 +12,7 @@ extern "C" {
 /* {{ block.certificate }} */
 
 {% endif -%}
-/* What code can compare with what it expects, at its start or in an #if. */
+/* Constants that the caller can check, at start-up or in an #if. */
 {%- for of in macros %}
 {%- if !of.doc.is_empty() %}
 /* {{ of.doc }} */
@@ -20,8 +20,8 @@ extern "C" {
 #define {{ names }}_{{ of.name }} {{ of.value }}
 {%- endfor %}
 
-/* With another number of bits in {{ real }} the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a {{ real }} with {{ bits }} bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof({{ real }}) == sizeof(uint{{ bits }}_t), "{{ real }} must have {{ bits }} bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -44,8 +44,8 @@ enum {
 };
 {% endfor %}
 {%- if !block.set.is_empty() %}
-/* A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over. Its contents stay as they are while
- * step may look at them: in ROM, or in memory that another task writes before it hands the pointer over. */
+/* A parameter set, written by `axgen params-of`. The block checks a set before it uses it. The contents must not change while step
+ * can read them: keep the set in ROM, or write it completely before you pass the pointer. */
 typedef struct {
 {%- for member in block.set %}
 {%- include "c/member.h" %}
@@ -55,7 +55,7 @@ typedef struct {
 /* The set that the block was generated with. */
 extern const {{ block.prefix }}_params {{ block.prefix }}_designed;
 {% endif %}
-/* Written by the caller. {{ block.prefix }}_inputs_init fills in what is said to be the start. */
+/* Written by the caller. {{ block.prefix }}_inputs_init writes the start values. */
 typedef struct {
 {%- for member in block.inputs %}
 {%- match member.above("\n     * ") %}
@@ -67,8 +67,8 @@ typedef struct {
 {%- endmatch %}
 {%- endfor %}
 {%- if !block.set.is_empty() %}
-    /* the parameter set, never NULL; start &{{ block.prefix }}_designed; volatile: each number is read once, so that what was checked is what is
-     * used */
+    /* the parameter set, never NULL; start &{{ block.prefix }}_designed; volatile: each number is read once, so that the
+     * checked value is the one that is used */
     const volatile {{ block.prefix }}_params *params;
 {%- endif %}
 } {{ block.prefix }}_inputs;
@@ -80,43 +80,43 @@ typedef struct {
 {%- endfor %}
 } {{ block.prefix }}_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
 {%- for member in block.state %}
 {%- include "c/member.h" %}
 {%- endfor %}
 {%- if block.state.is_empty() %}
-    bool unused; /* this block keeps nothing; C has no struct without a member */
+    bool unused; /* the block has no state; a C struct needs a member */
 {%- endif %}
 } {{ block.prefix }}_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter.
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one.
 {%- if !block.set.is_empty() %}
- * A cycle that checks a parameter set takes some hundred bytes of stack.
+ * A cycle that checks a parameter set needs a few hundred bytes of stack.
 {%- endif %} */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void {{ block.prefix }}_init({{ block.prefix }}_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void {{ block.prefix }}_step(
     {{ block.prefix }}_state *state,
     const {{ block.prefix }}_inputs *inputs,
     {{ block.prefix }}_outputs *outputs);
 
-/* In a file of its own, {{ block.prefix }}_self_test.c: a build that does not call it leaves it out.
- * Compares a run of {{ self_test.expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in {{ block.prefix }}_self_test.c; a build that does not call it can omit that file.
+ * Runs {{ self_test.expected.len() }} samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t {{ block.prefix }}_self_test(void);
 
 #ifdef __cplusplus

@@ -10,13 +10,13 @@
  */
 #include "{{ prefix }}.h"
 
-/* Runs the block {{ runner.samples }} samples on noise that the board makes itself, and compares with the bits of the reference: all
- * outputs and the state, as one digest for {{ runner.stretch }} samples. It needs no library. The board gives runner_put, which
- * writes a text; with RUNNER_CYCLES defined, also runner_cycles, a counter that counts up. Without RUNNER_CYCLES the
- * counter of the processor is read, if it is known here. */
+/* Runs the block for {{ runner.samples }} samples of noise that is generated on the board, and compares all outputs and the state with the
+ * bits of the reference: one digest for each {{ runner.stretch }} samples. It needs no library. The board provides runner_put, which
+ * writes a text, and, if RUNNER_CYCLES is defined, runner_cycles, a counter that counts up. Without RUNNER_CYCLES the
+ * cycle counter of the processor is read, if this file supports it. */
 void runner_put(const char *text);
 
-/* The number of digests that differ; a self-test that fails counts as one. */
+/* Returns the number of digests that differ; a failed self-test counts as one. */
 uint32_t {{ prefix }}_runner(void);
 
 #if defined(RUNNER_CYCLES)
@@ -83,18 +83,18 @@ static const uint32_t {{ prefix }}_runner_expected[{{ runner.expected.len() }}] 
     {{ exercise.expected }}
 };
 
-/* where the inputs come from */
+/* source of the inputs */
 typedef struct {
     uint32_t random;
 {%- if !turns.is_empty() %}
-    uint32_t turn; /* which input is not as it mostly is */
-    uint32_t left; /* for how many samples more */
+    uint32_t turn; /* which input deviates from its usual value */
+    uint32_t left; /* number of samples for which it still does */
 {%- endif %}
 } {{ prefix }}_runner_source;
 
 {{ exercise }}
 
-/* The inputs of one sample. {{ runner.period.samples }} samples repeat themselves: little noise, much noise, both with disturbances, rest. */
+/* The inputs of one sample. They repeat after {{ runner.period.samples }} samples: low noise, high noise, both with disturbances, rest. */
 static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uint32_t sample, {{ prefix }}_inputs *inputs)
 {
     const uint32_t at = sample % {{ runner.period.samples }}u;
@@ -156,7 +156,7 @@ static void {{ prefix }}_runner_stimulus({{ prefix }}_runner_source *source, uin
 {%- if exercise.reals.is_empty() %}
     (void)bad;
 {%- else %}
-    /* a real input is no number, or out of range */
+    /* a real input is NaN or out of range */
     if (bad >> 14 == 0u) {
         bad_value.value = {{ beyond }};
         if (bad >> 13 != 0u) {
@@ -197,7 +197,7 @@ static void {{ prefix }}_runner_put_samples(uint32_t stretch)
 
 uint32_t {{ prefix }}_runner(void)
 {
-    /* volatile: the compiler must call what the caller calls, and not work it out by itself */
+    /* volatile: the compiler must call the same function as the caller and must not evaluate it at compile time */
     void (*volatile step)({{ prefix }}_state *, const {{ prefix }}_inputs *, {{ prefix }}_outputs *) = {{ prefix }}_step;
     {{ prefix }}_runner_source source;
     {{ prefix }}_state state;

@@ -3,7 +3,7 @@
 {% include "c/guards.h" %}
 {%- if uses_magnitude %}
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 {
 #if defined(__GNUC__)
@@ -15,7 +15,7 @@ static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 {%- endif %}
 {%- if uses_is_zero %}
 
-/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+/* whether value is exactly 0; the exact comparison is intended, so the warning is disabled */
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
@@ -30,8 +30,8 @@ static bool {{ block.prefix }}_is_zero({{ real }} value)
 {%- endif %}
 {%- if uses_nearest %}
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t {{ block.prefix }}_nearest({{ real }} value)
 {
 #if defined(__GNUC__)
@@ -52,7 +52,7 @@ const {{ block.prefix }}_params {{ block.prefix }}_designed = {
 {% endif %}
 void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile {{ block.prefix }}_state *const state = fresh;
 {%- if block.state.is_empty() %}
     state->unused = false;
@@ -70,7 +70,7 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 }
 
 {% if !block.any_cycle.is_empty() -%}
-/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+/* all cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers */
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif

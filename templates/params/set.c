@@ -11,7 +11,7 @@
  */
 #include "{{ of.block }}.h"
 
-/* Where the set is offered, declare it with this line, and write inputs.params = &{{ of.name }}; */
+/* To offer the set, declare it with this line and write inputs.params = &{{ of.name }}; */
 extern const {{ of.block }}_params {{ of.name }};
 
 const {{ of.block }}_params {{ of.name }} = {

@@ -9,7 +9,7 @@
 // checksum    {{ crate::digest::NO_CHECKSUM }}
 // licence     {{ crate::target::LICENCE }}
 
-// The module of the block stands beside this one.
+// The module of the block must be a sibling of this module.
 use super::{{ of.block }}::Params;
 
 /// The parameter set {{ of.set }} of axis {{ of.axis.name }}.

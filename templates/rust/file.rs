@@ -13,9 +13,9 @@
 
 {% endif -%}
 {% if !set.is_empty() -%}
-/// A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over.
+/// A parameter set, written by `axgen params-of`. The block checks a set before it uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Params {
 {%- for member in set %}
     /// {{ member.lines("\n    /// ") }}
@@ -26,7 +26,7 @@ pub struct Params {
 {% endif -%}
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Inputs {
 {%- for member in inputs %}
     /// {{ member.lines("\n    /// ") }}; start {{ member.value }}
@@ -36,7 +36,7 @@ pub struct Inputs {
 
 /// Written by [`step`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 #[allow(dead_code)] // not every caller reads all of them
 pub struct Outputs {
 {%- for member in outputs %}
@@ -45,14 +45,14 @@ pub struct Outputs {
 {%- endfor %}
 }
 
-/// Kept from cycle to cycle; only the functions below look inside.
+/// Memory of the block from cycle to cycle. Only the functions below access the fields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
 {%- for member in state %}
     // {{ member.lines("\n    // ") }}
     {{ member.name }}: {{ member.ty }},
 {%- else %}
-    // this block keeps nothing
+    // the block has no state
 {%- endfor %}
 }
 {% for (name, doc, members) in self.starts() %}
@@ -75,7 +75,7 @@ impl Default for {{ name }} {
     }
 }
 {% endfor %}
-// The numbers below hold for IEEE 754 arithmetic that rounds every operation once.
+// The constants below require IEEE 754 arithmetic in which every operation is rounded once.
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("this block needs arithmetic in the declared type: compile it for x86 with SSE2");
 {% for group in constants %}
@@ -88,26 +88,26 @@ const {{ member.name }}: {{ member.ty }} = {{ member.value }};
 {%- endfor %}
 {% endfor %}
 {%- if uses_nearest %}
-/// The nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
-/// rightly.
+/// Nearest integer, halves away from zero; the added constant is the largest number below 1/2, so that every value is
+/// rounded correctly.
 fn nearest(value: {{ real }}) -> i32 {
     (value + {{ nearly_half }}_{{ real }}.copysign(value)) as i32
 }
 {% endif %}
 {%- if !any_cycle.is_empty() %}
-/// Any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers.
+/// All cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers.
 #[inline(never)]
-#[allow(clippy::all)] // one statement for each of the reference
+#[allow(clippy::all)] // one statement for each statement of the reference
 #[rustfmt::skip]
 fn any_cycle(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {{ any_cycle }}}
 {% endif %}
-/// Once per position-controller cycle.
-#[allow(clippy::all)] // one statement for each of the reference
+/// Call once per position-controller cycle.
+#[allow(clippy::all)] // one statement for each statement of the reference
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {%- if state.is_empty() %}
-    let _ = state; // it keeps nothing
+    let _ = state; // the block has no state
 {%- endif %}
 {{ step }}}
 

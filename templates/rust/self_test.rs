@@ -1,9 +1,10 @@
-/// Compares a run of {{ self_test.expected.len() }} samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
-/// number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
-/// machine: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number.
+/// Runs {{ self_test.expected.len() }} samples and compares outputs and state with the bits of the reference. Returns 0 if all
+/// bits are equal, otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum. Call
+/// it once at start-up on the machine. It also detects a build that reorders floating-point operations or treats a NaN as a
+/// number.
 #[must_use]
-#[allow(dead_code)] // for whoever runs it
-#[allow(clippy::all)] // numbers that may be equal
+#[allow(dead_code)] // a build need not call it
+#[allow(clippy::all)] // generated arithmetic, some factors are equal
 #[rustfmt::skip]
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
@@ -12,12 +13,12 @@ pub fn self_test() -> u32 {
         {{ "0x{:08x}"|format(digest) }},
 {%- endfor %}
     ];
-    // opaque: the compiler must call what the caller calls, and not work it out by itself
+    // opaque: the compiler must call the same function as the caller and must not evaluate it at compile time
     let step: fn(&mut State, &Inputs, &mut Outputs) = core::hint::black_box(step);
     // 1 + 2^-{% if bits == 64 %}30{% else %}15{% endif %} and its rounded square
     let factor = core::hint::black_box({{ real }}::from_bits({% if bits == 64 %}0x3ff0_0000_0040_0000{% else %}0x3f80_0100{% endif %}));
     let square = core::hint::black_box({{ real }}::from_bits({% if bits == 64 %}0x3ff0_0000_0080_0000{% else %}0x3f80_0200{% endif %}));
-    // 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely
+    // 0, unless the compiler fuses the product with the following sum; noise alone detects that too rarely
     if (factor * factor - square).to_bits() != 0 {
         return 1;
     }
@@ -30,13 +31,13 @@ pub fn self_test() -> u32 {
 {%- endfor %}
 {%- if !self_test.bad.is_empty() %}
     let mut random: u32 = 0;
-    // the next integer of the noise
+    // next integer of the pseudo-random noise
     let mut integer = || {
         random = random.wrapping_mul({{ Noise::FACTOR }}).wrapping_add({{ Noise::SUMMAND }}) % {{ Noise::RANGE }};
         random
     };
 {%- if self.is_scaled() %}
-    // a number, of which one in four is small
+    // a real sample of the noise; one in four is small
     let noise = |integer: u32, scale: {{ real }}| {
         let noise = ({% if bits == 64 %}f64::from(integer){% else %}integer as f32{% endif %} - {{ Noise::HALF }}.0) * scale;
         if integer < {{ Noise::SMALL_BELOW }} { noise * {{ Noise::SMALL }} } else { noise }
@@ -52,12 +53,12 @@ pub fn self_test() -> u32 {
         inputs.{{ counter }} = sample.wrapping_add(1);
 {%- endif %}
 {%- if self.is_scaled() %}
-        // at first within every limit, so that nothing is cut off
+        // the first samples stay within every limit, so that nothing is cut off
         let scale = if sample < {{ self_test.loud_from }} { {{ scales[0] }} } else { {{ scales[1] }} };
 {%- endif %}
 {%- for (bad_sample, input) in self_test.bad %}
 {%- if loop.first %}
-        // each input is no number for one sample: a block that does not notice it goes on with other bits
+        // each input is NaN for one sample; a build that does not detect it goes on with different bits
 {%- endif %}
         let value = {% if input.is_fraction %}{% if bits == 64 %}f64::from(integer()){% else %}integer() as f32{% endif %} * {{ part }}{% else %}noise(integer(), scale){% endif %};
         inputs.{{ inputs[input.own].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };

@@ -43,7 +43,7 @@ impl<'p> Dump<'p> {
         Self { program, text: String::new(), decided: |value| value, with_notes: true }
     }
 
-    /// Without notes, and with another value for each that an axis decides, behind a text.
+    /// After a text, without notes; `decided` replaces the values that depend on the axis.
     pub(crate) fn bare(program: &'p Program, decided: fn(Literal) -> Literal, text: String) -> Self {
         Self { program, text, decided, with_notes: false }
     }
@@ -155,7 +155,7 @@ impl<'p> Dump<'p> {
             Var::Constant(_) => self.put([path]),
             Var::Local(index) => {
                 self.put([path]);
-                // Two locals may have one path: the number tells them apart.
+                // Two locals may have one path: the number distinguishes them.
                 let _ = write!(self.text, "%{index}");
             }
         }

@@ -46,7 +46,7 @@ pub struct Target {
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
     /// the file of a block's runner; not every language has one
     runner: Option<fn(&Header, &Legal<'_>, &Runner) -> File>,
-    /// how many samples the runners have that are written beside the blocks; `None`: none is written
+    /// number of samples of the runner written with each block; `None`: no runner
     samples: Option<usize>,
 }
 
@@ -110,13 +110,13 @@ impl Target {
         Ok((self.files)(header, &self.legal(block)?))
     }
 
-    /// The same target with a runner of so many samples beside each block, if the language has runners.
+    /// The target with a runner of this number of samples for each block, if the language has runners.
     #[must_use]
     pub fn with_runners(self, samples: usize) -> Option<Self> {
         self.runner.map(|_| Self { samples: Some(samples), ..self })
     }
 
-    /// The file of a block's runner, if one is asked for; `record` runs the reference for so many samples.
+    /// The file of a block's runner, if requested; `record` runs the reference for the given number of samples.
     pub fn runner(&self, header: &Header, block: &Legal<'_>, record: impl FnOnce(usize) -> Runner) -> Option<File> {
         Some((self.runner?)(header, block, &record(self.samples?)))
     }
@@ -153,7 +153,7 @@ impl Legal<'_> {
         &names[own.expect("target: an exercise knows the inputs that the axis has")]
     }
 
-    /// The inputs that are no reals as they mostly are, but for one that counts.
+    /// The inputs other than reals, with their usual values, except for a counter.
     fn usual<'n>(&self, names: &'n [String], literal: fn(Literal) -> String) -> Vec<(&'n str, String)> {
         let exercise = &self.block.exercise;
         let usual = exercise.switches.iter().map(|(input, _)| *input).filter(|at| Some(*at) != exercise.counter());
@@ -196,7 +196,7 @@ fn own_self_test(block: String) -> [String; 2] {
     [block, test]
 }
 
-/// A file from its template, behind a mark that some readers want at the very beginning.
+/// A file from its template; `mark` precedes it, for readers that need a byte order mark.
 pub(crate) fn rendered(name: &str, mark: &str, template: &impl Template) -> File {
     let mut text = template.render().expect("target: no input can keep a template from being filled");
     text.insert_str(0, mark);

@@ -12,7 +12,7 @@ use std::borrow::Cow;
 pub(super) const COMMENT_WIDTH: usize = 110;
 /// A declaration that is longer has its comment above it.
 const LONGEST: usize = 140;
-/// What stands in a declaration beside its parts, at most: blanks, marks of a comment, a word before the value.
+/// Characters of a declaration in addition to its parts, at most: blanks, comment marks, a word before the value.
 const BETWEEN: usize = 34;
 
 /// A variable with its first value, or a named number.
@@ -24,7 +24,7 @@ pub(super) struct Member {
 }
 
 impl Member {
-    /// The comment in lines that fit, where it does not fit behind the declaration; else nothing.
+    /// The wrapped comment if it does not fit after the declaration; otherwise `None`.
     pub(super) fn above(&self, next_line: &str) -> Option<String> {
         let length = self.ty.len() + self.name.len() + self.value.len() + self.doc.len() + BETWEEN;
         (length > LONGEST).then(|| self.lines(next_line))
@@ -90,7 +90,7 @@ impl Outline<'_> {
         self.members(&self.block.program.state, &self.printer.names().state)
     }
 
-    /// The intermediate values; what they mean is said where they are computed.
+    /// The intermediate values; their meaning is explained where they are computed.
     pub(super) fn locals(&self) -> Vec<Member> {
         let (program, names) = (&*self.block.program, &self.printer.names().locals);
         let member = |(local, name): (&Local, &String)| Member {
@@ -126,7 +126,8 @@ impl Outline<'_> {
         self.groups_in(|_, appearance| wanted.iter().position(|wanted| *wanted == appearance))
     }
 
-    /// The constants in lists, in their order, a new group where another note of the block begins; `list` says in which list one is.
+    /// The constants in lists, in their order, a new group where another note of the block begins; `list` says in which list
+    /// one is.
     pub(super) fn groups_in<const N: usize>(
         &self,
         list: impl Fn(usize, Appearance) -> Option<usize>,
@@ -164,7 +165,7 @@ impl Outline<'_> {
             Origin::Coefficient(_) => {
                 Some(notes_of(&constant.path).filter_map(|path| notes.get(path)).map(String::as_str).collect())
             }
-            Origin::Function => Some(vec!["the same for every axis"]),
+            Origin::Function => Some(vec!["constants that do not depend on the axis"]),
             Origin::Runtime(_) => None,
             Origin::Variant(variant) => Some(vec![variant.of.doc]),
         }

@@ -31,7 +31,7 @@ struct RustFile<'a> {
     outputs: Vec<Member>,
     state: Vec<Member>,
     constants: Vec<Group>,
-    /// what seldom runs, a function of its own; empty where `step` is one function
+    /// what rarely runs, a function of its own; empty where `step` is one function
     any_cycle: String,
     step: String,
     /// what is certain of its range, and its measured response

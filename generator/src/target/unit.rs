@@ -11,7 +11,7 @@ pub(super) fn own(text: &str, is_rotary: bool) -> Cow<'_, str> {
     let (mut own, mut rest) = (String::with_capacity(text.len()), text);
     while let Some(at) = rest.find(BETWEEN) {
         let (before, after) = (&rest[..at], &rest[at + BETWEEN.len()..]);
-        // What stands behind both units: `/s`, `/s^2`.
+        // The text after both units: `/s`, `/s^2`.
         let power = after.find(|c: char| !"/s^0123456789".contains(c)).map_or(after, |end| &after[..end]);
         let translatory = format!("um{power}");
         match before.strip_suffix(&translatory) {

@@ -48,13 +48,13 @@ fn a_target_for_one_real_type_has_no_parts_for_the_other() {
     assert!(!names.iter().any(|name| name.contains("_REAL")), "{names:?}");
 }
 
-/// In TwinCAT every signal, every state and every number has a comment, behind it or, where that is too long, above it; a velocity
-/// has its unit, the one of its axis.
+/// In TwinCAT every signal, every state and every number has a comment, behind it or, where that is too long, above it; a
+/// velocity has its unit, the one of its axis.
 #[test]
 fn every_declaration_says_what_it_is() {
     for (name, text) in files(MACHINE).iter().filter(|(name, _)| name.contains("POUs/FB_")) {
         let declaration = text.split_once("]]>").unwrap().0;
-        let signals = declaration.split("VAR (* of this cycle only *)").next().unwrap();
+        let signals = declaration.split("VAR (* used within one cycle only *)").next().unwrap();
         let signals = signals.split_once("\nVAR_INPUT").unwrap().1;
         let constants = declaration.split("VAR CONSTANT").nth(1).unwrap();
         let lines: Vec<&str> = signals.lines().chain(constants.lines()).collect();

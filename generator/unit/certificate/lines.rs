@@ -44,5 +44,8 @@ fn where_nothing_is_certain_that_is_said() {
         stage.mode = Mode::Indirect { osc_damping: 1e-7 };
     }
     let lines = lines(&certified(&axis));
-    assert_eq!(lines[0], "range: no bound is certain, a section is so weakly damped that its roundings may add up");
+    assert_eq!(
+        lines[0],
+        "range: no guaranteed bound, because a section is so weakly damped that its rounding errors can accumulate"
+    );
 }

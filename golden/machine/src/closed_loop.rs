@@ -28,7 +28,8 @@ impl Position {
     /// That of the demonstration plant.
     pub const DEMONSTRATION: Self = Self { kv: 20.0, feedforward: 1.0 };
 
-    /// What the controller and improved position control see in a cycle: a position command [m], its velocity [m/s], actual values.
+    /// What the controller and improved position control see in a cycle: a position command [m], its velocity [m/s], actual
+    /// values.
     #[must_use]
     pub fn signals(&self, x: f64, v: f64, actual: &Measured) -> Signals {
         let v_command = self.kv * (x - actual.x) + self.feedforward * v;
@@ -52,7 +53,8 @@ pub struct Signals {
 pub struct Record {
     /// cycle time Ts [s]
     pub cycle: f64,
-    /// each ramp as the drive sees it, the delays of the machine later than planned: its first cycle, and the one behind its last
+    /// each ramp as the drive sees it, later than planned by the delays of the machine: its first cycle, and the one after its
+    /// last
     pub ramps: Vec<[usize; 2]>,
     /// the position command [m]
     pub command: Vec<f64>,
@@ -68,7 +70,8 @@ pub struct Record {
     pub v_add: Vec<f64>,
 }
 
-/// Runs a sequence from standstill. The closure gets the signals of each cycle [um/s] and gives `v_add` [um/s] in the same cycle.
+/// Runs a sequence from standstill. The closure gets the signals of each cycle [um/s] and gives `v_add` [um/s] in the same
+/// cycle.
 #[must_use]
 pub fn run(
     mut machine: impl Machine,

@@ -1,7 +1,7 @@
 //! An axis that is only its drive: the load is stiff, and the velocity follows the command with a delay and a time constant.
 //!
 //! ```text
-//! v_cmd -> delay of d cycles -> 1 / (1 + Tc s) behind the hold -> v,   x = sum of Ts v
+//! v_cmd -> delay of d cycles -> 1 / (1 + Tc s) after the hold -> v,   x = sum of Ts v
 //! ```
 //!
 //! The cycle for which a command is held is a part of the delay: the ideal drive has d = 1, `v = z^-1 v_cmd`.
@@ -28,7 +28,7 @@ pub struct Setup {
 impl Setup {
     /// A drive that is late and nothing else: half a cycle in addition to the hold.
     pub const DELAY: Self = Self { cycle: 1e-3, delay: 1.5, time_constant: 0.0 };
-    /// The same with the time constant of a usual velocity loop.
+    /// A delay of half a cycle in addition to the hold, with the time constant of a usual velocity loop.
     pub const DELAY_AND_LAG: Self = Self { time_constant: TIME_CONSTANT, ..Self::DELAY };
 }
 

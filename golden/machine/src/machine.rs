@@ -24,7 +24,7 @@ pub trait Machine {
     /// What a sensor at the machine shows now, without the way to the controller.
     fn now(&self) -> Measured;
 
-    /// One cycle with a velocity command, which is held. Gives what the controller reads when it computes the next command.
+    /// One cycle with a velocity command, which is held. Returns what the controller reads when it computes the next command.
     fn step(&mut self, v_cmd: f64) -> Measured;
 }
 

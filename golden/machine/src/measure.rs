@@ -1,5 +1,5 @@
-//! What a record shows of the vibrations of the demonstration plant: amplitudes, ring-down, following error. By a plain Fourier sum: the
-//! frequencies that are asked for are few.
+//! What a record shows of the vibrations of the demonstration plant: amplitudes, ring-down, following error. By a plain Fourier
+//! sum: the frequencies that are asked for are few.
 
 use super::closed_loop::Record;
 use portable::Extreme;
@@ -12,7 +12,7 @@ pub struct Figures {
     pub at_speed: f64,
     /// amplitude of x2'' around the ramps, 9.5 to 12.5 Hz [m/s^2]
     pub at_ramps: f64,
-    /// peak of x2'' behind the ramps, 7 to 18 Hz [m/s^2]
+    /// peak of x2'' after the ramps, 7 to 18 Hz [m/s^2]
     pub ring_down: f64,
     /// peak of |command - q1|, both at the start of a cycle [m]
     pub following_error: f64,
@@ -47,7 +47,7 @@ fn cycles(record: &Record, time: f64) -> usize {
     libm::round(time / record.cycle) as usize
 }
 
-/// At constant speed: from 0.4 s behind a ramp's end to the start of the next ramp.
+/// At constant speed: from 0.4 s after a ramp's end to the start of the next ramp.
 pub fn dwells(record: &Record) -> impl Iterator<Item = Window> {
     let settle = cycles(record, 0.4);
     record.ramps.chunks(2).map(move |pair| pair[0][1] + settle..pair[1][0])
@@ -59,7 +59,7 @@ pub fn ramps(record: &Record) -> impl Iterator<Item = Window> {
     record.ramps.iter().map(move |[start, _]| start - before..start - before + length)
 }
 
-/// The whole record through a brick wall from 7 to 18 Hz: the peak from 0.08 to 0.6 s behind each ramp's end, mean of the ramps.
+/// The whole record through a brick wall from 7 to 18 Hz: the peak from 0.08 to 0.6 s after each ramp's end, mean of the ramps.
 fn ring_down(record: &Record) -> f64 {
     let filtered = brick_wall(&record.sensor, record.cycle, [7.0, 18.0]);
     let (from, to) = (cycles(record, 0.08), cycles(record, 0.6));
@@ -85,7 +85,8 @@ pub fn without_mean(values: impl Iterator<Item = f64>) -> Vec<f64> {
     values.iter().map(|value| value - mean).collect()
 }
 
-/// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of amplitude 1.
+/// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of
+/// amplitude 1.
 #[must_use]
 pub fn amplitude(samples: &[f64], cycle: f64, band: [f64; 2]) -> f64 {
     spectrum(samples, cycle, band).into_iter().fold(0.0, |largest, [_, amplitude]| amplitude.larger(largest))

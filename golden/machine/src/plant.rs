@@ -1,4 +1,5 @@
-//! Mechanics in the velocity loop of their drive, with the ways of commands and actual values, and the numbers of the demonstration plant.
+//! Mechanics in the velocity loop of their drive, with the ways of commands and actual values, and the numbers of the
+//! demonstration plant.
 //!
 //! ```text
 //! v_cmd --> delay --> velocity loop --> current loop --> mechanics --> delay --> x, v_motor, v_load, a_load
@@ -31,8 +32,9 @@ pub struct Plant {
     pub actual_delay: usize,
 }
 
-/// A rack-and-pinion axis on which the application example of the manual comes true: the carriage vibrates at 53 Hz while it moves, the bed
-/// at 11 Hz after each ramp. It is one plant of a random search. It shows that the documented result is possible, not that it is typical.
+/// A rack-and-pinion axis on which the application example of the manual comes true: the carriage vibrates at 53 Hz while it
+/// moves, the bed at 11 Hz after each ramp. It is one plant of a random search. It shows that the documented result is
+/// possible, not that it is typical.
 pub const DEMONSTRATION: Plant = Plant {
     mechanics: Mechanics {
         m1: 700.0,
@@ -54,13 +56,13 @@ pub const DEMONSTRATION: Plant = Plant {
 };
 
 impl Plant {
-    /// The same with another mass of the carriage, m2 times the factor.
+    /// The machine with another mass of the carriage, m2 times the factor.
     #[must_use]
     pub fn with_mass_factor(self, factor: f64) -> Self {
         Self { mechanics: Mechanics { m2: self.mechanics.m2 * factor, ..self.mechanics }, ..self }
     }
 
-    /// The same without the force of the teeth: it is linear.
+    /// The machine without the force of the teeth: it is linear.
     #[must_use]
     pub fn without_mesh(self) -> Self {
         let mesh = Mesh { force: 0.0, ..self.mechanics.mesh };

@@ -1,8 +1,8 @@
 //! The motion of one spindle or axis: jerk-limited, from any moving start, to a speed or a position, sample by sample. No
 //! unit: lengths are what the caller has, times are seconds.
 //!
-//! The profiles are those of `rsruckig`, the fastest within the limits. It decides by absolute differences of about 1e-8, so it is
-//! given velocities relative to the largest one, and positions relative to where the motion begins.
+//! The profiles are those of `rsruckig`, the fastest within the limits. It decides by absolute differences of about 1e-8, so it
+//! is given velocities relative to the largest one, and positions relative to where the motion begins.
 
 use portable::Extreme;
 use rsruckig::prelude::{
@@ -31,7 +31,7 @@ pub struct Sample {
     pub j: f64,
 }
 
-/// Why there is no motion.
+/// Why a motion cannot be planned.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
     /// a number that is not finite, a limit or a cycle time that is not above 0, a speed above the limit: its name and its value

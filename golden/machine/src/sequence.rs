@@ -17,7 +17,7 @@ pub struct Sequence {
     pub dwell: f64,
     /// before the way back [s]
     pub rest_between: f64,
-    /// behind the last ramp [s]
+    /// after the last ramp [s]
     pub rest_after: f64,
 }
 
@@ -37,7 +37,7 @@ impl Sequence {
 /// A sequence, cycle by cycle. The position is where the axis shall be a cycle later: `x[n] = x[n-1] + Ts v[n+1]`.
 #[derive(Clone, Debug, Default)]
 pub struct Planned {
-    /// each ramp: its first cycle, and the one behind its last
+    /// each ramp: its first cycle, and the one after its last
     pub ramps: Vec<[usize; 2]>,
     /// position command [m]
     pub x: Vec<f64>,
@@ -63,8 +63,8 @@ impl Sequence {
         planned
     }
 
-    /// The share of the change of velocity in each cycle of a ramp; together 1. The trapezoid of the acceleration, sampled at half cycles and
-    /// scaled, so that the ramp ends exactly at its speed.
+    /// The share of the change of velocity in each cycle of a ramp; together 1. The trapezoid of the acceleration, sampled at
+    /// half cycles and scaled, so that the ramp ends exactly at its speed.
     fn ramp(&self, cycle: f64) -> Vec<f64> {
         let length = self.speed / self.acceleration + self.rise;
         let sample = |n: u32| {

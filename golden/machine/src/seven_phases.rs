@@ -22,7 +22,7 @@ pub struct Planned {
     pub v: f64,
     /// acceleration [um/s^2]
     pub a: f64,
-    /// jerk, at a jump the one behind it [um/s^3]
+    /// jerk; at a jump, the value after it [um/s^3]
     pub j: f64,
 }
 
@@ -53,7 +53,7 @@ impl Move {
         self.largest_acceleration() * seconds(u64::from(self.change + self.acceleration) * 1000)
     }
 
-    /// What is planned for a time [ns]: cubic polynomials, phase by phase; at rest behind the last.
+    /// What is planned for a time [ns]: cubic polynomials, phase by phase; at rest after the last phase.
     #[must_use]
     pub fn at(&self, ns: u64) -> Planned {
         let (mut now, mut rest) = (Planned::default(), ns);

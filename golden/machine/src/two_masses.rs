@@ -1,5 +1,5 @@
-//! A motor and a load behind a spring and a damper, in a velocity loop with a PI controller and a lag of its current loop: a plant that takes a
-//! tenth of the time of [`crate::plant`], for thousands of random loops. Translatory: kg, N/m, m.
+//! A motor and a load, coupled by a spring and a damper, in a velocity loop with a PI controller and a lag of its current loop:
+//! a plant that takes a tenth of the time of [`crate::plant`], for thousands of random loops. Translatory: kg, N/m, m.
 
 use super::line::Line;
 use super::machine::{Machine, Measured};
@@ -10,7 +10,7 @@ const STEPS: u32 = 5;
 /// Time constant of the current loop [s].
 const CURRENT: f64 = 0.4e-3;
 
-/// Such a machine by its numbers.
+/// The parameters of such a machine.
 #[derive(Clone, Copy, Debug)]
 pub struct TwoMasses {
     /// motor and load
@@ -36,7 +36,7 @@ impl TwoMasses {
     }
 }
 
-/// Such a machine while it runs.
+/// The running machine.
 #[derive(Clone, Debug)]
 pub struct Running {
     of: TwoMasses,

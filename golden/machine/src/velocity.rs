@@ -1,4 +1,5 @@
-//! How an actual velocity follows its command, sample by sample: what inertia and velocity loop leave of it. No position, no delay.
+//! How an actual velocity follows its command, sample by sample: what inertia and velocity loop leave of it. No position, no
+//! delay.
 
 /// Ways to follow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,9 +10,9 @@ pub enum Follows {
     Late,
     /// beyond each change by as much again, for a cycle
     Beyond,
-    /// by at most so much in a cycle: a drive at its current limit
+    /// limited change per cycle: a drive at its current limit
     Weak(f64),
-    /// from above, but for 0: so much too fast behind each change, then halved in each cycle, so many times
+    /// from above, except for 0: too fast by this value after each change, then halved in each cycle, for this number of cycles
     FromAbove(f64, u8),
     /// first order: a cycle covers this part of the distance
     Lagging(f64),
@@ -27,12 +28,12 @@ impl Follows {
     }
 }
 
-/// A velocity, and what its way to follow needs of the cycle before; all else is 0.
+/// A velocity, and what its way to follow needs of the previous cycle; all else is 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity {
     /// the velocity
     pub v: f64,
-    /// the command of the cycle before
+    /// the command of the previous cycle
     pub before: f64,
     /// how often the excess has been halved
     pub halved: u8,
@@ -41,13 +42,13 @@ pub struct Velocity {
 }
 
 impl Velocity {
-    /// As if it had been constant for long.
+    /// In the steady state of a constant velocity.
     #[must_use]
     pub fn of(v: f64) -> Self {
         Self { v, ..Self::default() }
     }
 
-    /// One cycle; gives the velocity at its end.
+    /// One cycle; returns the velocity at its end.
     pub fn next(&mut self, follows: Follows, v_command: f64) -> f64 {
         let Self { v, before, halved, a } = *self;
         let after = |v: f64| Self { before: v_command, ..Self::of(v) };

@@ -4,7 +4,7 @@ use super::line::Line;
 use super::machine::{Machine, Measured};
 use super::seven_phases::seconds;
 
-/// How the velocity follows its command. `Ta` is the equivalent time constant, the lag behind a ramp.
+/// How the velocity follows its command. `Ta` is the equivalent time constant, the time lag on a ramp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loop {
     /// exp(-Ta s)

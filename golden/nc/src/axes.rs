@@ -146,7 +146,7 @@ fn position<'w, 't>(placed: &'w Placed<'t>) -> Option<Position<'w, 't>> {
     if let Word::Axis(axis, number) = placed.word { Some(Position { placed, axis, number }) } else { None }
 }
 
-/// The G words that go together: one, or two of a pair, in this order; `None`: others are there, which is said.
+/// The G words that go together: one, or two of a pair, in this order; `None`: others are there, which is reported.
 fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option<Vec<(&'w Placed<'t>, Function)>> {
     const PAIRS: [[Function; 2]; 3] = [
         [Function::FeedforwardOn, Function::Percentage],
@@ -164,7 +164,7 @@ fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option
             !PAIRS.iter().any(|pair| pair.contains(other) && pair.contains(function))
         };
         if let Some((other, _)) = all[..at].iter().find(apart) {
-            let found = format!("{} beside {}", shown(placed.text), shown(other.text));
+            let found = format!("{} with {}", shown(placed.text), shown(other.text));
             let allowed = "one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`";
             mistakes.push(placed.column, found, allowed, format!("{} in a block of its own", shown(placed.text)));
             good = false;
@@ -183,7 +183,7 @@ fn needless(axes: &[Position<'_, '_>], mistakes: &mut Mistakes) {
     }
 }
 
-/// Says of a function that it has no axis.
+/// Reports a function without an axis.
 fn lonely(placed: &Placed<'_>, axes: &[Position<'_, '_>], example: &str, mistakes: &mut Mistakes) {
     if axes.is_empty() {
         let found = format!("{} without an axis", shown(placed.text));
@@ -198,7 +198,7 @@ fn percentages(function: &Placed<'_>, axes: &[Position<'_, '_>], mistakes: &mut 
         if let Some(percent) = integer(&number.to_string()) {
             commands.push(Command::Percentage { target: Target::Axis(*axis), percent });
         } else {
-            let found = format!("{} beside `G136`", shown(placed.text));
+            let found = format!("{} with `G136`", shown(placed.text));
             mistakes.push(placed.column, found, INTEGER, format!("`{axis}` and such a number"));
         }
     }
@@ -215,7 +215,7 @@ fn homes(
     let mut commands = Vec::new();
     for Position { placed, axis, number } in axes {
         if integer(&number.to_string()) != Some(1) {
-            let found = format!("{} beside `G74`", shown(placed.text));
+            let found = format!("{} with `G74`", shown(placed.text));
             let allowed = "1 after each axis of `G74`: they are homed at once";
             mistakes.push(placed.column, found, allowed, format!("`{axis}1`, in a later block if it comes later"));
         }

@@ -16,13 +16,13 @@ const WORDS: &str = "`G135`, `G136=` and a percentage, both of them, `G137`, `G7
 
 /// Reads one; `None`: it has said why not.
 pub(crate) fn read(piece: Piece<'_>, mistakes: &mut Mistakes) -> Option<Bracket> {
-    let (name, behind) = piece.text.split_once('[')?;
+    let (name, after) = piece.text.split_once('[')?;
     let Some(spindle) = spindle(name) else {
         let allowed = "a spindle before `[`: `S`, or `S1` to `S99`";
         mistakes.push(piece.column, shown(piece.text), allowed, "a bracket like `S[G135]` or `S2[G135]`");
         return None;
     };
-    let Some((inside, _)) = behind.split_once(']') else {
+    let Some((inside, _)) = after.split_once(']') else {
         mistakes.push(piece.column, format!("{} without its end", shown(piece.text)), "a bracket in one line", "`]`");
         return None;
     };
@@ -34,7 +34,7 @@ pub(crate) fn read(piece: Piece<'_>, mistakes: &mut Mistakes) -> Option<Bracket>
             continue;
         };
         if commands.iter().any(|other| !go_together(other, &command)) {
-            let found = format!("{} beside another word of the bracket", shown(word.text));
+            let found = format!("{} with another word of the bracket", shown(word.text));
             mistakes.push(word.column, found, WORDS, format!("`{name}[{}]` in a block of its own", word.text));
         }
         commands.push(command);
@@ -59,13 +59,13 @@ fn words(inside: &str, column: usize) -> impl Iterator<Item = Piece<'_>> {
     let mut at = column;
     inside.split([' ', '\t']).filter_map(move |text| {
         let word = Piece { column: at, text };
-        // A word that is not ASCII is no bracket's: a byte is a character.
+        // A bracket contains only ASCII words: a byte is a character.
         at += text.len() + 1;
         (!text.is_empty()).then_some(word)
     })
 }
 
-/// Says what is wrong with a text that is not a word.
+/// Reports what is wrong with a text that is not a word.
 fn unknown(word: Piece<'_>, mistakes: &mut Mistakes) {
     let Piece { column, text } = word;
     let found = shown(text);

@@ -30,7 +30,7 @@ pub(crate) fn commands(placed: &Placed<'_>, words: &[Placed<'_>], mistakes: &mut
 }
 
 fn wrong(other: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) {
-    let found = format!("{} beside {}", shown(other.text), shown(dwell.text));
+    let found = format!("{} with {}", shown(other.text), shown(dwell.text));
     mistakes.push(other.column, found, TIME, "a block like `G04 X2.5`");
 }
 
@@ -55,7 +55,7 @@ fn time(word: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) -> Optio
 /// `#TIME`, which stands alone.
 pub(crate) fn waits(placed: &Placed<'_>, seconds: f64, words: &[Placed<'_>], mistakes: &mut Mistakes) -> Vec<Command> {
     if let Some(other) = words.iter().find(|other| !std::ptr::eq(*other, placed)) {
-        let found = format!("{} beside {}", shown(other.text), shown(placed.text));
+        let found = format!("{} with {}", shown(other.text), shown(placed.text));
         mistakes.push(other.column, found, "`#TIME` alone in its block", "`#TIME` in a block of its own");
     }
     vec![Command::Dwell { seconds }]

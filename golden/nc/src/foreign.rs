@@ -65,7 +65,7 @@ pub(crate) fn g_word(number: &str) -> Foreign {
     }
 }
 
-/// The same of a word that no letter with a number is.
+/// What a word is that is not a letter with a number, and what to write instead.
 pub(crate) fn text(upper: &str) -> Foreign {
     let word = upper.trim_start_matches(['#', '$']);
     let starts = |words: &[&str]| words.iter().any(|start| word.starts_with(start));

@@ -81,8 +81,8 @@ fn block_comment(rest: &str, word: &str) -> Option<usize> {
     (blanks > 0 && found.eq_ignore_ascii_case(word)).then_some(COMMAND.len() + blanks + word.len())
 }
 
-/// A comment need not be closed, since programs with open ones are about: then it goes on to the end of its line. One inside of another
-/// belongs to it if both are closed.
+/// A comment need not be closed, since programs with open ones are about: then it goes on to the end of its line. One inside of
+/// another belongs to it if both are closed.
 fn parenthesis_end(rest: &str) -> usize {
     /// No comment is longer [characters].
     const LONGEST: usize = 1000;
@@ -100,7 +100,8 @@ fn parenthesis_end(rest: &str) -> usize {
     rest.find(')').map_or(rest.len(), |end| end + 1)
 }
 
-/// Where the word ends that begins here: a letter and its number, with or without a blank between; a name with brackets or `=`; a command.
+/// Where the word ends that begins here: a letter and its number, with or without a blank between; a name with brackets or `=`;
+/// a command.
 fn word_end(rest: &str) -> usize {
     let bytes = rest.as_bytes();
     let run = |from: usize, is: fn(u8) -> bool| from + bytes.iter().skip(from).take_while(|byte| is(**byte)).count();
@@ -184,7 +185,7 @@ fn is_plain(text: &str, column: usize, mistakes: &mut Mistakes) -> bool {
     false
 }
 
-/// Says of a comment that has no end.
+/// Reports a comment without an end.
 pub(crate) fn open_comment(comment: &Comment, mistakes: &mut Mistakes) {
     if let Some((line, column)) = comment.begin {
         mistakes.line = line;

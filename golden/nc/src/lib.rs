@@ -7,16 +7,16 @@
 //! mistake        what is wrong, and where
 //! number         the forms of numbers
 //! lexical        a line -> words and comments
-//! bracket        what stands in S[...]; word: a word -> what it says; unknown: what is said of a text that is not a word
+//! bracket        what stands in S[...]; word: a word -> what it says; unknown: what is reported for a text that is not a word
 //! spindle, axes, dwell  words of a block -> commands; block: what the words of a block may be with each other
 //! read           lines -> a program
 //! ```
 //!
 //! # The language
 //!
-//! A line is a block: words in any order, in upper or lower case, with or without blanks between them, the block number first. Comments
-//! are `( )`, `;` and `//` to the end of the line, `# ` with a blank, and `#COMMENT BEGIN` to `#COMMENT END`. The first line with a word may be `%`,
-//! with the name of the program.
+//! A line is a block: words in any order, in upper or lower case, with or without blanks between them, the block number first.
+//! Comments are `( )`, `;` and `//` to the end of the line, `# ` with a blank, and `#COMMENT BEGIN` to `#COMMENT END`. The
+//! first line with a word may be `%`, with the name of the program.
 //!
 //! | words | what they say |
 //! | --- | --- |
@@ -33,9 +33,10 @@
 //! | `M30`, `M2` | end |
 //!
 //! What controllers do differently is settled here, or noted in the program ([`Kind`]):
-//! - The number after an axis of `G74` is its turn in a sequence; only 1 is allowed. Axes that come later stand in a later block.
-//! - M5, M19, `S[G74]` and `S[PUTAX]` end the direction in force. S stays in force for a later `M3` or `M4`; the S word of `M19` counts for
-//!   the positioning only.
+//! - The number after an axis of `G74` is its turn in a sequence; only 1 is allowed. Axes that come later stand in a later
+//!   block.
+//! - M5, M19, `S[G74]` and `S[PUTAX]` end the direction in force. S stays in force for a later `M3` or `M4`; the S word of
+//!   `M19` counts for the positioning only.
 //! - A bracket is the only spindle word of its block.
 //! - Percentages are kept as written: the block that uses them limits them to 0..100.
 //! - The commands of a block are in a fixed order, those of the spindle first.

@@ -1,4 +1,5 @@
-//! What is wrong with an NC program, and where: one message for each place, with what is allowed there and what to write instead.
+//! What is wrong with an NC program, and where: one message for each place, with what is allowed there and what to write
+//! instead.
 
 use super::foreign::Foreign;
 use super::passed::{Kind, PassedOver};
@@ -35,7 +36,7 @@ const MOST: usize = 1000;
 const ALLOWED: &str =
     "straight moves (`G00`, `G01`), dwell, homing, feedforward, the words of spindle 1 and words that are passed over";
 
-/// What is said of a program, as it is found.
+/// What is reported for a program, as it is found.
 #[derive(Default)]
 pub(crate) struct Mistakes {
     /// the line that is being read

@@ -1,4 +1,4 @@
-//! The spindle words of a block: what they may be beside each other, and the commands that they are. Nothing of axes.
+//! The spindle words of a block: which of them may be combined, and their commands. Nothing about axes.
 
 use super::bracket::Bracket;
 use super::mistake::{Mistakes, shown};
@@ -26,7 +26,7 @@ pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut
     let spindle = MAIN;
     let speed = words.iter().find_map(|placed| if let Word::Speed(rpm) = placed.word { Some(rpm) } else { None });
     let Some((function, direction)) = function(&words, mistakes) else {
-        refuse_angle(&words, "no `M19`", mistakes);
+        refuse_angle(&words, "without `M19`", mistakes);
         force.rpm = speed.or(force.rpm);
         let turn = |(rpm, direction)| Command::Turn { spindle, direction, rpm };
         return speed.zip(force.direction).map(turn).into_iter().collect();
@@ -42,7 +42,7 @@ pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut
         return angle.map(position).into_iter().collect();
     }
     force.rpm = speed.or(force.rpm);
-    refuse_angle(&words, &shown(function.text), mistakes);
+    refuse_angle(&words, &format!("with {}", shown(function.text)), mistakes);
     let turn = |direction| Command::Turn { spindle, direction, rpm: force.rpm.unwrap_or_default() };
     vec![direction.map_or(Command::Stop { spindle }, turn)]
 }
@@ -67,7 +67,7 @@ fn bracketed(
     let at = words.iter().position(|placed| bracket(placed).is_some()).unwrap_or(0);
     let other = words.iter().enumerate().find(|(other, _)| *other != at).map(|(_, placed)| placed);
     if let (Some(placed), Some(other)) = (words.get(at), other) {
-        let found = format!("{} beside {}", shown(placed.text), shown(other.text));
+        let found = format!("{} with {}", shown(placed.text), shown(other.text));
         let allowed = "a bracket as the only spindle word of its block";
         mistakes.push(placed.column, found, allowed, format!("{} in a block of its own", shown(placed.text)));
     }
@@ -80,11 +80,11 @@ fn bracketed(
     first.commands.clone()
 }
 
-/// The one word that says what the spindle does, and the direction beside it.
+/// The one word that commands the spindle, and the direction given with it.
 fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option<(&'w Placed<'t>, Option<Direction>)> {
     let said = |placed: &&&'w Placed<'t>| matches!(placed.word, Word::Turn(_) | Word::Stop | Word::Position);
     let functions: Vec<&'w Placed<'t>> = words.iter().filter(said).copied().collect();
-    // M19 with one direction is one; whatever else stands beside the first is one too many.
+    // M19 with one direction counts as one; every other additional word is one too many.
     let first = functions.iter().find(|placed| placed.word == Word::Position).or(functions.first()).copied()?;
     let mut direction = None;
     for placed in functions {
@@ -94,7 +94,7 @@ fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option
             }
             _ if std::ptr::eq(placed, first) => {}
             _ => {
-                let found = format!("{} beside another M word of the spindle", shown(placed.text));
+                let found = format!("{} with another M word of the spindle", shown(placed.text));
                 let allowed = "one of `M3`, `M4`, `M5`, `M19` in a block, or `M19` with `M3` or `M4`";
                 mistakes.push(placed.column, found, allowed, format!("{} in a block of its own", shown(placed.text)));
             }
@@ -103,11 +103,11 @@ fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option
     Some((first, direction))
 }
 
-/// Says of an angle that it has no `M19`.
-fn refuse_angle(words: &[&Placed<'_>], beside: &str, mistakes: &mut Mistakes) {
+/// Reports every angle without `M19`; `place`: what its block has instead.
+fn refuse_angle(words: &[&Placed<'_>], place: &str, mistakes: &mut Mistakes) {
     for placed in words.iter().filter(|placed| matches!(placed.word, Word::Angle(_))) {
-        let found = format!("{} beside {beside}", shown(placed.text));
+        let found = format!("{} {place}", shown(placed.text));
         let instead = format!("the block without {}", shown(placed.text));
-        mistakes.push(placed.column, found, "`S.POS=` beside `M19`", instead);
+        mistakes.push(placed.column, found, "`S.POS=` with `M19`", instead);
     }
 }

@@ -1,4 +1,4 @@
-//! A text that is not a word: what is said of it. Nothing of what words say.
+//! A text that is not a word: what is reported for it. Nothing of what words say.
 
 use super::bracket;
 use super::foreign::{self, Foreign};
@@ -6,7 +6,7 @@ use super::lexical::Piece;
 use super::mistake::{Mistakes, shown};
 use super::number::{DECIMAL, decimal};
 
-/// Says what is wrong with a text that is not a word.
+/// Reports what is wrong with a text that is not a word.
 pub(crate) fn say(piece: Piece<'_>, mistakes: &mut Mistakes) {
     let Piece { column, text } = piece;
     let found = shown(text);

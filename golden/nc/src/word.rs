@@ -193,7 +193,7 @@ fn g_word(number: &str) -> Word {
     }
 }
 
-/// The same of M words.
+/// An M word by its number without leading zeros.
 fn m_word(number: &str) -> Word {
     match number {
         "2" | "30" => Word::End,

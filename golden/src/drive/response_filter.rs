@@ -1,4 +1,5 @@
-//! A measured response as a machine: the velocity of the motor is the command through its impulse response. No file, no parameter.
+//! A measured response as a machine: the velocity of the motor is the command through its impulse response. No file, no
+//! parameter.
 
 use machine::{Machine, Measured};
 use portable::Extreme;
@@ -10,23 +11,23 @@ const LENGTH: f64 = 4.0;
 const MOST: usize = 16_384;
 /// Later values are left out where all of them together are below this part of all.
 const NEGLIGIBLE: f64 = 1e-7;
-/// Sums that are built beside each other: the compiler makes vectors of them.
+/// Partial sums computed in parallel, so that the compiler can vectorise them.
 const LANES: usize = 8;
 
 /// A drive as it was measured, while it runs.
 #[derive(Clone, Debug)]
 pub struct ResponseFilter {
     cycle: f64,
-    /// the impulse response, the latest value first; the last one acts a cycle behind its command
+    /// the impulse response, the latest value first; the last one acts one cycle after its command
     taps: Vec<f64>,
-    /// all commands, behind as many zeros as there are taps
+    /// all commands, preceded by one zero per tap
     commands: Vec<f64>,
     now: Measured,
 }
 
 impl ResponseFilter {
-    /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. What the response does
-    /// before its command, or in the same cycle, no machine can do: it is left out.
+    /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. What the
+    /// response does before its command, or in the same cycle, no machine can do: it is left out.
     #[must_use]
     pub fn new(response: &Response, cycle: f64) -> Self {
         let impulse = impulse(response, cycle);
@@ -98,7 +99,7 @@ impl Machine for ResponseFilter {
         self.cycle
     }
 
-    /// The cycle of the largest value, behind the one for which a command is held.
+    /// The cycle of the largest value, after the cycle for which a command is held.
     fn delay_cycles(&self) -> usize {
         let largest = (0..self.taps.len()).max_by(|a, b| self.taps[*a].abs().total_cmp(&self.taps[*b].abs()));
         self.taps.len() - 1 - largest.unwrap_or(0)

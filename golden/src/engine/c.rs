@@ -21,7 +21,7 @@ impl Harness {
     /// Writes the files of a block and compiles the program around it.
     ///
     /// # Errors
-    /// The compiler is not there, or there is no room.
+    /// The compiler is missing, or the disk is full.
     pub fn compile(designed: &Designed, block: &Block, compiler: &Compiler) -> Result<Self, Failure> {
         let folder = process::folder()?;
         let write = |name: &str, text: &str| process::write(folder.path(), name, text);

@@ -38,7 +38,7 @@ impl Compiler {
         Self { link: owned(options), ..self }
     }
 
-    /// The same compiler, whose programs need another one to run them.
+    /// The same compiler, whose programs are run by another program.
     #[must_use]
     pub fn emulated(self, emulator: &[&str]) -> Self {
         Self { emulator: owned(emulator), ..self }

@@ -52,7 +52,7 @@ fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
     Ok(files.into_iter().find(|file| file.name.ends_with(".TcDUT")))
 }
 
-/// Runs a self-test to its end, or until it has had enough time; gives whether it says that it is done, and how many values it
+/// Runs a self-test to its end, or until it has had enough time; returns whether it says that it is done, and how many values it
 /// says that differ.
 ///
 /// # Errors
@@ -107,7 +107,7 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
             && let (Some(Literal::U32(notice)), Some(at)) = (results.pop(), error_id)
             && let Literal::U32(id) = &mut results[at]
         {
-            // One of them is 0: if not, the sum is no id of the block.
+            // One of them is 0: if not, the sum is not an id of the block.
             *id += notice;
         }
         answers.push(&results);

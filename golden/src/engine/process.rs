@@ -1,4 +1,5 @@
-//! A compiled block as a process: samples on its standard input, answers on its standard output. What compiles it is not known here.
+//! A compiled block as a process: samples on its standard input, answers on its standard output. What compiles it is not known
+//! here.
 
 use super::Failure;
 use crate::samples::{Samples, Shape};
@@ -52,7 +53,7 @@ fn pipe(program: &str, emulator: &[String], input: &[u8]) -> Result<Vec<u8>, Fai
     let mut stdout = child.stdout.take().expect("engine: standard output is piped");
     let mut output = Vec::with_capacity(input.len());
     let read = std::thread::scope(|scope| {
-        // A block that fails its self-test reads nothing: that its input breaks off is no failure of its own.
+        // A block that fails its self-test reads nothing, so a broken input pipe is not a failure of its own.
         scope.spawn(move || drop(stdin.write_all(input)));
         stdout.read_to_end(&mut output)
     });

@@ -39,7 +39,7 @@ pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples,
     process::run(&folder.path().join("block").to_string_lossy(), &[], block, inputs)
 }
 
-/// The same of many blocks in one program, compiled once: what each answers.
+/// Runs many blocks in one program, compiled once; returns the outputs of each.
 ///
 /// # Errors
 /// The compiler is not there or refuses, or a block does not pass its self-test.

@@ -11,7 +11,7 @@ use reference::signal::sample_limit;
 /// Numbers on either side of a change.
 const NEIGHBOURS: i64 = 3;
 
-/// Pairs of cycles from `first` on: a reset, and the first cycle behind it with one real input near a change. All other
+/// Pairs of cycles from `first` on: a reset, and the first cycle after it with one real input near a change. All other
 /// reals are 0, feedforward is active, improved position control is off.
 pub(super) fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> {
     let mut probes = Vec::new();
@@ -74,12 +74,12 @@ fn changes(block: &Program, real: RealKind, input: usize, far: f64) -> Vec<i64> 
         matches!(block.outputs[*output].ty, Type::I32 | Type::Bool) && at_rest[*output] != at_end[*output]
     };
     let search = |output: usize| {
-        let (mut before, mut behind) = (0, far);
-        while (behind - before).abs() > 1 {
-            let middle = before + (behind - before) / 2;
-            if answers(middle)[output] == at_end[output] { behind = middle } else { before = middle }
+        let (mut before, mut after) = (0, far);
+        while (after - before).abs() > 1 {
+            let middle = before + (after - before) / 2;
+            if answers(middle)[output] == at_end[output] { after = middle } else { before = middle }
         }
-        behind
+        after
     };
     (0..block.outputs.len()).filter(is_searched).map(search).collect()
 }

@@ -24,8 +24,8 @@ pub(super) fn other(designed: &Designed, block: &Block) -> Vec<Event> {
     OTHER.into_iter().flat_map(|window| offered(&other, window)).collect()
 }
 
-/// Parameter sets that are not the one that the block was generated with: memory that is zero up to the fifth cycle and again later, a
-/// set without a number, another number before its contents, a number that is none.
+/// Parameter sets that are not the one that the block was generated with: memory that is zero up to the fifth cycle and again
+/// later, a set without a number, another number before its contents, a NaN.
 pub(super) fn damaged(block: &Program) -> Vec<Event> {
     let parts = block.inputs.iter().filter_map(|input| Some((input, block.in_set(input)?)));
     let mut events = Vec::new();

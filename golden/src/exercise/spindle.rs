@@ -1,5 +1,5 @@
-//! The partner of a spindle: an operator, an interpolator, and a drive that is switched off, keeps its mode and loses samples now and then.
-//! What it does depends on what the block puts out, and on nothing else.
+//! The partner of a spindle: an operator, an interpolator, and a drive that is switched off, keeps its mode and loses samples
+//! now and then. What it does depends on what the block puts out, and on nothing else.
 
 use crate::engine::{self, Cycle};
 use crate::samples::Shape;
@@ -65,7 +65,7 @@ fn huge(real: RealKind) -> f64 {
 }
 
 impl<'a> Machinery<'a> {
-    /// None, if the block is none of a spindle.
+    /// `None` if the block is not a spindle block.
     pub(super) fn of(designed: &'a Designed, block: &Block) -> Option<Self> {
         let spindle = designed.axis.control.spindle.as_ref()?;
         let shape = |variables| Shape::of(variables, designed.axis.real);

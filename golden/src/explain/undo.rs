@@ -16,7 +16,7 @@ pub(super) struct Undone {
     pub block: Option<(Designed, Block)>,
 }
 
-/// None: the recording cannot have this mistake.
+/// `None`: the recording cannot have this mistake.
 pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
     let of = |recording: Recording| Some(Undone { recording, block: None });
     let recording = &case.recording;

@@ -64,7 +64,7 @@ fn lost(case: &Case<'_>, recording: &Recording, found: &Samples, [first, last]: 
     (error * SMALLER <= before).then_some(count)
 }
 
-/// With samples on straight lines before one of them; what is no real stays.
+/// With samples on straight lines before one of them; signals that are not reals stay.
 fn inserted(inputs: &Samples, at: usize, count: usize) -> Samples {
     let mut longer = inputs.first(at);
     let (mut from, mut to) = (Vec::new(), Vec::new());

@@ -1,13 +1,13 @@
-//! Scenarios: an NC program and an axis make the inputs of a block, in a closed loop with the block's reference and a simple drive.
-//! No file, no engine but the reference.
+//! Scenarios: an NC program and an axis make the inputs of a block, in a closed loop with the block's reference and a simple
+//! drive. No file, no engine but the reference.
 //!
 //! ```text
 //! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive -> actual values -> ...
 //! ```
 //!
-//! A block of a program is over when what it asks for is done. What comes out are the samples that the block got. They are rounded
-//! as controllers have them: positions to 0.0001 deg or 0.1 um, velocities to 0.001 deg/s or um/s, so that decimal text holds them
-//! exactly. `docs/scenarios.md` describes the model.
+//! A block of a program is over when what it asks for is done. What comes out are the samples that the block got. They are
+//! rounded as controllers have them: positions to 0.0001 deg or 0.1 um, velocities to 0.001 deg/s or um/s, so that decimal text
+//! holds them exactly. `docs/scenarios.md` describes the model.
 //!
 //! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
 
@@ -64,9 +64,9 @@ pub const MOST: usize = 5_000_000;
 pub struct Step {
     /// line of the file, from 1
     pub line: usize,
-    /// behind `N`
+    /// the number after `N`
     pub number: Option<u32>,
-    /// its samples: the first one, and the first one behind it
+    /// its samples: the first one, and the first one after it
     pub from: usize,
     pub to: usize,
 }

@@ -146,7 +146,7 @@ impl Run<'_> {
         Curve::broken(name, points, jump.unwrap_or(f64::INFINITY))
     }
 
-    /// When a signal has a value: from the first of its samples to the first one behind them.
+    /// When a signal has a value: from the first of its samples to the first one after them.
     fn when(&self, values: &[f64], wanted: f64) -> Vec<[f64; 2]> {
         let mut spans: Vec<[usize; 2]> = Vec::new();
         for (sample, _) in values.iter().enumerate().filter(|(_, value)| value.to_bits() == wanted.to_bits()) {

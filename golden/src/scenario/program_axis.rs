@@ -28,7 +28,7 @@ pub(super) fn of(program: &Program, name: &str, options: &Options, notes: &mut V
     Ok(moved(program, axis, own, notes))
 }
 
-/// The axis; says it if the program does not move it.
+/// The axis; reports it if the program does not move it.
 fn moved(program: &Program, axis: Axis, own: Axis, notes: &mut Vec<Note>) -> Axis {
     if !moves(program, axis) {
         let line = program.blocks.first().map_or(1, |block| block.line);

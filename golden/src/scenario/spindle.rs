@@ -55,7 +55,7 @@ struct Closed<'a> {
     /// G135, and the percentage of G136
     feedforward: [f64; 2],
     is_done: bool,
-    /// velocity of the cycle before
+    /// velocity of the previous cycle
     v_before: f64,
 }
 
@@ -169,7 +169,7 @@ impl Closed<'_> {
         speed
     }
 
-    /// Gives a request for one cycle, and waits until it is the job.
+    /// Returns a request for one cycle, and waits until it is the job.
     fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
         let number = self.run.subject.get("job_number");
         for input in inputs {

@@ -10,7 +10,7 @@ use machine::spindle::interpolator::{Commanded, Interpolator, Job, Seen, State};
 /// Within which the acceleration is there [s].
 const JERK_TIME: f64 = 0.05;
 
-/// What the block put out in the cycle before, by name; none: it has no such output.
+/// What the block put out in the previous cycle, by name; none: it has no such output.
 pub(crate) type Outputs<'o> = &'o dyn Fn(&str) -> Option<f64>;
 
 /// Interpolator and drive.
@@ -62,14 +62,14 @@ impl<'a> Machine<'a> {
         self.interpolator.next(seen)
     }
 
-    /// The interpolator begins anew at rest.
+    /// The interpolator restarts at rest.
     pub(crate) fn restart(&mut self, x: f64) -> Result<(), Error> {
         self.interpolator = Interpolator::at(self.limits, self.cycle, x)?;
         Ok(())
     }
 
-    /// One cycle of the drive. With position control in the CNC it gets a velocity, from the CNC's controller where the loop is closed: the block
-    /// `spindle_axis` is that controller. `feedforward`: whether it is active, and its percentage.
+    /// One cycle of the drive. With position control in the CNC it gets a velocity, from the CNC's controller where the loop is
+    /// closed: the block `spindle_axis` is that controller. `feedforward`: whether it is active, and its percentage.
     pub(crate) fn obey(&mut self, outputs: Outputs<'_>, feedforward: [f64; 2]) {
         let command = self.command(outputs, feedforward);
         self.arriving = self.drive.step(command);

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 /// A low f0 * Ts that a case shows, in double precision: there it still keeps 98 dB.
 const LOWEST_DOUBLE: f64 = 1e-6;
-/// The same in single precision: 1 Hz at 62.5 us.
+/// A low f0 * Ts in single precision: 1 Hz at 62.5 us.
 const LOWEST_SINGLE: f64 = 6.25e-5;
 /// The highest f0 * Ts that the check lets through.
 const HIGHEST: f64 = 0.45;

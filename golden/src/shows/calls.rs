@@ -41,7 +41,7 @@ pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     shown
 }
 
-/// What a call shows behind the two before it.
+/// What a call shows, given the two calls before it.
 fn word(before: Call, last: Call, now: Call) -> Option<&'static str> {
     let is_fault = now.error_id == CALL_RATE;
     let goes_on = now.acts && !is_fault;

@@ -47,7 +47,7 @@ pub fn shown(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
 #[derive(Default)]
 struct Watch {
     shown: BTreeSet<String>,
-    /// the cycle before
+    /// the previous cycle
     last: Cycle,
     /// why the block stopped, until it acts again
     stops: BTreeSet<String>,

@@ -53,7 +53,7 @@ pub fn is_unstable(simulation: &Simulation) -> bool {
     simulation.rows.iter().any(|row| row.ms.is_none())
 }
 
-/// What is to be said of each run beside its numbers.
+/// The remarks on each run, in addition to its numbers.
 fn verdicts(simulation: &Simulation) -> String {
     simulation.rows.iter().filter_map(verdict).collect()
 }

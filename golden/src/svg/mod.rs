@@ -1,4 +1,5 @@
-//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Nothing of what they mean is here.
+//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Nothing of what they mean is
+//! here.
 //!
 //! ```text
 //! scale    where a value lies, linear or logarithmic, and the lines of a scale
@@ -7,8 +8,8 @@
 //! across   the axis below all panels, and the events through them
 //! ```
 //!
-//! No font is embedded, and no background: what is drawn reads on white and on dark. Each curve of a panel has its own dashes: a picture
-//! reads without colours. Coordinates have one decimal.
+//! No font is embedded, and no background: what is drawn reads on white and on dark. Each curve of a panel has its own dashes:
+//! a picture reads without colours. Coordinates have one decimal.
 
 mod across;
 mod curves;
@@ -186,7 +187,7 @@ impl Picture {
 }
 
 impl Over {
-    /// Draws them below a place; gives the lower end of the axis.
+    /// Draws them below a place; returns the lower end of the axis.
     fn draw(&self, top: f64, lines: &mut Vec<String>) -> f64 {
         let top = if self.events.is_empty() { top } else { top + EVENTS };
         let mut y = top;

@@ -12,7 +12,7 @@ const STEPS: f64 = 10.0;
 const MARK: f64 = 4.0;
 
 impl Plane {
-    /// Draws it below a place; gives the lower end of its axis.
+    /// Draws it below a place; returns the lower end of its axis.
     pub(super) fn draw(&self, top: f64, lines: &mut Vec<String>) -> f64 {
         let (top, bottom) = (top + NAME, top + NAME + HEIGHT);
         let [left, right] = self.across;

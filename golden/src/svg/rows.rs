@@ -7,7 +7,7 @@ use super::{Across, LEFT, RIGHT, Rows};
 const ROW: f64 = 18.0;
 
 impl Rows {
-    /// Draws it below a place; gives its lower edge.
+    /// Draws it below a place; returns its lower edge.
     pub(super) fn draw(&self, across: Across, top: f64, lines: &mut Vec<String>) -> f64 {
         let mut y = top;
         for (name, times) in &self.rows {

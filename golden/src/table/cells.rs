@@ -20,7 +20,7 @@ pub(crate) fn split<'t>(line: &'t str, separator: char, cells: &mut Vec<&'t str>
     }
 }
 
-/// The same of a line of samples. A scope writes a blank where a channel has no sample, between blanks too.
+/// The cells of a line of samples. A scope writes a blank if a channel has no sample, between blanks too.
 pub(crate) fn split_samples<'t>(line: &'t str, separator: char, cells: &mut Vec<&'t str>) {
     if separator != ' ' {
         return split(line, separator, cells);

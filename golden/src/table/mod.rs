@@ -44,7 +44,7 @@ impl<'t> Table<'t> {
         }
     }
 
-    /// The same without the columns of times that the user leaves out.
+    /// Reads the head without the columns of times that the user leaves out.
     #[must_use]
     pub fn without(mut self, map: &[(String, String)]) -> Self {
         let is_out = |time: &TimeColumn<'_>| map.iter().any(|(name, signal)| name == time.name && signal == "-");

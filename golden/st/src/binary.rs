@@ -9,7 +9,7 @@ use super::syntax::said;
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
-    /// Lowers an operator and its two operands; `None`: a mistake was said.
+    /// Lowers an operator and its two operands; `None`: a mistake was reported.
     pub(crate) fn binary(&mut self, node: Node<'_>) -> Option<Operand> {
         lower(self, node)
     }
@@ -59,13 +59,13 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if matches!(code, Code::DivideDint | Code::RemainderDint | Code::DivideUdint | Code::RemainderUdint)
         && !is_positive_literal(right, lowering.text)
     {
-        lowering.say(right, "a divisor that is no positive literal", "an integer literal from 1 on");
+        lowering.say(right, "a divisor that is not a positive literal", "an integer literal from 1 on");
         return None;
     }
     Some(lowering.emit(code, result, &if swapped { [b, a] } else { [a, b] }))
 }
 
-/// The operation on two types, as [`code`] has it; none: there is none, which was said.
+/// The operation on two types, as [`code`] has it; `None`: it does not exist, which was reported.
 fn operation(
     lowering: &mut Lowering<'_, '_>,
     place: Node<'_>,

@@ -9,7 +9,7 @@ use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
-    /// Lowers a call; `None`: a mistake was said.
+    /// Lowers a call; `None`: a mistake was reported.
     pub(crate) fn call(&mut self, node: Node<'_>) -> Option<Operand> {
         lower(self, node)
     }

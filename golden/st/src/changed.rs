@@ -1,4 +1,4 @@
-//! Changed blocks: evaluated as a compiler may do it, or with a planted fault. What they are good for is said by who asks.
+//! Changed blocks: evaluated as a compiler may do it, or with a planted fault. The caller decides what they are used for.
 
 use super::block::Block;
 use super::op::{Code, Op};
@@ -19,7 +19,7 @@ impl Block {
 
     /// The block with fused operations: a product that is an operand of a sum or a difference in the same statement is not
     /// rounded before it. Of two such products of one sum it is the left one. `which` is one of these places, or all of them;
-    /// `None`: there is no such place.
+    /// `None`: such a place does not exist.
     #[must_use]
     pub fn contracted(&self, which: Option<usize>) -> Option<Self> {
         let places = fusible(&self.ops);
@@ -35,7 +35,7 @@ impl Block {
         (!chosen.is_empty()).then_some(block)
     }
 
-    /// The block without one of its assignments, in the order of the text; `None`: there are not so many.
+    /// The block without one of its assignments, in the order of the text; `None`: the block has fewer.
     #[must_use]
     pub fn without(&self, which: usize) -> Option<Self> {
         let mut block = self.clone();
@@ -46,7 +46,7 @@ impl Block {
     }
 
     /// The block with one of the real numbers of its text, in its order, larger by a thousandth of it.
-    /// Numbers that are 0, and start values, do not count. `None`: there are not so many.
+    /// Numbers that are 0, and start values, do not count. `None`: the block has fewer.
     #[must_use]
     pub fn with_other_constant(&self, which: usize) -> Option<Self> {
         let mut block = self.clone();

@@ -37,8 +37,8 @@ impl Lowering<'_, '_> {
     /// Lowers statements of which one list is executed at most. `test` appends the jump over an arm; without one it is the last.
     fn arms(&mut self, arms: &[Node<'_>], mut test: impl FnMut(&mut Self, Node<'_>) -> Option<usize>) {
         let mut ends = Vec::new();
-        // What has a value behind the question has one behind each of its arms, and without an ELSE before it too.
-        let mut behind: Option<BTreeSet<(usize, u32)>> = None;
+        // A variable is assigned after the statement if it is assigned in each of its arms and, without an ELSE, before it.
+        let mut after: Option<BTreeSet<(usize, u32)>> = None;
         for (at, &arm) in arms.iter().enumerate() {
             let what = match arm.kind() {
                 "elsif_clause" => "`ELSIF`",
@@ -50,7 +50,7 @@ impl Lowering<'_, '_> {
             let before = self.assigned.clone();
             self.statements(&body(arm), arm, what);
             let own = std::mem::replace(&mut self.assigned, before);
-            behind = Some(behind.map_or_else(|| own.clone(), |others| others.intersection(&own).copied().collect()));
+            after = Some(after.map_or_else(|| own.clone(), |others| others.intersection(&own).copied().collect()));
             if at + 1 < arms.len() {
                 ends.push(self.jump(Code::Jump, 0));
             }
@@ -59,7 +59,7 @@ impl Lowering<'_, '_> {
             }
         }
         if arms.last().is_some_and(|arm| arm.kind() == "else_clause") {
-            self.assigned = behind.unwrap_or_default();
+            self.assigned = after.unwrap_or_default();
         }
         for end in ends {
             self.land(end);
@@ -81,7 +81,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The slot of the value of a `CASE`; `None`: a mistake was said.
+    /// The slot of the value of a `CASE`; `None`: a mistake was reported.
     fn subject(&mut self, node: Node<'_>) -> Option<u32> {
         match self.expression(node)? {
             Operand::Slot { kind: Kind::Dint, slot, .. } => Some(slot),
@@ -110,7 +110,7 @@ impl Lowering<'_, '_> {
         any.map_or(0, |(_, slot, _)| slot)
     }
 
-    /// The number of a label; `None`: a mistake was said.
+    /// The number of a label; `None`: a mistake was reported.
     fn label(&mut self, node: Node<'_>, before: &mut BTreeSet<i64>) -> Option<i64> {
         let (part, _) = children(node).into_iter().next()?;
         let label = shown(node, self.text);
@@ -146,7 +146,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// The arms behind the first words of a statement.
+/// The arms after the first words of a statement.
 fn clauses(node: Node<'_>) -> Vec<Node<'_>> {
     children(node).into_iter().map(|(part, _)| part).filter(|part| part.kind().ends_with("_clause")).collect()
 }

@@ -45,7 +45,7 @@ pub(crate) fn operator<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     node.child_by_field_name("operator").map_or("", |operator| said(operator, text))
 }
 
-/// The value of a product in a block's real type; says so if compilers do not agree on it.
+/// The value of a product in a block's real type; reports it if compilers do not agree on it.
 pub(crate) fn value(
     constant: Constant,
     node: Node<'_>,

@@ -115,7 +115,7 @@ impl Declarations<'_, '_> {
     fn instance(&mut self, node: Node<'_>, ty: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
         let (block, real) = (&self.known.blocks[of], self.all.real);
         if role != Role::Local || !self.prefix.is_empty() {
-            self.say(ty, "an instance that is no variable of `VAR`", "the instance in `VAR`");
+            self.say(ty, "an instance that is not a variable of `VAR`", "the instance in `VAR`");
         }
         if block.variables.real != real {
             let [own, other] = [real, block.variables.real].map(|real| Kind::Real.name(real));
@@ -173,7 +173,7 @@ impl Declarations<'_, '_> {
     /// A structure: its parts, each a variable by its path.
     fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
         if matches!(role, Role::Constant | Role::Temporary | Role::Output) {
-            self.say(node, "a structure that is no variable", "the structure in `VAR` or `VAR_IN_OUT`");
+            self.say(node, "a structure that is not a variable", "the structure in `VAR` or `VAR_IN_OUT`");
         }
         if let Some(start) = node.child_by_field_name("initial_value") {
             self.say(start, "an initial value of a structure", "assignments to its parts");
@@ -195,7 +195,7 @@ impl Declarations<'_, '_> {
         format!("{}{}", self.prefix, said(name, self.text))
     }
 
-    /// Says what is wrong with a name by itself.
+    /// Reports what is wrong with a name by itself.
     fn name(&mut self, node: Node<'_>) {
         let name = said(node, self.text);
         let allowed = self.known.is_program && names::of_library(name);
@@ -204,7 +204,7 @@ impl Declarations<'_, '_> {
         }
     }
 
-    /// Whether a name is not declared yet; says so if it is.
+    /// Whether a name is not declared yet; reports it if it is.
     fn is_new(&mut self, node: Node<'_>) -> bool {
         let (name, path) = (said(node, self.text), self.path(node));
         let all = &self.all;

@@ -15,7 +15,7 @@ use tree_sitter::Node;
 const RUNTIME: &str = "TwinCAT_SystemInfoVarList.";
 
 impl Lowering<'_, '_> {
-    /// Lowers an expression; `None`: a mistake was said.
+    /// Lowers an expression; `None`: a mistake was reported.
     pub(crate) fn expression(&mut self, node: Node<'_>) -> Option<Operand> {
         if node.has_error() {
             return None;
@@ -47,7 +47,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         "integer_literal" => {
             let value = number::integer(said(node, text));
-            // An underscore was said of already.
+            // An underscore was reported already.
             if value.is_none() && !said(node, text).contains('_') {
                 lowering.say(node, shown(node, text), "an integer that fits a DINT or UDINT");
             }
@@ -65,7 +65,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         "binary_expression" => lowering.binary(node),
         "member_access_expression" => match lowering.variables.find(said(node, text)) {
-            // There is no task here: where a block looks at its own, its inputs alone count.
+            // Without a task here, a block that reads its task uses its inputs only.
             None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
                 Some(lowering.literal(Kind::Udint, Value::Word(0)))
             }
@@ -73,7 +73,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             None => lowering.output(node),
         },
         "call_expression" => lowering.call(node),
-        // A string and a number with a type were said of already.
+        // A string and a number with a type were reported already.
         "string_literal"
         | "typed_literal"
         | "time_literal"
@@ -136,7 +136,7 @@ fn unary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         ("-", Operand::Slot { kind: Kind::Dint, .. }) => Code::NegateWord,
         ("NOT", Operand::Slot { kind: Kind::Bool, .. }) => Code::Not,
-        // The plus was said of already.
+        // The plus was reported already.
         ("+", _) => return Some(operand),
         _ => {
             let found = format!("`{operator}` of {}", lowering.kind_name(operand));

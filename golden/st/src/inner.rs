@@ -18,7 +18,7 @@ struct Pair {
 }
 
 impl Lowering<'_, '_> {
-    /// Lowers a call: its arguments are assigned, then the instance has its cycle; `None`: a mistake was said.
+    /// Lowers a call: its arguments are assigned, then the instance has its cycle; `None`: a mistake was reported.
     pub(crate) fn invocation(&mut self, node: Node<'_>) -> Option<()> {
         if node.has_error() {
             return None;
@@ -53,7 +53,7 @@ impl Lowering<'_, '_> {
     }
 
     /// The structures that a call gives to an instance: the slots of their parts here and there. Each is given once: then a copy
-    /// before the call and one behind it do what a reference does, because no part has a second name.
+    /// before the call and one after it have the effect of a reference, because no part has a second name.
     fn shared(&mut self, function: Node<'_>, given: &[Node<'_>], (inner, block): (Inner, &Block)) -> Vec<Pair> {
         let (mut pairs, mut own) = (Vec::new(), BTreeSet::new());
         let mut missing: BTreeSet<String> = block.variables.shared().map(|(name, _)| name.to_owned()).collect();
@@ -111,7 +111,7 @@ impl Lowering<'_, '_> {
             return None;
         };
         if !children(node).iter().any(|(part, _)| part.kind() == ":=") {
-            self.say(node, shown(node, self.text), "`input := value`, and an output behind the call");
+            self.say(node, shown(node, self.text), "`input := value`, and an output after the call");
             return None;
         }
         let word = said(name, self.text).to_ascii_lowercase();
@@ -120,7 +120,7 @@ impl Lowering<'_, '_> {
         }
         let input = block.variables.find(&word).filter(|variable| variable.role == Role::Input);
         if input.is_none() {
-            let found = format!("{}, which is no input of `{}`", shown(name, self.text), block.name);
+            let found = format!("{}, which is not an input of `{}`", shown(name, self.text), block.name);
             self.say(name, found, "one of its inputs");
         } else if !before.insert(word) {
             self.say(name, format!("{} a second time", shown(name, self.text)), "each input once");
@@ -153,7 +153,7 @@ impl Lowering<'_, '_> {
         Some(())
     }
 
-    /// Lowers an output of an instance; `None`: a mistake was said.
+    /// Lowers an output of an instance; `None`: a mistake was reported.
     pub(crate) fn output(&mut self, node: Node<'_>) -> Option<Operand> {
         let (object, member) = (node.child_by_field_name("object")?, node.child_by_field_name("member")?);
         let Some(inner) = self.instance(object) else {
@@ -165,7 +165,7 @@ impl Lowering<'_, '_> {
         let block = &self.known.blocks[inner.of];
         let output = block.variables.find(said(member, self.text)).filter(|variable| variable.role == Role::Output);
         let Some(variable) = output else {
-            let found = format!("{}, which is no output of `{}`", shown(member, self.text), block.name);
+            let found = format!("{}, which is not an output of `{}`", shown(member, self.text), block.name);
             self.say(member, found, "one of its outputs");
             return None;
         };

@@ -39,7 +39,7 @@ impl Kind {
             .find(|kind| kind.name(real).eq_ignore_ascii_case(name))
     }
 
-    /// The same, and the types that only process data has: they are assigned and converted, and no more, because implementations
+    /// All types, including those of process data only: they are assigned and converted, and no more, because implementations
     /// compute with them in different widths.
     pub(crate) fn of_program(name: &str, real: RealKind) -> Option<Self> {
         let narrow = [Self::Int, Self::Uint].into_iter().find(|kind| kind.name(real).eq_ignore_ascii_case(name));

@@ -5,13 +5,13 @@ use super::{Dialect, number};
 
 /// What the parser has to know.
 pub(crate) struct Letters {
-    /// where a mistake was said that may put the parser off
+    /// where a mistake was reported that may put the parser off
     pub(crate) places: Vec<usize>,
     /// where the text ends: before a comment that does not end, for whose end the parser would look again and again
     pub(crate) end: usize,
 }
 
-/// Says what is wrong.
+/// Reports what is wrong.
 pub(crate) fn check(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) -> Letters {
     letters(dialect, text, mistakes);
     let mut scan = Scan { dialect, text, at: 0, mistakes, places: Vec::new(), end: text.len() };
@@ -82,7 +82,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// Says what is wrong here; the parser may stumble at it too.
+    /// Reports what is wrong here; the parser may stumble at it too.
     fn say(&mut self, found: impl Into<String>, instead: impl Into<String>) {
         self.mistakes.push(self.at, found, instead);
         self.places.push(self.at);

@@ -53,7 +53,7 @@ impl Lowering<'_, '_> {
             }
             "if_statement" => self.choice(node),
             "case_statement" => self.case(node),
-            // A pragma was said of already, where it may not stand.
+            // A pragma was reported already, where it may not stand.
             "pragma" => {}
             // So was what the grammar does not take.
             "ERROR" => {}
@@ -82,10 +82,10 @@ impl Lowering<'_, '_> {
         self.assign(target, right)
     }
 
-    /// Lowers a value that goes into a variable; `None`: a mistake was said, of the variable maybe.
+    /// Lowers a value that goes into a variable; `None`: a mistake was reported, of the variable maybe.
     pub(crate) fn assign(&mut self, target: Option<(Kind, u32)>, right: Node<'_>) -> Option<()> {
         let done = self.value_into(target, right);
-        // A value that was refused is no second mistake where the variable is read.
+        // A refused value must not cause a second mistake where the variable is read.
         if let Some((kind, slot)) = target.filter(|_| self.dialect == Dialect::Scl) {
             self.assigned.insert((kind as usize, slot));
         }

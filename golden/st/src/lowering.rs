@@ -64,7 +64,7 @@ impl Lowering<'_, '_> {
         self.mistakes.push(node.start_byte(), found, instead);
     }
 
-    /// A name that is no variable; it may be declared where a declaration cannot be read.
+    /// A name that is not a variable; it may be declared in a declaration that cannot be read.
     pub(crate) fn no_variable(&mut self, node: Node<'_>) {
         let name = shown(node, self.text);
         if self.variables.inner(said(node, self.text)).is_some() {

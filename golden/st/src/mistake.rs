@@ -63,7 +63,7 @@ pub(crate) struct Mistakes<'t> {
 }
 
 impl<'t> Mistakes<'t> {
-    /// None yet.
+    /// Empty.
     pub(crate) fn new(source: &'t Source, file: &'t str) -> Self {
         Self { source, lines: Lines::new(file), list: Vec::new() }
     }

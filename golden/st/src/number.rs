@@ -76,7 +76,7 @@ impl Constant {
         Self { same: self.same && self.single.to_bits() == f32::lit(self.double).to_bits(), ..self }
     }
 
-    /// Its value in a real type, as a double; `None`: it depends on the compiler, or it is no finite number.
+    /// Its value in a real type, as a double; `None`: it depends on the compiler, or it is not finite.
     pub(crate) fn value(self, real: RealKind) -> Option<f64> {
         match real {
             RealKind::F64 => self.double.is_finite().then_some(self.double),

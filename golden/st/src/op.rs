@@ -126,12 +126,12 @@ pub(crate) struct Op {
     pub(crate) c: u32,
     /// whether the result is a part of an expression: no variable, and used once
     pub(crate) part: bool,
-    /// whether a real result is computed in double precision in a block of REAL; one that is no part is rounded then
+    /// whether a real result is computed in double precision in a block of REAL; the final result is then rounded
     pub(crate) wide: bool,
 }
 
 impl Op {
-    /// An operation in the precision of its block, whose result is no part of an expression.
+    /// An operation in the precision of its block, whose result is not part of an expression.
     pub(crate) fn new(code: Code, to: u32, [a, b]: [u32; 2]) -> Self {
         Self { code, to, a, b, c: 0, part: false, wide: false }
     }

@@ -1,6 +1,6 @@
-//! A program of TwinCAT with what it consists of: structures, global variables, blocks. Its files are read one after another, each
-//! before those that use it. What a program has and an emitted block has not is allowed here only: structures, `VAR_IN_OUT`,
-//! process data, and variables of the runtime.
+//! A program of TwinCAT with what it consists of: structures, global variables, blocks. Its files are read one after another,
+//! each before those that use it. What a program has and an emitted block has not is allowed here only: structures,
+//! `VAR_IN_OUT`, process data, and variables of the runtime.
 
 use super::block::Block;
 use super::declarations::Declarations;
@@ -125,7 +125,7 @@ impl Program {
                 }
             }
         } else {
-            mistakes.push(0, "a text that is no Structured Text", "declarations");
+            mistakes.push(0, "a text that is not Structured Text", "declarations");
         }
         let mistakes = mistakes.sorted();
         if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }

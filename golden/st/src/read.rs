@@ -28,7 +28,7 @@ impl Block {
         Self::read_with(dialect, text, name, real, &[])
     }
 
-    /// The same of a file whose blocks may have instances of `others`, which come from other files.
+    /// Reads the block `name` of a file whose blocks may have instances of `others`, which come from other files.
     ///
     /// # Errors
     /// The file holds what is outside the portable subset, or no such block.
@@ -60,7 +60,7 @@ impl Block {
         let mut mistakes = Mistakes::new(source, text);
         let letters = lexical::check(dialect, &source.text, &mut mistakes);
         let Some(tree) = syntax::parse(&source.text[..letters.end]) else {
-            mistakes.push(0, "a text that is no Structured Text", "declarations and statements");
+            mistakes.push(0, "a text that is not Structured Text", "declarations and statements");
             return Err(mistakes.sorted());
         };
         syntax::check(&tree, &source.text, &letters, &mut mistakes);
@@ -69,7 +69,7 @@ impl Block {
         let found = blocks.into_iter().find(|block| block.name.eq_ignore_ascii_case(name));
         let broken = tree.root_node().has_error();
         if broken && mistakes.is_empty() {
-            mistakes.push(0, "a text that is no Structured Text", "declarations and statements");
+            mistakes.push(0, "a text that is not Structured Text", "declarations and statements");
         }
         if found.is_none() && !broken {
             mistakes.push(0, format!("no block `{name}`"), format!("`FUNCTION_BLOCK {name}`"));

@@ -78,7 +78,7 @@ struct Reading<'f, 'b> {
 }
 
 impl<'f> Reading<'f, '_> {
-    /// The next token; behind the last one, an empty one.
+    /// The next token; after the last one, an empty one.
     fn peek(&self) -> (usize, &'f str) {
         self.tokens.get(self.next).copied().unwrap_or((self.file.len(), ""))
     }
@@ -148,7 +148,7 @@ impl<'f> Reading<'f, '_> {
         self.body()
     }
 
-    /// A section behind another one; which it is.
+    /// A section after another one; returns which it is.
     fn section(&mut self, last: Option<usize>) -> Result<usize, Found> {
         let (_, first) = self.peek();
         let is_constant = first == "VAR" && self.tokens.get(self.next + 1).is_some_and(|(_, word)| *word == "CONSTANT");

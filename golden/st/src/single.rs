@@ -11,7 +11,7 @@ use tree_sitter::Node;
 const INSTEAD: &str = "one operation a statement";
 
 impl Lowering<'_, '_> {
-    /// Lowers what stands right of `:=`; `None`: a mistake was said. A condition has comparisons at most, whose operands are
+    /// Lowers what stands right of `:=`; `None`: a mistake was reported. A condition has comparisons at most, whose operands are
     /// looked at one by one.
     pub(crate) fn value(&mut self, node: Node<'_>) -> Option<Operand> {
         let first = self.ops.len();
@@ -24,8 +24,8 @@ impl Lowering<'_, '_> {
         Some(operand)
     }
 
-    /// Whether a real may be an operand of what is no arithmetic: as REAL it has to be a variable, or minus one if that is
-    /// `signed`; says so if not.
+    /// Whether a real may be an operand of an operation that is not arithmetic: as REAL it has to be a variable, or minus one
+    /// if that is `signed`; reports it if not.
     pub(crate) fn may_be(&mut self, node: Node<'_>, signed: bool, place: &str) -> bool {
         let good = self.variables.real == RealKind::F64 || is_variable(node) || signed && is_minus_variable(node);
         if !good {
@@ -35,7 +35,7 @@ impl Lowering<'_, '_> {
     }
 }
 
-/// Whether it is arithmetic on reals or a conversion to one. A minus is none: what it may stand before is said elsewhere.
+/// Whether it is arithmetic on reals or a conversion to one. A minus is not: its operand is checked elsewhere.
 fn is_operation(op: &Op) -> bool {
     matches!(
         op.code,

@@ -24,7 +24,7 @@ pub(crate) fn parse(text: &str) -> Option<Tree> {
     parser.parse_with_options(&mut |at, _| bytes.get(at..).unwrap_or_default(), None, Some(options))
 }
 
-/// Says what the grammar does not take. A place where the letters are wrong already is not named twice.
+/// Reports what the grammar does not take. A place where the letters are wrong already is not named twice.
 pub(crate) fn check(tree: &Tree, text: &str, letters: &Letters, mistakes: &mut Mistakes<'_>) {
     let broken_off = if letters.end < text.len() { text[..letters.end].trim_end().len() } else { usize::MAX };
     let mut cursor = tree.walk();
@@ -93,8 +93,8 @@ pub(crate) fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
     list
 }
 
-/// Says where a plus stands before an operand, or a minus before 0.0, whose sign some compilers drop. The grammar puts the sign of
-/// a number into the number.
+/// Reports where a plus stands before an operand, or a minus before 0.0, whose sign some compilers drop. The grammar puts the
+/// sign of a number into the number.
 pub(crate) fn signs(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
     let mut cursor = tree.walk();
     loop {

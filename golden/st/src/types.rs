@@ -22,7 +22,7 @@ pub(crate) struct Place<'a> {
 }
 
 impl Place<'_> {
-    /// The structure that a node declares; `None`: a mistake was said.
+    /// The structure that a node declares; `None`: a mistake was reported.
     pub(crate) fn structure(&self, node: Node<'_>, mistakes: &mut Mistakes<'_>) -> Option<Structure> {
         let definition = children(node).into_iter().find(|(part, _)| part.kind() == "type_definition");
         let structure = definition.and_then(|(definition, _)| {

@@ -72,7 +72,7 @@ pub(crate) struct Variables {
 }
 
 impl Variables {
-    /// None yet.
+    /// Empty.
     pub(crate) fn new(real: RealKind) -> Self {
         let (by_name, inner, whole) = (HashMap::new(), HashMap::new(), BTreeMap::new());
         Self { real, by_name, inner, whole, numbers: Vec::new(), slots: Slots::default() }

@@ -7,7 +7,7 @@ use crate::{Fn, Portable, Real};
 pub struct Enable {
     /// the input
     pub input: &'static str,
-    /// what it must be for that
+    /// the value that turns the block off
     pub off: Off,
 }
 
@@ -22,14 +22,14 @@ pub enum Off {
     Brake(Brake),
 }
 
-/// What shows whether a block that brakes is at rest.
+/// The outputs that show whether a braking block is at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Brake {
-    /// the output that is 0 then
+    /// the output that is 0 at rest
     pub velocity: &'static str,
-    /// the output that has one of some numbers then
+    /// the output that has one of the values `resting` at rest
     pub state: &'static str,
-    /// these numbers
+    /// the values of `state` at rest
     pub resting: &'static [i32],
 }
 
@@ -37,18 +37,18 @@ pub struct Brake {
 pub trait Block<R: Real> {
     /// Constants of the block, designed from the parameters.
     type Coeffs: Portable + Send + 'static;
-    /// What it remembers from one cycle to the next.
+    /// Memory from one cycle to the next.
     type State: Portable;
-    /// What the caller gives each cycle.
+    /// Inputs, written by the caller in each cycle.
     type Inputs: Portable + Clone;
-    /// What the caller gets each cycle.
+    /// Outputs, written in each cycle.
     type Outputs: Portable;
 
     /// The name in files and on the command line.
     const NAME: &'static str;
-    /// What turns the block off from outside; `None`: nothing does.
+    /// The input that turns the block off; `None`: none.
     const ENABLE: Option<Enable>;
-    /// The real inputs that are no samples of a signal but parts of something, from 0 to 1.
+    /// The real inputs that are fractions from 0 to 1, not samples of a signal.
     const FRACTIONS: &'static [&'static str] = &[];
     /// The struct among the inputs that is a parameter set: it stays until another one is offered.
     const SET: Option<&'static str> = None;
@@ -57,8 +57,8 @@ pub trait Block<R: Real> {
     /// `step(state, coeffs, inputs, outputs)`: one cycle.
     const STEP: Fn;
 
-    /// Whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle. C then calls that as a function of
-    /// its own: a usual cycle saves no register for it.
+    /// Whether `step` begins with the fast path, and its last `else` is any other cycle. C calls that as a separate function,
+    /// so that the fast path does not save registers.
     fn is_usual_first(_: &Self::Coeffs) -> bool {
         false
     }

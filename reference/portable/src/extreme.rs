@@ -1,4 +1,4 @@
-//! The larger and the smaller of two reals, to the last bit: of 0 and -0 `f64::max` gives either, as the compiler has it.
+//! The larger and the smaller of two reals, to the last bit: for 0 and -0 the result of `f64::max` depends on the compiler.
 
 /// Extremes of real numbers. A NaN loses against any number, and 0 is larger than -0.
 pub trait Extreme {

@@ -17,7 +17,7 @@ pub fn within<R: Real>(x: R, limit: R) -> bool {
     -limit <= x && x <= limit
 }
 
-/// A comment that every target prints at its place: why a branch stands there that no input reaches. It does nothing.
+/// A comment that every target prints at this place: why a branch exists that no input reaches. It has no effect.
 pub fn note(_: &'static str) {}
 
 /// The integer as a real, rounded to nearest. Exact below 2^24 in every real type.
@@ -46,8 +46,8 @@ pub fn nearest<R: Real>(x: R) -> i32 {
     truncate(if x >= R::ZERO { x + nearly_half() } else { x - nearly_half() })
 }
 
-/// A part of the state as memory holds it: read for its own sake. A compiler must not answer from a register that another statement has
-/// filled, nor keep that register for it.
+/// A part of the state, read from memory. The compiler must not use a register that another statement has filled, nor keep such
+/// a register.
 #[must_use]
 pub fn stored<R: Real>(x: R) -> R {
     x
@@ -60,9 +60,9 @@ pub fn nearly_half<R: Real>() -> R {
     R::per_kind(0.499_999_999_999_999_94, 0.499_999_97)
 }
 
-/// The value `structure` with every scalar that `numbers` has, too, taken from there: what stands at the same path. It stands as an argument:
-/// `&with_numbers(&structure, &numbers)`. What `structure` alone says is known when a block is specialised, so that it decides branches; the
-/// numbers are read where they are.
+/// The value `structure` with every scalar that `numbers` has, too, taken from there: what stands at the same path. It stands
+/// as an argument: `&with_numbers(&structure, &numbers)`. What `structure` alone says is known when a block is specialised, so
+/// that it decides branches; the numbers are read where they are.
 #[must_use]
 pub fn with_numbers<T: Portable, N: Portable>(structure: &T, numbers: &N) -> T {
     let (mut fixed, mut other) = ([None; LARGEST], [None; LARGEST]);
@@ -73,7 +73,7 @@ pub fn with_numbers<T: Portable, N: Portable>(structure: &T, numbers: &N) -> T {
     T::build(&mut || leaves.next().expect("with_numbers: all scalars of the type"))
 }
 
-/// The most scalars that [`with_numbers`] takes: without the standard library there is no vector.
+/// The most scalars that [`with_numbers`] takes: the crate has no vectors, because it does not use the standard library.
 const LARGEST: usize = 256;
 
 fn scalars<T: Portable>(value: &T, scalars: &mut [Option<Literal>; LARGEST]) {
@@ -84,7 +84,7 @@ fn scalars<T: Portable>(value: &T, scalars: &mut [Option<Literal>; LARGEST]) {
     });
 }
 
-/// Tells of each scalar of a type that another type has at the same path, where it is in the one and in the other.
+/// Calls `tell` for each scalar of a type that another type has at the same path, with its positions in both.
 pub fn overlaid(ty: &Ty, other: &Ty, tell: &mut dyn FnMut(usize, usize)) {
     match (ty, other) {
         (Ty::Struct { def }, Ty::Struct { def: of_other }) => {

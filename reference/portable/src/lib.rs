@@ -1,7 +1,7 @@
 //! Portable Rust: the IR types as plain data, the real type, the intrinsics, and the macro that fills the IR.
 //!
-//! `#[portable]` on a struct, an enum or a function keeps the item as it is and puts its description beside it,
-//! as a constant that rustc itself has resolved. Nothing here knows a target language or an algorithm.
+//! `#[portable]` on a struct, an enum or a function leaves the item unchanged and adds its description as a constant,
+//! which rustc itself resolves. Nothing here depends on a target language or an algorithm.
 #![no_std]
 #![forbid(unsafe_code)]
 #![warn(missing_docs)] // the emitted comments and the subset's rules come from here

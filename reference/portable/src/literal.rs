@@ -96,7 +96,7 @@ pub struct StructDef {
 pub struct Field {
     /// the Rust name
     pub name: &'static str,
-    /// the doc comment: meaning, unit, sign convention; it stands beside the number in every target
+    /// the doc comment: meaning, unit, sign convention; it is printed with the number in every target
     pub doc: &'static str,
     /// the type
     pub ty: Ty,
@@ -132,7 +132,7 @@ pub struct EnumDef {
 pub struct VariantDef {
     /// the Rust name
     pub name: &'static str,
-    /// the doc comment; it stands beside the number in every target
+    /// the doc comment; it is printed with the number in every target
     pub doc: &'static str,
 }
 
@@ -192,7 +192,7 @@ impl core::hash::Hash for Variant {
 
 /// A type that the generator can describe, take apart into scalars and put together again.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no type of portable Rust",
+    message = "`{Self}` is not a type of portable Rust",
     label = "put #[portable] on it, or use R, bool, i32, u32, or an array of these"
 )]
 pub trait Portable: Sized {

@@ -7,7 +7,7 @@
 //! position control v_command, v_add, v_additive        -> what the drive gets
 //! ```
 //!
-//! Each part is the block of its name. What an axis does not have is not there.
+//! Each part is the block of that name. Parts that the axis does not have are left out.
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
 
@@ -27,7 +27,7 @@ use position_control::Location;
 #[portable]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Addition {
-    /// there is none
+    /// no additive velocity
     #[default]
     None,
     /// from improved position control
@@ -46,7 +46,7 @@ pub struct Coeffs<R> {
     pub addition: Addition,
     /// whether there is feedforward
     pub has_feedforward: bool,
-    /// whether the drive of a spindle controls the position: it cannot tell the direction of half a turn
+    /// TRUE: the drive of a spindle controls the position; it cannot distinguish the direction at half a turn per cycle
     pub counts_turns: bool,
     /// largest velocity below 180 deg / T [0.001 deg/s]
     pub v_largest: R,
@@ -60,7 +60,7 @@ pub struct Coeffs<R> {
     pub ipc: ipc::Coeffs<R>,
     /// position control
     pub position_control: position_control::Coeffs<R>,
-    /// the rate of the calls; the parts do not look at it
+    /// the call rate, which only the axis checks
     pub call_rate: call_rate::Coeffs,
 }
 
@@ -87,7 +87,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     call_rate::init(&mut state.call_rate);
 }
 
-/// A cycle in which the axis must not act: every part starts anew after it.
+/// A cycle in which the axis must not act: afterwards every part restarts.
 #[portable]
 pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
     let mut feedforward_outputs = feedforward::Outputs::<R>::default();
@@ -102,7 +102,7 @@ pub fn rest<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, control_out
     copy!(outputs = control_outputs: fault, error_id);
 }
 
-/// Takes over what the drive gets.
+/// Copies the outputs for the drive.
 #[portable]
 pub fn take<R: Real>(outputs: &mut Outputs<R>, control_outputs: &position_control::Outputs<R>) {
     copy!(outputs = control_outputs:
@@ -133,14 +133,14 @@ pub fn feed_forward<R: Real>(
     }
 }
 
-/// A fault of a part: of several the last one in the order of the parts stands.
+/// A fault of a part. Of several faults the one of the last part is reported.
 #[portable]
 pub fn fail<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
     outputs.fault = true;
     outputs.error_id = error_id;
 }
 
-/// The master's additive velocity, within the master's limit; 0 where it is out of range.
+/// The master's additive velocity within the master's limit; 0 if the sample is out of range.
 #[portable]
 pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) -> R {
     let mut v_followed = R::ZERO;
@@ -157,7 +157,7 @@ pub fn follow_master<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &
     v_followed
 }
 
-/// The additive velocity of improved position control; 0 at once where the position loop is not closed.
+/// The additive velocity of improved position control; 0 at once if the position loop is open.
 #[portable]
 pub fn improve<R: Real>(
     state: &mut State<R>,
@@ -178,7 +178,7 @@ pub fn improve<R: Real>(
     if ipc_outputs.fault {
         fail(outputs, ipc_outputs.error_id);
     } else if coeffs.ipc.tuning.active && ipc_outputs.error_id != error_none() && !outputs.fault {
-        note("no fault: an input that tunes is held");
+        note("not a fault: a tuning input is invalid, its last valid value stays active");
         outputs.error_id = ipc_outputs.error_id;
     }
     if ipc_outputs.limited {
@@ -212,8 +212,8 @@ pub fn has_additive_velocity<R: Real>(coeffs: &Coeffs<R>) -> bool {
         || coeffs.position_control.adds && coeffs.position_control.location != Location::Cnc
 }
 
-/// What the axis does not have, and what mostly holds: a part that has another answer says so. In the order of the
-/// outputs, so that a compiler clears them together.
+/// Sets the outputs to their usual values, and to 0 those that the axis does not have; a part overwrites them if its result
+/// differs. In the order of the outputs, so that a compiler can clear them together.
 #[portable]
 pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
     if coeffs.position_control.location != Location::Cnc {
@@ -247,7 +247,7 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
     outputs.fault = false;
 }
 
-/// A cycle in which the axis acts; improved position control does so with a closed position loop only.
+/// A cycle in which the axis acts. Improved position control acts only if the position loop is closed.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -298,7 +298,7 @@ pub fn act<R: Real>(
     tell_trip(state, coeffs, outputs);
 }
 
-/// A cycle in which the axis must not act, and its command position is a number in range.
+/// A cycle in which the axis must not act, with a command position in range.
 #[portable]
 pub fn follow<R: Real>(
     state: &mut State<R>,
@@ -330,7 +330,7 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
     tell_trip(state, coeffs, outputs);
 }
 
-/// Looks at the rate of the calls. No part goes on with what it held before a pause.
+/// Checks the call rate. After a pause every part restarts.
 #[portable]
 pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_counter: u32) {
     if coeffs.call_rate.active {
@@ -343,7 +343,7 @@ pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_count
     }
 }
 
-/// Whether the watch over the loop has tripped; its id stands where there is no fault.
+/// Reports whether the watch has tripped; its id is shown only if there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.tripped = coeffs.ipc.watch.active && state.ipc.watch.tripped;

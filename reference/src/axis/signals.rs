@@ -1,9 +1,9 @@
-//! What goes into the block `axis` and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `axis`. Nothing is computed here.
 
 use crate::ipc::STAGES;
 use portable::portable;
 
-/// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. What the axis does not use may stay as it is.
+/// Inputs. Translatory axes in um, rotary axes and spindles in 0.001 deg. Inputs that the axis does not use are not read.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
@@ -11,7 +11,8 @@ pub struct Inputs<R> {
     pub x_command: R,
     /// actual position, on the same turn as x_command [um or 0.001 deg]
     pub x_actual: R,
-    /// x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in double precision [um or 0.001 deg]
+    /// x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in double
+    /// precision [um or 0.001 deg]
     pub following_error: R,
     /// velocity of the interpolator [um/s or 0.001 deg/s]
     pub v_interpolator: R,
@@ -23,11 +24,13 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]
     pub v_direct: R,
-    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of each stage's weight, 0 to 1; outside this range the last valid value stays active and
+    /// error_id reports it: not a fault
     pub tuning_weight: [R; STAGES],
-    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
+    /// and error_id reports it: not a fault
     pub tuning_limit: R,
-    /// on a gantry slave: v_add of its master [um/s or 0.001 deg/s]
+    /// gantry slave: v_add of the master axis [um/s or 0.001 deg/s]
     pub v_add_master: R,
     /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
@@ -35,17 +38,19 @@ pub struct Inputs<R> {
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
-    /// FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then
+    /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the position
+    /// controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must be at x_actual
     pub position_controlled: bool,
-    /// while TRUE the same
+    /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls are a fault; the block restarts after a pause
     pub cycle_counter: u32,
 }
 
-/// Outputs. What the axis does not have is 0.
+/// Outputs. An output that the axis does not have is 0.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
@@ -53,9 +58,9 @@ pub struct Outputs<R> {
     pub v_command: R,
     /// conventional feedforward [um/s or 0.001 deg/s]
     pub v_feedforward: R,
-    /// additive velocity of improved position control; gantry slaves get it as v_add_master [um/s or 0.001 deg/s]
+    /// additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
+    /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
     /// position control in the drive: the position command of the drive [um or 0.001 deg]
     pub x_drive: R,
@@ -67,14 +72,16 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that reads them: 0 none
+    /// reason of the fault; of several faults that of the last part; cycle_time, x_command and x_actual stop the axis, the
+    /// others stop the part that reads the input: 0 none
     pub error_id: u32,
-    /// the limit of v_add or a process-data type cuts an output off in this cycle
+    /// v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle
     pub limited: bool,
-    /// a velocity that improved position control reads is bad, the last good one stands in its place (key ride_through)
+    /// a velocity sample of improved position control is bad and is replaced by the last good one (key ride_through)
     pub held: bool,
-    /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE
+    /// (key watch)
     pub tripped: bool,
-    /// a part of the block cannot act in this cycle, the id says why
+    /// a part of the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
 }

@@ -1,5 +1,5 @@
-//! Feedforward control: what the interpolator plans goes to the velocity and the current loop at once, instead of by way
-//! of a position lag.
+//! Feedforward control: the planned velocity and acceleration go directly to the velocity and the current loop, so that no
+//! position lag is needed.
 //!
 //! ```text
 //! gain          = weight * percentage / 100 while active, else 0
@@ -8,8 +8,8 @@
 //! torque        = torque_acceleration * delay(gain * a) + torque_jerk * delay(gain * j)
 //! ```
 //!
-//! Positive values act in the direction of positive motion. Which quantities there are is known for each axis; the others
-//! cost nothing.
+//! Positive values act in the direction of positive motion. The quantities are selected per axis when the block is generated;
+//! unused ones cost nothing.
 
 mod signals;
 
@@ -43,11 +43,11 @@ pub struct Coeffs<R> {
     pub default_active: bool,
     /// inactive despite G135 (P-AXIS-00256)
     pub global_disable: bool,
-    /// what is added to the position controller's output
+    /// quantities of the conventional feedforward, added to the position controller's output
     pub conventional: Quantities,
-    /// what goes to the drive as an additive velocity
+    /// quantities of the additive velocity for the drive
     pub additive: Quantities,
-    /// what goes to the drive as an additive torque
+    /// quantities of the additive torque for the drive
     pub torque: Quantities,
     /// weight of the whole feedforward at 100 %
     pub weight: R,
@@ -81,7 +81,7 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// whether the delays have been filled
+    /// TRUE after the delays have been filled
     pub preset: bool,
     /// delay of the additive velocity
     pub velocity_delay: delay::State<R>,
@@ -93,13 +93,13 @@ pub struct State<R> {
     pub call_rate: call_rate::State,
 }
 
-/// Whether there is a quantity at all.
+/// Whether any quantity is selected.
 #[portable]
 pub fn has_any(quantities: &Quantities) -> bool {
     quantities.velocity || quantities.acceleration || quantities.jerk
 }
 
-/// The weight that holds in this cycle: 0 where feedforward is not active.
+/// The weight in this cycle: 0 if feedforward is not active.
 #[portable]
 pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut gain_now = R::ZERO;
@@ -114,7 +114,7 @@ pub fn gain<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     gain_now
 }
 
-/// v + t_a a + t_j j, of the quantities that there are.
+/// v + t_a a + t_j j, with the selected quantities only.
 #[portable]
 pub fn sum<R: Real>(quantities: &Quantities, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut v = empty_sum();
@@ -153,7 +153,7 @@ pub fn stop<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u
     outputs.error_id = error_id;
 }
 
-/// Fills the delays that have not been filled since the block began.
+/// Fills the delays if this has not been done since the block started.
 #[portable]
 pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: R) {
     if !state.preset {
@@ -170,7 +170,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v: R, a: R, j: 
     }
 }
 
-/// A delay has a sample that something has overwritten, and gives the present one: a fault. All delays are filled anew in the next cycle.
+/// A delay found a corrupted sample and returned the present one: a fault. The next cycle refills all delays.
 #[portable]
 pub fn start_anew<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>) {
     state.preset = false;
@@ -246,25 +246,25 @@ pub fn act<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
 }
 
-/// Whether a sum looks at a quantity.
+/// Whether a sum uses the velocity.
 #[portable]
 pub fn reads_velocity<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.conventional.velocity || coeffs.additive.velocity
 }
 
-/// Whether a sum or the torque looks at the acceleration.
+/// Whether a sum or the torque uses the acceleration.
 #[portable]
 pub fn reads_acceleration<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.conventional.acceleration || coeffs.additive.acceleration || coeffs.torque.acceleration
 }
 
-/// Whether a sum or the torque looks at the jerk.
+/// Whether a sum or the torque uses the jerk.
 #[portable]
 pub fn reads_jerk<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.conventional.jerk || coeffs.additive.jerk || coeffs.torque.jerk
 }
 
-/// Whether every input that a quantity looks at is in range.
+/// Whether every input that is used is in range.
 #[portable]
 pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     (!reads_velocity(coeffs) || in_range(inputs.v_interpolator, sample_limit()))
@@ -272,7 +272,7 @@ pub fn is_in_range<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && (!reads_jerk(coeffs) || in_range(inputs.j_interpolator, sample_limit()))
 }
 
-/// The id of the input that [`is_in_range`] has found out of range, of several the one of the highest derivative.
+/// The id of the input that [`is_in_range`] found out of range; of several the one of the highest derivative.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     if reads_jerk(coeffs) && !in_range(inputs.j_interpolator, sample_limit()) {

@@ -1,4 +1,4 @@
-//! What goes into the block `feedforward` and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `feedforward`. Nothing is computed here.
 
 use portable::portable;
 
@@ -16,13 +16,14 @@ pub struct Inputs<R> {
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
-    /// FALSE: the axis is not in position control, all outputs are 0 at once
+    /// FALSE: the axis is not in position control: all outputs are 0 at once
     pub position_controlled: bool,
-    /// while TRUE all outputs are 0 and the delays are filled anew afterwards
+    /// while TRUE all outputs are 0; the first cycle after it fills the delays with the present sample
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls are a fault; the block restarts after a pause
     pub cycle_counter: u32,
 }
 
@@ -30,7 +31,7 @@ pub struct Inputs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// conventional feedforward: what to add to the position controller's output [um/s or 0.001 deg/s]
+    /// conventional feedforward, to be added to the position controller's output [um/s or 0.001 deg/s]
     pub v_feedforward: R,
     /// additive feedforward, weighted and delayed, before it is scaled (P-AXIS-00389) [um/s or 0.001 deg/s]
     pub v_additive: R,
@@ -38,11 +39,11 @@ pub struct Outputs<R> {
     pub additive_velocity: i32,
     /// additive torque or force as process data of the drive (P-AXIS-00325/00326, 00390 to 00392) [increments]
     pub additive_torque: i32,
-    /// the process-data type cuts additive_velocity off in this cycle
+    /// additive_velocity is limited to the range of its process-data type in this cycle
     pub velocity_limited: bool,
-    /// the process-data type cuts additive_torque off in this cycle
+    /// additive_torque is limited to the range of its process-data type in this cycle
     pub torque_limited: bool,
-    /// the block cannot act in this cycle, the id says why
+    /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
     /// 0 none
     pub error_id: u32,

@@ -1,5 +1,5 @@
-//! Improved position control: up to three stages, their sum, the limit, the fade, and what the block does when it must
-//! not act.
+//! Improved position control: up to three stages, their sum, the limit, the fade, and the reactions to faults, reset and loss of
+//! position control.
 //!
 //! ```text
 //! v_sum            = v_stage[0] + v_stage[1] + v_stage[2]
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! The fade moves linearly between 0 and 1 within `fade_cycles` cycles: up while the mode is ON, down while it is
-//! DRYRUN or OFF. It falls to 0 at once with a fault, a reset and the loss of position control. Where the fade starts
-//! again the sections start from the steady state of the present input, so that nothing jumps.
+//! DRYRUN or OFF. A fault, a reset or the loss of position control sets it to 0 at once. When the block starts from fade 0,
+//! the sections start from the steady state of the present input, so that the output does not jump.
 
 pub mod numbers;
 pub mod ride_through;
@@ -38,9 +38,9 @@ use tuning::are_followed;
 pub struct Coeffs<R> {
     /// cycle time that all coefficients were designed for [ns]
     pub cycle_time_ns: u32,
-    /// mode before the caller writes one: 0 OFF, 1 ON, 2 DRYRUN
+    /// start value of the input mode: 0 OFF, 1 ON, 2 DRYRUN
     pub enable: i32,
-    /// the axis is a gantry slave, which gets its master's additive velocity (P-AXIS-00070)
+    /// TRUE: the axis is a gantry slave, which gets its master's additive velocity (P-AXIS-00070)
     pub slave: bool,
     /// the stages
     pub stage: [stage::Coeffs<R>; STAGES],
@@ -48,11 +48,11 @@ pub struct Coeffs<R> {
     pub limit: R,
     /// -limit
     pub lower_limit: R,
-    /// largest magnitude of a sum of stages that is not a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault
     pub sum_limit: R,
-    /// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
+    /// a sum up to this magnitude is set to 0, so that the output at rest is exactly 0
     pub rest: R,
-    /// cycles that the fade takes from 0 to 1
+    /// length of the fade from 0 to 1 [cycles]
     pub fade_cycles: u32,
     /// 1 / fade_cycles
     pub fade_step: R,
@@ -70,9 +70,9 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// whether the sections have been preset to the steady state of an input
+    /// TRUE after the filter sections have been preset to the steady state of the input
     pub preset: bool,
-    /// position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a state was overwritten
+    /// position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted
     pub fade: u32,
     /// the rate of the calls
     pub call_rate: call_rate::State,
@@ -82,7 +82,7 @@ pub struct State<R> {
     pub tuning: tuning::State<R>,
     /// the watch over the loop
     pub watch: watch::State<R>,
-    /// the velocities of the cycle before
+    /// the velocities of the previous cycle
     pub source: sources::State<R>,
     /// the sections of each stage
     pub stage: [stage::State<R>; STAGES],
@@ -100,7 +100,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
     }
 }
 
-/// Runs all stages; gives the sum of what they want to add.
+/// Runs all stages; returns the sum of their outputs.
 #[portable]
 pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut changes = sources::Changes::<R>::default();
@@ -122,11 +122,11 @@ pub fn sum_of_stages<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     v_sum
 }
 
-/// Moves the fade by one cycle: up while the mode is ON, down otherwise. OFF ends where the fade has arrived at 0.
+/// Moves the fade by one cycle: up while the mode is ON, down otherwise. In OFF the block stops when the fade reaches 0.
 #[portable]
 pub fn move_fade<R: Real>(state: &mut State<R>, mode: i32) {
     if mode == mode_on() {
-        // It is not full here: that is the usual cycle.
+        // The fade is below fade_cycles here: the usual cycle handles the full fade.
         state.fade += 1u32;
     } else if state.fade > 1u32 {
         state.fade -= 1u32;
@@ -138,8 +138,8 @@ pub fn move_fade<R: Real>(state: &mut State<R>, mode: i32) {
     }
 }
 
-/// A state was overwritten. The fade stands beyond its end until the next cycle reports the fault, as a fade does that was overwritten itself. What
-/// the caller tunes starts anew.
+/// A state was corrupted. The fade is set above fade_cycles, as if the fade itself were corrupted, so that the next cycle
+/// reports the fault. The tuning factors restart.
 #[portable]
 pub fn disturb<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if coeffs.tuning.active {
@@ -148,34 +148,34 @@ pub fn disturb<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.fade = coeffs.fade_cycles + 1u32;
 }
 
-/// The block must not act: everything starts anew afterwards.
+/// The block must not act: it restarts afterwards.
 #[portable]
 pub fn stop<R: Real>(state: &mut State<R>) {
     state.preset = false;
     state.fade = 0u32;
 }
 
-/// The largest sum that acts: the part of the limit that is tuned.
+/// The upper limit of the sum, scaled by the tuning factor.
 #[portable]
 pub fn tuned_limit<R: Real>(coeffs: &Coeffs<R>, tuning: &tuning::State<R>) -> R {
     if coeffs.tuning.active { coeffs.limit * tuning.limit.now } else { coeffs.limit }
 }
 
-/// The lowest one.
+/// The lower limit of the sum, scaled by the tuning factor.
 #[portable]
 pub fn tuned_lower_limit<R: Real>(coeffs: &Coeffs<R>, tuning: &tuning::State<R>) -> R {
-    // A product, and no difference from 0: compilers that are told to forget the sign of a 0 must not find one to forget.
+    // A product instead of 0 - x: compiler options that ignore the sign of 0 must not change the result.
     if coeffs.tuning.active { coeffs.lower_limit * tuning.limit.now } else { coeffs.lower_limit }
 }
 
-/// Whether the largest sum that acts is not above the limit: a part of the limit that is tuned may have been overwritten.
+/// Whether the scaled upper limit is at most the limit: the tuning factor may have been corrupted.
 #[portable]
 pub fn is_limit<R: Real>(coeffs: &Coeffs<R>, upper: R) -> bool {
     !coeffs.tuning.active || in_range(upper, coeffs.limit)
 }
 
-/// The sum within +-limit; exactly 0 where its magnitude is not above `rest`. A sum that no velocity of this axis leads to is a fault: a
-/// state has been overwritten.
+/// The sum within +-limit; exactly 0 if its magnitude is at most `rest`. A sum above `sum_limit` is a fault: a state was
+/// corrupted, or an input is far above vb_max.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let upper = tuned_limit(coeffs, &state.tuning);
@@ -186,7 +186,7 @@ pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &C
         if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, &state.tuning) }
     } else {
         note(
-            "a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle, then everything starts anew",
+            "a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the block restarts",
         );
         outputs.limited = true;
         disturb(state, coeffs);
@@ -194,7 +194,7 @@ pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &C
     }
 }
 
-/// Nothing is added.
+/// Sets v_add to 0.
 #[portable]
 pub fn clear<R: Real>(outputs: &mut Outputs<R>, error_id: u32) {
     outputs.v_add = R::ZERO;
@@ -214,7 +214,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     stop(state);
 }
 
-/// A cycle in which the sections run. The fade has been moved. `is_tuning_held`: an input that tunes is not usable.
+/// A cycle in which the sections run, after the fade has been moved. `is_tuning_held`: a tuning input is invalid.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -226,7 +226,7 @@ pub fn act<R: Real>(
     outputs.limited = false;
     outputs.fault = false;
     outputs.error_id = if is_tuning_held { error_tuning() } else { error_none() };
-    // `limit` may put it beyond its end.
+    // `limit` may set it above fade_cycles.
     let fade = state.fade;
     let v_sum = sum_of_stages(state, coeffs, inputs);
     let v_limited = limit(state, outputs, coeffs, v_sum);
@@ -234,17 +234,17 @@ pub fn act<R: Real>(
         outputs.v_add = if fade > 0u32 { v_limited * (from_u32::<R>(fade) * coeffs.fade_step) } else { R::ZERO };
         outputs.v_add_calculated = if inputs.mode == mode_off() { R::ZERO } else { v_limited };
     } else {
-        // Where the fade is full, the mode is ON.
+        // With a full fade the mode is ON.
         outputs.v_add = v_limited;
         outputs.v_add_calculated = v_limited;
     }
-    // Only what acts can make a loop unstable. A sum that is a fault is no vibration.
+    // Only a velocity that is added can make the loop unstable. A sum that is a fault is not a vibration.
     if coeffs.watch.active && inputs.mode == mode_on() && !state.watch.tripped && state.fade <= coeffs.fade_cycles {
         look_after(state, coeffs, v_sum);
     }
 }
 
-/// Shows the watch a sum that acts, and the limits that hold.
+/// Passes the sum and the active limits to the watch.
 #[portable]
 pub fn look_after<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R) {
     let upper = tuned_limit(coeffs, &state.tuning);
@@ -252,7 +252,7 @@ pub fn look_after<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R) {
     watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
 }
 
-/// The same of a cycle in which the mode is ON and the fade full, and every part is what its input asks for.
+/// Fast path of `act`: mode ON, fade complete, tuning settled.
 #[portable]
 pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     outputs.limited = false;
@@ -267,14 +267,14 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     }
 }
 
-/// The watch is ready again where the mode is not ON, and with a reset.
+/// Rearms the watch if the mode is not ON or reset is TRUE.
 #[portable]
 #[expect(
     clippy::collapsible_if,
     reason = "the first condition is decided for each axis, and takes the second one away"
 )]
 pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset: bool) {
-    // Asked for first of all, so that a block without a watch keeps the order of its constants.
+    // Asked first, so that a block without a watch keeps the order of its constants.
     if coeffs.watch.active {
         if mode != mode_on() || reset {
             watch::init(&mut state.watch);
@@ -282,13 +282,13 @@ pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset
     }
 }
 
-/// Moves the fade, or begins: whether the sections run in this cycle. In the first one they are preset to the steady state of
-/// the input; steady sections put out 0, so that there is nothing to run.
+/// Moves the fade, or starts the block. Returns whether the sections run in this cycle. The first cycle presets them to the
+/// steady state of the input; its output is 0, so that they need not run.
 #[portable]
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let mut runs = true;
     if state.preset {
-        // What has tripped is where DRYRUN would be.
+        // A tripped block behaves as in DRYRUN.
         if coeffs.watch.active && state.watch.tripped {
             move_fade(state, mode_dryrun());
         } else {
@@ -307,19 +307,19 @@ pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
     runs
 }
 
-/// Whether there is such a mode.
+/// Whether the mode is OFF, ON or DRYRUN.
 #[portable]
 pub fn is_mode(mode: i32) -> bool {
     mode == mode_on() || mode == mode_off() || mode == mode_dryrun()
 }
 
-/// Whether the caller's cycle is the one that the coefficients were designed for, or not told.
+/// Whether the caller's cycle time is the designed one, or unchecked (0).
 #[portable]
 pub fn is_cycle_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns
 }
 
-/// Looks at the rate of the calls. Nothing goes on with what it held before a pause.
+/// Checks the call rate. After a pause the block restarts.
 #[portable]
 pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_counter: u32) {
     if coeffs.call_rate.active {
@@ -330,26 +330,27 @@ pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_count
     }
 }
 
-/// The block must not act for this reason, which it gives.
+/// Stops the block for this reason; returns the reason.
 #[portable]
 pub fn refuse<R: Real>(state: &mut State<R>, reason: u32) -> u32 {
     stop(state);
     reason
 }
 
-/// Whether the axis is ON, and neither the caller nor a gantry forbids it to act: with a full fade, nothing but the sections changes then.
+/// Whether the axis is ON, in position control, not in reset and not a gantry slave: with a full fade only the sections change
+/// then.
 #[portable]
 pub fn is_on<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     inputs.position_controlled && !inputs.reset && !coeffs.slave && inputs.mode == mode_on()
 }
 
-/// Whether samples and cycle time are usable, and the axis is ON.
+/// Whether samples and cycle time are valid and the axis is ON.
 #[portable]
 pub fn may_act_in_full<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     are_in_range(&coeffs.stage, inputs) && is_cycle_time(coeffs, inputs) && is_on(coeffs, inputs)
 }
 
-/// Whether the mode is ON, the fade full, and every sample of an encoder in range that a stage looks at.
+/// Whether the mode is ON, the fade is full, and every encoder sample that a stage uses is in range.
 #[portable]
 pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_motor: R, v_direct: R) -> bool {
     mode == mode_on()
@@ -358,8 +359,8 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
         && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
 
-/// One cycle. With parts that the caller tunes it begins with the usual one, in which every part is what its input asks for, too, and nothing but
-/// the sections changes: it does what `any_cycle` does there, and asks for less.
+/// One cycle. A block with tuning inputs starts with the fast path: tuning is settled, and only the sections change. It gives
+/// the same result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.tuning.active {
@@ -382,7 +383,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// Any cycle. Only the inputs that a stage looks at are checked.
+/// Any cycle. Only the inputs that a stage uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     rearm(state, coeffs, inputs.mode, inputs.reset);
@@ -390,7 +391,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     go_on(state, coeffs, inputs, outputs);
 }
 
-/// The rest of it: the watch has been asked.
+/// The rest of the cycle, after the watch has been rearmed.
 #[portable]
 pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.ride_through.active {
@@ -419,8 +420,8 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         let jumps = state.fade == 0u32 || state.fade > coeffs.fade_cycles;
         is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
     }
-    // Of several reasons not to act the first is told. The usual cycle comes before the rare ones: that is why two places ask for the
-    // cycle time.
+    // Of several reasons not to act the first is reported. The usual cycle comes before the rare ones, so the cycle time is
+    // checked in two places.
     let mut runs = false;
     let mut reason = error_none();
     if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {
@@ -464,7 +465,7 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     tell_trip(state, coeffs, outputs);
 }
 
-/// Whether the watch over the loop has tripped; its id stands where there is no fault.
+/// Reports whether the watch has tripped; its id is shown only if there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.tripped = coeffs.watch.active && state.watch.tripped;

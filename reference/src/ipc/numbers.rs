@@ -1,4 +1,5 @@
-//! The numbers of a parameter set, taken over, judged and added up: those that the stages of a structure use, and the limits.
+//! The numbers of a parameter set: the limits and the numbers of the stages. They are copied, checked and added to the check
+//! word.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::STAGES;
@@ -15,7 +16,7 @@ pub struct Numbers<R> {
     pub limit: R,
     /// -limit
     pub lower_limit: R,
-    /// largest magnitude of a sum of stages that is not a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault
     pub sum_limit: R,
     /// the watch over the loop
     pub watch: watch::Numbers<R>,
@@ -23,21 +24,22 @@ pub struct Numbers<R> {
     pub stage: [stage::Numbers<R>; STAGES],
 }
 
-/// A parameter set: every number of a structure, with what it is checked by.
+/// A parameter set: every number of a structure, with the data to check it.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Params<R> {
-    /// the structure that the set is for: axis, stages, modes, filters, real type, cycle time, fade, ride_through, watch
+    /// id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade, ride_through,
+    /// watch
     pub structure: u32,
-    /// the number of the set, not 0: another number than that of the set in use offers this set
+    /// number of the set, not 0; a number other than that of the set in use offers this set to the block
     pub set_id: u32,
-    /// what the block forms anew from the numbers
+    /// check word, recomputed by the block from the numbers
     pub check: Word,
-    /// largest |v_add|; not above the one that the block was generated with
+    /// largest |v_add|; at most the limit that the block was generated with
     pub limit: R,
     /// -limit
     pub lower_limit: R,
-    /// largest magnitude of a sum of stages that is not a fault
+    /// largest magnitude of the sum of the stages; a larger sum is a fault
     pub sum_limit: R,
     /// the watch over the loop
     pub watch: watch::Numbers<R>,
@@ -45,7 +47,7 @@ pub struct Params<R> {
     pub stage: [stage::Numbers<R>; STAGES],
 }
 
-/// Reads the numbers of an offered set, each of them once: what another task writes afterwards is not seen.
+/// Reads each number of an offered set once: later writes by another task have no effect.
 #[portable]
 pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Params<R>) {
     copy!(numbers = offered: limit, lower_limit, sum_limit);
@@ -59,7 +61,7 @@ pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &
     }
 }
 
-/// Takes other numbers over.
+/// Copies other numbers.
 #[portable]
 pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &Numbers<R>) {
     copy!(numbers = others: limit, lower_limit, sum_limit);
@@ -73,7 +75,7 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
     }
 }
 
-/// Compares each number with its copy in its turn. Gives the turn after the last one.
+/// Compares the number whose turn it is with its copy. Returns the turn after the last one.
 #[portable]
 pub fn compare<R: Real>(
     state: &mut turn::State,
@@ -117,7 +119,7 @@ pub fn compare<R: Real>(
     at
 }
 
-/// Whether every number is one, each section is stable, and the limit is not above the one of `structure`.
+/// Whether every number is finite, each section is stable, and the limit is at most the limit of `structure`.
 #[portable]
 pub fn are_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
     let mut are_sound_so_far = are_limits_sound(structure, offered);

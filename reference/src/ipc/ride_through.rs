@@ -1,4 +1,4 @@
-//! Bad samples in a row that a block rides through: the last good one stands in the place of each. No fault.
+//! Ride-through of consecutive bad samples: the last good sample replaces each of them. Not a fault.
 
 use super::signals::{Inputs, STAGES};
 use super::sources::{self, are_in_range, reads_command, reads_direct, reads_motor};
@@ -9,9 +9,9 @@ use portable::{Real, copy, in_range, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs {
-    /// whether bad samples are ridden through at all
+    /// whether the last good sample replaces bad samples (key ride_through)
     pub active: bool,
-    /// cycles in a row in which the last good sample stands in the place of a bad one
+    /// largest number of consecutive cycles in which the last good sample replaces a bad one
     pub cycles: u32,
 }
 
@@ -19,7 +19,7 @@ pub struct Coeffs {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State {
-    /// cycles in a row in which a sample was bad
+    /// consecutive cycles in which a sample was bad
     pub bad: u32,
 }
 
@@ -29,8 +29,9 @@ pub fn init(state: &mut State) {
     state.bad = 0u32;
 }
 
-/// Takes the inputs over. The velocity of the cycle before stands in the place of one that is out of range, in as many cycles in a row as
-/// the coefficients allow; `is_remembered`: there is one. Gives whether it does.
+/// Copies the inputs. A velocity that is out of range is replaced by that of the previous cycle, for at most as many
+/// consecutive cycles as the coefficients allow; `is_remembered`: a previous velocity exists. Returns whether a sample was
+/// replaced.
 #[portable]
 pub fn replace<R: Real>(
     state: &mut State,

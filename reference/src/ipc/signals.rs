@@ -1,4 +1,4 @@
-//! What goes into the block `ipc` and what comes out: signals, modes, error ids. Nothing is computed here.
+//! Inputs, outputs and modes of the block `ipc`. Nothing is computed here.
 
 use portable::portable;
 
@@ -9,25 +9,30 @@ pub const STAGES: usize = 3;
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
-    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753)
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT
+    /// (P-AXIS-00753)
     pub v_command: R,
     /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753)
     pub v_motor: R,
-    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key
+    /// direct_source
     pub v_direct: R,
-    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of each stage's weight, 0 to 1; outside this range the last valid value stays active and
+    /// error_id reports it: not a fault
     pub tuning_weight: [R; STAGES],
-    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
+    /// and error_id reports it: not a fault
     pub tuning_limit: R,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
-    /// FALSE: the axis is not in position control, the output is 0 at once
+    /// FALSE: the axis is not in position control: v_add is 0 at once
     pub position_controlled: bool,
-    /// while TRUE the output is 0 and the states follow the input
+    /// while TRUE v_add is 0 and the filter states follow the input
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls are a fault; the block restarts after a pause
     pub cycle_counter: u32,
 }
 
@@ -35,17 +40,17 @@ pub struct Inputs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
+    /// additive velocity of improved position control, to be added to the manipulated variable [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
+    /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
-    /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
+    /// the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle
     pub limited: bool,
-    /// a sample is bad, the last good one stands in its place (key ride_through)
+    /// a sample is bad and is replaced by the last good one (key ride_through)
     pub held: bool,
-    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE (key watch)
     pub tripped: bool,
-    /// the block cannot act in this cycle, the id says why
+    /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
     /// 0 none
     pub error_id: u32,

@@ -1,5 +1,4 @@
-//! The velocities that the stages look at: which ones, and what they have changed by since the cycle before, formed once for all
-//! stages. No section.
+//! The velocities that the stages use, and their changes since the previous cycle, computed once for all stages. No section.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::{Inputs, STAGES};
@@ -8,7 +7,7 @@ use crate::signal::sample_limit;
 use crate::{change, stage};
 use portable::{Real, in_range, portable};
 
-/// State: the velocities of the cycle before.
+/// State: the velocities of the previous cycle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
@@ -32,7 +31,7 @@ pub struct Changes<R> {
     pub v_direct: R,
 }
 
-/// Whether a stage looks at the command velocity.
+/// Whether a stage uses the command velocity.
 #[portable]
 pub fn reads_command<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     let mut found = false;
@@ -42,7 +41,7 @@ pub fn reads_command<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     found
 }
 
-/// Whether a stage looks at the motor's velocity.
+/// Whether a stage uses the motor's velocity.
 #[portable]
 pub fn reads_motor<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     let mut found = false;
@@ -52,7 +51,7 @@ pub fn reads_motor<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     found
 }
 
-/// Whether a stage looks at the velocity of the direct measuring system.
+/// Whether a stage uses the velocity of the direct measuring system.
 #[portable]
 pub fn reads_direct<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     let mut found = false;
@@ -62,7 +61,7 @@ pub fn reads_direct<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
     found
 }
 
-/// Whether every velocity that a stage looks at is in range.
+/// Whether every velocity that a stage uses is in range.
 #[portable]
 pub fn are_in_range<R: Real>(stages: &[stage::Coeffs<R>; STAGES], inputs: &Inputs<R>) -> bool {
     (!reads_command(stages) || in_range(inputs.v_command, sample_limit()))
@@ -70,8 +69,8 @@ pub fn are_in_range<R: Real>(stages: &[stage::Coeffs<R>; STAGES], inputs: &Input
         && (!reads_direct(stages) || in_range(inputs.v_direct, sample_limit()))
 }
 
-/// Forms the changes of the velocities that a stage looks at: single precision needs them, and a block that rides through bad samples needs
-/// the last good ones.
+/// Computes the changes of the velocities that the stages use. Single precision needs them; ride-through needs the stored last
+/// good velocities.
 #[portable]
 pub fn step<R: Real>(
     state: &mut State<R>,
@@ -93,7 +92,7 @@ pub fn step<R: Real>(
     }
 }
 
-/// The next changes are counted from the present input.
+/// The next changes are relative to the present input.
 #[portable]
 pub fn preset<R: Real>(
     state: &mut State<R>,

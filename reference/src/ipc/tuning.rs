@@ -1,5 +1,5 @@
-//! What the caller tunes while the block acts: a factor from 0 to 1 for each stage's weight and one for the limit. Each follows its input
-//! along a ramp, so that nothing jumps.
+//! What the caller tunes while the block acts: a factor from 0 to 1 for each stage's weight and one for the limit. Each follows
+//! its input along a ramp, so that nothing jumps.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::{Inputs, STAGES};
@@ -13,7 +13,7 @@ pub const INPUTS: &[&str] = &["tuning_weight", "tuning_limit"];
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
-    /// whether weights and limit are inputs at all
+    /// whether weights and limit are inputs (key tunable)
     pub active: bool,
     /// start of tuning_weight
     pub weight: [R; STAGES],
@@ -25,7 +25,7 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Factor<R> {
-    /// its value in this cycle, 0 to 1
+    /// value of the factor in this cycle, 0 to 1
     pub now: R,
 }
 
@@ -39,25 +39,25 @@ pub struct State<R> {
     pub limit: Factor<R>,
 }
 
-/// a factor below it is 0: no product with it is subnormal
+/// a smaller factor is set to 0, so that no product with a factor is subnormal
 #[portable]
 pub fn least_factor<R: Real>() -> R {
     R::lit(1.0e-6)
 }
 
-/// Whether a factor, if it is there, is what its input asks for. The difference is no number where the input is none.
+/// Whether a factor, if it exists, has reached its input. The difference is NaN if the input is NaN.
 #[portable]
 pub fn is_followed<R: Real>(factor: &Factor<R>, is_there: bool, wanted: R) -> bool {
     !is_there || in_range(wanted - factor.now, R::ZERO)
 }
 
-/// Whether a factor of a stage is there.
+/// Whether the factor of a stage exists.
 #[portable]
 pub fn is_there<R: Real>(coeffs: &Coeffs<R>, stage: &stage::Coeffs<R>) -> bool {
     coeffs.active && stage.mode != stage::Mode::NotActive
 }
 
-/// Whether every factor is what its input asks for.
+/// Whether every factor has reached its input.
 #[portable]
 pub fn are_followed<R: Real>(
     state: &State<R>,
@@ -71,8 +71,8 @@ pub fn are_followed<R: Real>(
         && is_followed(&state.weight[2], is_there(coeffs, &stages[2]), inputs.tuning_weight[2])
 }
 
-/// Moves a factor towards its input by at most `step`; `jumps`: at once, because nothing is added. Gives whether the input is no number from 0
-/// to 1: then the factor stays.
+/// Moves a factor towards its input by at most `step`; `jumps`: at once, because v_add is 0. Returns whether the input is
+/// outside 0 to 1: the factor then keeps its value.
 #[portable]
 #[expect(
     clippy::collapsible_if,
@@ -81,7 +81,7 @@ pub fn are_followed<R: Real>(
 pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) -> bool {
     let mut is_held = true;
     if !in_range(factor.now, R::ONE) {
-        note("a factor has been overwritten");
+        note("the factor was corrupted");
         factor.now = R::ZERO;
     }
     if in_range(wanted, R::ONE) {
@@ -101,7 +101,7 @@ pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) 
     is_held
 }
 
-/// Moves all factors; gives whether an input is held.
+/// Moves all factors; returns whether an input is invalid.
 #[portable]
 pub fn step<R: Real>(
     state: &mut State<R>,
@@ -120,7 +120,7 @@ pub fn step<R: Real>(
     is_held
 }
 
-/// Before the first cycle: the first one takes the inputs at once, for nothing is added yet.
+/// Before the first cycle. The first cycle takes the inputs at once, because v_add is still 0.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     for i in 0..STAGES {

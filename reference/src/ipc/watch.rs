@@ -1,16 +1,17 @@
-//! The watch over the loop: whether the sum of the stages swings as that of an unstable loop does. It decides; the fade is moved elsewhere.
+//! The watch: detects whether the sum of the stages oscillates as in an unstable loop. It only decides; the block moves the
+//! fade.
 //!
 //! ```text
 //! span = highest - lowest v_sum of a block of block_cycles cycles
-//! both limits reached, and span > 0.9 span of the block before:            score + 2
-//! else span > 1.1 span of the block before, which was not quiet:           score + 1
+//! both limits reached, and span > 0.9 span of the previous block:          score + 2
+//! else span > 1.1 span of the previous block, which was not quiet:         score + 1
 //! else both limits reached:                                                score - 1, at least 0
 //! else:                                                                    score = 0
 //! score >= alarm and span > 2 limit:                                       tripped
 //! ```
 //!
-//! What a move, a blow or a burst of chatter leaves behind dies away: a block that is quieter than the one before counts back, and begins anew where it no
-//! longer fills the limits.
+//! The vibration after a move, a shock or a burst of chatter decays: a block that is quieter than the previous one lowers the
+//! score, and one that does not reach both limits resets it.
 
 use portable::{Real, note, portable};
 
@@ -18,21 +19,21 @@ use portable::{Real, note, portable};
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
-    /// whether the loop is watched at all
+    /// whether the watch is active (key watch)
     pub active: bool,
     /// cycles of a block: 0.6 periods of the lowest f0, at least 30 ms
     pub block_cycles: u32,
-    /// score that trips: 2 for a block at both limits that does not die away, 1 for one that grows
+    /// score at which the watch trips: a block at both limits that does not decay adds 2, a growing block adds 1
     pub alarm: u32,
-    /// growth counts from a block on that spans more than this: limit / 50, so that the begin of a move is no growth
+    /// smallest span from which growth counts: limit / 50, so that the start of a move does not count as growth
     pub quiet: R,
 }
 
-/// Its number that is no structure.
+/// The number that a parameter set may change.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Numbers<R> {
-    /// growth counts from a block on that spans more than this: limit / 50, so that the begin of a move is no growth
+    /// smallest span from which growth counts: limit / 50, so that the start of a move does not count as growth
     pub quiet: R,
 }
 
@@ -40,39 +41,39 @@ pub struct Numbers<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// whether the loop was found unstable; until the mode is not ON, or reset
+    /// TRUE after the loop was found unstable, until the mode is not ON or reset is TRUE
     pub tripped: bool,
-    /// cycles of this block that are over
+    /// completed cycles of the present block
     pub cycles: u32,
-    /// blocks in a row that speak for an unstable loop
+    /// score of the consecutive blocks that indicate an unstable loop
     pub score: u32,
-    /// highest sum of this block
+    /// highest v_sum of the present block
     pub high: R,
-    /// lowest sum of this block
+    /// lowest v_sum of the present block
     pub low: R,
-    /// highest - lowest sum of the block before
+    /// span of v_sum in the previous block: highest - lowest
     pub before: R,
 }
 
-/// a block grows from this part of the block before on
+/// a block counts as growing above this multiple of the previous block's span
 #[portable]
 pub fn growth<R: Real>() -> R {
     R::lit(1.1)
 }
 
-/// a block dies away up to this part of the block before
+/// a block counts as decaying up to this fraction of the previous block's span
 #[portable]
 pub fn decay<R: Real>() -> R {
     R::lit(0.9)
 }
 
-/// no loop grows for so many blocks
+/// upper bound of the score: no loop grows for this number of blocks
 #[portable]
 pub fn largest_score() -> u32 {
     1_000_000u32
 }
 
-/// Blocks are counted anew.
+/// Restarts the count of blocks.
 #[portable]
 pub fn restart<R: Real>(state: &mut State<R>) {
     state.cycles = 0u32;
@@ -87,7 +88,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     restart(state);
 }
 
-/// One cycle in which the sum acts: takes it before it is limited to +-limit.
+/// One cycle in which the sum acts; `v_sum` is the sum before the limit.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R, limit: R, lower_limit: R) {
     if state.cycles == 0u32 {
@@ -98,7 +99,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R, limit: 
     } else if v_sum < state.low {
         state.low = v_sum;
     }
-    // Beyond it only where something has overwritten it.
+    // Above block_cycles only if the memory was corrupted.
     if state.cycles < coeffs.block_cycles {
         state.cycles += 1u32;
     }
@@ -106,7 +107,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R, limit: 
         let span = state.high - state.low;
         let fills = state.high > limit && state.low < lower_limit;
         if state.score > largest_score() {
-            note("the score has been overwritten: blocks are counted anew");
+            note("the score was corrupted: the count of blocks restarts");
             state.score = 0u32;
         }
         if fills && span > decay::<R>() * state.before {

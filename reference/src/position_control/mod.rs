@@ -10,8 +10,8 @@
 //!
 //! Positions grow in the direction of positive velocity. Integers are rounded half away from zero and saturated.
 //!
-//! In single precision a position of 3 m is rounded to 0.25 um. The controller in the CNC therefore takes `following_error` in the place of
-//! both positions; its caller subtracts them in increments or in double precision.
+//! In single precision a position of 3 m is rounded to 0.25 um. The controller in the CNC therefore takes `following_error`
+//! instead of both positions; the caller subtracts them in increments or in double precision.
 
 mod signals;
 
@@ -34,9 +34,9 @@ pub enum Location {
     /// in the CNC: the drive gets a velocity
     #[default]
     Cnc,
-    /// in the drive: it gets a position
+    /// in the drive: the drive gets a position
     Drive,
-    /// in a PROFIdrive drive: it gets a control deviation
+    /// in a PROFIdrive drive: the drive gets a control deviation
     Profidrive,
 }
 
@@ -64,7 +64,7 @@ pub struct Coeffs<R> {
     pub manipulated_scale: R,
     /// range of the manipulated variable
     pub manipulated_range: process_data::Coeffs<R>,
-    /// cycles by which the position comes after the feedforward
+    /// delay of the position command relative to the feedforward [cycles]
     pub shift: delay::Coeffs<R>,
     /// increments for 1 um or 0.001 deg
     pub xerr_scale: R,
@@ -82,15 +82,15 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// whether the shift has been filled
+    /// TRUE after the delay of the position command has been filled
     pub preset: bool,
-    /// the shift of the position against the feedforward
+    /// delay of the position command relative to the feedforward
     pub shift: delay::State<R>,
     /// the last position command of the drive
     pub x_held: R,
     /// the rate of the calls
     pub call_rate: call_rate::State,
-    /// the same again: what has been overwritten differs
+    /// second copy, to detect corruption
     pub x_held_copy: R,
 }
 
@@ -103,25 +103,25 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.x_held_copy = R::ZERO;
 }
 
-/// Whether the controller takes the difference of both positions: in single precision.
+/// Whether the controller takes `following_error` instead of both positions: in single precision.
 #[portable]
 pub fn takes_following_error<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.location == Location::Cnc && is_single::<R>()
 }
 
-/// Whether the actual position matters, or the following error in its place.
+/// Whether the actual position, or `following_error` instead, is used.
 #[portable]
 pub fn reads_actual<R: Real>(coeffs: &Coeffs<R>) -> bool {
     coeffs.location != Location::Drive
 }
 
-/// Whether the command position is a number in range, where it matters.
+/// Whether the command position is in range or not used.
 #[portable]
 pub fn is_command_in_range<R: Real>(coeffs: &Coeffs<R>, x_command: R) -> bool {
     takes_following_error(coeffs) || in_range(x_command, sample_limit())
 }
 
-/// Whether the actual position is a number in range, or the following error in its place.
+/// Whether the actual position, or `following_error` instead, is in range.
 #[portable]
 pub fn is_actual_in_range<R: Real>(coeffs: &Coeffs<R>, x_actual: R, following_error: R) -> bool {
     if takes_following_error(coeffs) {
@@ -131,13 +131,13 @@ pub fn is_actual_in_range<R: Real>(coeffs: &Coeffs<R>, x_actual: R, following_er
     }
 }
 
-/// The id of what is not in range then.
+/// The id of the input that [`is_actual_in_range`] checks.
 #[portable]
 pub fn error_of_actual<R: Real>(coeffs: &Coeffs<R>) -> u32 {
     if takes_following_error(coeffs) { error_following_error() } else { error_x_actual() }
 }
 
-/// The output of the position controller, before v_add is added; 0 where the drive has the controller.
+/// The output of the position controller, before v_add is added; 0 if the drive has the position controller.
 #[portable]
 pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut v_controller = R::ZERO;
@@ -150,7 +150,7 @@ pub fn command<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     v_controller
 }
 
-/// The integers that a fault or a rest leaves at 0.
+/// Sets the integer outputs to 0, for a fault or a cycle without action.
 #[portable]
 pub fn clear<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: u32) {
     state.preset = false;
@@ -164,7 +164,7 @@ pub fn clear<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, error_id: 
     outputs.error_id = error_id;
 }
 
-/// A cycle without a command position in range: the drive keeps the one that it has.
+/// A cycle without a command position in range: x_drive keeps its last value.
 #[portable]
 pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, error_id: u32) {
     clear(state, outputs, error_id);
@@ -173,7 +173,7 @@ pub fn hold<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, outputs: &mut Out
         if in_range(state.x_held - state.x_held_copy, R::ZERO) {
             outputs.x_drive = state.x_held;
         } else {
-            note("the position has been overwritten, and there is no other: 0, with the id that says so");
+            note("the held position was corrupted and cannot be restored: x_drive is 0, and the error id reports it");
             outputs.error_id = error_state();
         }
     }
@@ -197,7 +197,7 @@ pub fn follow<R: Real>(
     }
 }
 
-/// The integer for the process data; the outputs tell where the range cuts it off.
+/// The integer for the process data; `limited` is set if its range cuts the value off.
 #[portable]
 pub fn rounded<R: Real>(outputs: &mut Outputs<R>, range: &process_data::Coeffs<R>, increments: R) -> i32 {
     let mut datum = process_data::Datum::default();
@@ -226,7 +226,7 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut shifted = delay::Delayed::<R>::default();
     delay::step(&mut state.shift, &coeffs.shift, inputs.x_command, &mut shifted);
     if shifted.overwritten {
-        // The present command stands in its place; the shift is filled anew in the next cycle.
+        // The present command is used instead; the next cycle refills the delay.
         state.preset = false;
         outputs.fault = true;
         outputs.error_id = error_state();
@@ -243,7 +243,7 @@ pub fn lead<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// The additive velocity: of the feedforward, and where the drive controls the position, of improved position control too.
+/// The additive velocity of the feedforward, plus that of improved position control if the drive controls the position.
 #[portable]
 pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let adds = coeffs.adds && coeffs.location != Location::Cnc;
@@ -262,7 +262,7 @@ pub fn add_velocity<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &m
     }
 }
 
-/// Everything behind the position controller. `outputs.v_command` is its output already.
+/// The steps after the position controller. `outputs.v_command` already holds the controller's output.
 #[portable]
 pub fn put_out<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     outputs.limited = false;

@@ -1,4 +1,4 @@
-//! What goes into the block `position_control` and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `position_control`. Nothing is computed here.
 
 use portable::portable;
 
@@ -10,7 +10,8 @@ pub struct Inputs<R> {
     pub x_command: R,
     /// actual position, on the same turn as x_command [um or 0.001 deg]
     pub x_actual: R,
-    /// x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in double precision [um or 0.001 deg]
+    /// x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in double
+    /// precision [um or 0.001 deg]
     pub following_error: R,
     /// conventional feedforward [um/s or 0.001 deg/s]
     pub v_feedforward: R,
@@ -20,21 +21,24 @@ pub struct Inputs<R> {
     pub torque_feedforward: i32,
     /// additive velocity of improved position control [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then
+    /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the position
+    /// controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must be at x_actual
     pub position_controlled: bool,
-    /// while TRUE the same
+    /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls are a fault; the block restarts after a pause
     pub cycle_counter: u32,
 }
 
-/// Outputs. What the axis does not have is 0.
+/// Outputs. An output that the axis does not have is 0.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s or 0.001 deg/s]
+    /// output of the position controller with feedforward, before v_add is added: v_command of improved position control [um/s
+    /// or 0.001 deg/s]
     pub v_command: R,
     /// position control in the drive: the position command of the drive [um or 0.001 deg]
     pub x_drive: R,
@@ -46,10 +50,10 @@ pub struct Outputs<R> {
     pub additive_velocity: i32,
     /// additive torque command of the drive (P-AXIS-00325/00326) [increments]
     pub additive_torque: i32,
-    /// a process-data type cuts an output off in this cycle
+    /// an output is limited to the range of its process-data type in this cycle
     pub limited: bool,
-    /// the block cannot act in this cycle, the id says why
+    /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
-    /// each stops the block: 0 none
+    /// reason of the fault, which stops the block: 0 none
     pub error_id: u32,
 }

@@ -25,7 +25,7 @@ pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_
     }
 }
 
-/// largest lead of the position command, more than any spindle needs [0.001 deg]
+/// largest lead of the position command, above the need of any spindle [0.001 deg]
 #[portable]
 pub fn lead_limit<R: Real>() -> R {
     R::per_kind(1.0e9, 1.0e7)
@@ -38,7 +38,7 @@ pub fn ahead<R: Real>(x: R, way: R) -> R {
     if in_range(way, lead_limit()) {
         ahead = x + way;
     } else {
-        note("only what something else has overwritten comes here");
+        note("reached only if the block's memory was corrupted");
     }
     ahead
 }

@@ -72,7 +72,7 @@ pub fn hold_counts<R: Real>(state: &mut State<R>) {
     }
 }
 
-/// cycles that a state is counted for: more than any time that it may take
+/// upper bound of the cycle count of a state, above any permitted time
 #[portable]
 pub fn largest_count() -> u32 {
     4_000_000_000u32

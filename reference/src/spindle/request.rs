@@ -23,11 +23,11 @@ pub enum Job {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Request<R> {
-    /// what to do
+    /// kind of the request or job
     pub kind: Job,
-    /// how fast, below 0 in negative direction [0.001 deg/s]
+    /// speed, below 0 in negative direction [0.001 deg/s]
     pub speed: R,
-    /// where to [0.001 deg]
+    /// target position [0.001 deg]
     pub position: R,
 }
 
@@ -35,18 +35,18 @@ pub struct Request<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Before {
-    /// turn in positive direction
+    /// request m3 of the previous cycle
     pub m3: bool,
-    /// turn in negative direction
+    /// request m4 of the previous cycle
     pub m4: bool,
-    /// stop
+    /// request m5 of the previous cycle
     pub m5: bool,
-    /// stop at a position
+    /// request m19 of the previous cycle
     pub m19: bool,
-    /// give the axis away
+    /// request putax of the previous cycle
     pub putax: bool,
-    /// homing
+    /// request g74 of the previous cycle
     pub g74: bool,
-    /// whether one of them was
+    /// whether any request of the previous cycle was TRUE
     pub any: bool,
 }

@@ -28,15 +28,15 @@ pub struct Inputs<R> {
     pub m5: bool,
     /// request: stop at s_position, in negative direction if m4 is TRUE; counts when it becomes TRUE
     pub m19: bool,
-    /// request S[PUTAX]: give the axis away; counts when it becomes TRUE
+    /// request S[PUTAX]: release the axis; counts when it becomes TRUE
     pub putax: bool,
     /// request: homing; counts when it becomes TRUE
     pub g74: bool,
-    /// the interpolator has ended the job: M19, S[PUTAX] or G74
+    /// the interpolator has completed the job: M19, S[PUTAX] or G74
     pub job_done: bool,
     /// TRUE: the drive is on and has no fault
     pub drive_on: bool,
-    /// the operation mode that the drive says it is in: SERCOS S-0-0135, CANopen 6061h
+    /// the operation mode that the drive displays: SERCOS S-0-0135, CANopen 6061h
     pub operation_mode_display: i32,
     /// G135: TRUE, G137: FALSE
     pub feedforward_active: bool,
@@ -44,9 +44,9 @@ pub struct Inputs<R> {
     pub feedforward_percentage: i32,
     /// CNC reset, a level: the spindle goes back to position control and stops
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
     pub cycle_counter: u32,
 }
 
@@ -66,9 +66,9 @@ pub struct Outputs<R> {
     pub spindle_state: SpindleState,
     /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME (G74)
     pub job: Job,
-    /// counts the jobs: another number is another job
+    /// counts the jobs: a changed number means a new job
     pub job_number: u32,
-    /// requests that wait
+    /// number of waiting requests
     pub waiting: u32,
     /// the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h
     pub operation_mode: i32,
@@ -78,8 +78,8 @@ pub struct Outputs<R> {
     pub error_id: u32,
     /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be monitored
     pub loop_closed: bool,
-    /// the process-data type cuts velocity_command off in this cycle
+    /// velocity_command is limited to the range of its process-data type in this cycle
     pub limited: bool,
-    /// the block cannot act in this cycle, or the spindle is stopped; the id says why
+    /// the block cannot act in this cycle, or the spindle is stopped; the error id gives the reason
     pub fault: bool,
 }

@@ -29,7 +29,7 @@ pub struct Coeffs<R> {
     pub cycle_time_ns: u32,
     /// cycle time T [s]
     pub cycle_time: R,
-    /// whether the drive controls the position, and is told its mode
+    /// whether the drive controls the position and the block commands its operation mode
     pub in_drive: bool,
     /// Von: a faster TURN leads to velocity control [0.001 deg/s]
     pub v_velocity_control_on: R,
@@ -37,7 +37,7 @@ pub struct Coeffs<R> {
     pub v_position_control_on: R,
     /// -Voff [0.001 deg/s]
     pub v_position_control_on_negative: R,
-    /// by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s]
+    /// largest excess of |v_actual| over |v_spindle| at which position control is taken up [0.001 deg/s]
     pub window: R,
     /// Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s]
     pub v_taken_up: R,
@@ -57,13 +57,13 @@ pub struct Coeffs<R> {
     pub has_feedforward: bool,
     /// whether the feedforward is active despite G137 (P-AXIS-00255)
     pub default_active: bool,
-    /// by which each percent of the feedforward does [s]
+    /// decrease of the lead per percent of the feedforward [s]
     pub lead_time_per_percent: R,
-    /// largest step of the position command where the interpolator takes over [0.001 deg]
+    /// largest step of the position command when the interpolator takes over [0.001 deg]
     pub takeover_window: R,
     /// cycles within which the drive displays a new mode
     pub mode_cycles: u32,
-    /// cycles within which it does so when it has come on: two more
+    /// cycles within which the drive displays a new mode after it is switched on: two more than otherwise
     pub start_cycles: u32,
     /// cycles within which the spindle has braked
     pub brake_cycles: u32,
@@ -83,17 +83,17 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// what controls the spindle
+    /// state of the changeover
     pub control: SpindleState,
-    /// the same again: what has been overwritten differs
+    /// second copy of the state of the changeover, to detect corruption
     pub control_copy: SpindleState,
     /// cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included
     pub cycles: u32,
-    /// cycles in which v_actual has been settled
+    /// consecutive cycles in which v_actual has been settled
     pub settled: u32,
-    /// cycles in which a sample has been missing
+    /// consecutive cycles in which a sample has been missing
     pub missing: u32,
-    /// an error that stays until reset
+    /// error id that stays until reset, 0 none
     pub lasting_error: u32,
     /// what is known of a spindle that the block does not move yet
     pub seen: Seen<R>,
@@ -101,15 +101,15 @@ pub struct State<R> {
     pub catches: bool,
     /// whether velocity control is asked for
     pub asks_velocity: bool,
-    /// whether a reset leads back to position control
+    /// TRUE: a reset leads back to position control
     pub returns: bool,
     /// whether the block moves the spindle: position control is taken up at x_start; else the commands follow the spindle
     pub is_moving: bool,
-    /// whether the interpolator has to go on from x
+    /// TRUE: the interpolator must continue from the position command x
     pub takes_over: bool,
     /// the position command [0.001 deg]
     pub x: R,
-    /// where position control is taken up [0.001 deg]
+    /// position at which position control is taken up [0.001 deg]
     pub x_start: R,
     /// the velocity command [0.001 deg/s]
     pub v: R,
@@ -117,33 +117,33 @@ pub struct State<R> {
     pub present: Request<R>,
     /// whether the job is a TURN faster than Von
     pub turns_fast: bool,
-    /// how many jobs there were
+    /// number of jobs so far
     pub jobs: u32,
-    /// how many requests wait
+    /// number of waiting requests
     pub queued: u32,
     /// the requests that wait, the first one first
     pub request: [Request<R>; 4],
     /// the request inputs of the last cycle
     pub before: Before,
-    /// whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be a usual one
+    /// code of the usual cycle (fast path) that may be next: POSITION or VELOCITY without any request
     pub usual: u32,
     /// the rate of the calls
     pub call_rate: call_rate::State,
 }
 
-/// no usual cycle is next
+/// no usual cycle (fast path) is next
 #[portable]
 pub fn usual_none() -> u32 {
     0u32
 }
 
-/// the usual cycle of POSITION may be next: no flipped bit makes one of these codes another
+/// the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit is detected
 #[portable]
 pub fn usual_position() -> u32 {
     0x5555u32
 }
 
-/// the usual cycle of VELOCITY may be next
+/// the usual cycle (fast path) of VELOCITY may be next
 #[portable]
 pub fn usual_velocity() -> u32 {
     0xAAAAu32
@@ -153,15 +153,15 @@ pub fn usual_velocity() -> u32 {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Seen<R> {
-    /// cycles in a row with a sample, up to 3
+    /// consecutive cycles with a valid sample of v_actual, up to 3
     pub samples: u32,
-    /// cycles in a row in which it was slow enough for position control, up to 3
+    /// consecutive cycles in which v_actual was low enough for position control, up to 3
     pub slow: u32,
-    /// the last sample [0.001 deg/s]
+    /// v_actual of the previous cycle [0.001 deg/s]
     pub v_last: R,
-    /// the one before [0.001 deg/s]
+    /// v_actual of the cycle before the previous one [0.001 deg/s]
     pub v_before: R,
-    /// the median of the last three [0.001 deg/s]
+    /// median of the last three samples of v_actual [0.001 deg/s]
     pub v: R,
 }
 

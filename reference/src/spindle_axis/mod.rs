@@ -48,7 +48,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     axis::init(&mut state.axis);
 }
 
-/// What the changeover looks at.
+/// Copies the inputs of the changeover.
 #[portable]
 pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>) {
     copy!(spindle_inputs = inputs:
@@ -57,7 +57,7 @@ pub fn read<R: Real>(spindle_inputs: &mut spindle::Inputs<R>, inputs: &Inputs<R>
         cycle_counter);
 }
 
-/// Whether the drive may follow the position command in this cycle: then the axis acts.
+/// Whether the drive may follow the position command in this cycle, so that the axis acts.
 #[portable]
 pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> bool {
     control == SpindleState::Position
@@ -65,13 +65,14 @@ pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> b
         || coeffs.spindle.in_drive && !coeffs.spindle.only_velocity && control == SpindleState::ToPosition
 }
 
-/// largest position lag of the loop in the CNC: beyond half a turn it would act the other way [0.001 deg]
+/// largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way [0.001 deg]
 #[portable]
 pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// The lag is near half a turn: the loop opens in the next cycle, and the spindle is braked from what the drive gets, if that is slower.
+/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity that the drive gets,
+/// if that is slower.
 #[portable]
 pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
     let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
@@ -114,7 +115,7 @@ pub fn act<R: Real>(
     }
 }
 
-/// What the spindle and its axis put out.
+/// Writes the outputs of the spindle and its axis.
 #[portable]
 pub fn put_out<R: Real>(
     coeffs: &Coeffs<R>,
@@ -130,7 +131,7 @@ pub fn put_out<R: Real>(
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
 
-/// The id of the watch over the loop, which has tripped, stands where there is no fault.
+/// Shows the id of the tripped watch if there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {
@@ -180,7 +181,7 @@ pub fn close<R: Real>(
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
     if coeffs.axis.ipc.tuning.active && error_now == error_none() {
-        note("no fault: an input that tunes is held");
+        note("not a fault: a tuning input is invalid, its last valid value stays active");
         outputs.error_id = axis_outputs.error_id;
     }
     tell_trip(coeffs, &axis_outputs, outputs);
@@ -198,7 +199,7 @@ pub fn any_cycle<R: Real>(
 ) {
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
-    // What stops the spindle, or lets it go on without the interpolator, moves by its velocity alone.
+    // A spindle that is stopped, or goes on without the interpolator, moves by its velocity command alone.
     let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
     let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
     if follows {

@@ -1,10 +1,10 @@
-//! What goes into the block `spindle_axis` and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `spindle_axis`. Nothing is computed here.
 
 use crate::ipc::STAGES;
 use crate::spindle::{Job, SpindleState};
 use portable::portable;
 
-/// Inputs. What the spindle does not use may stay as it is.
+/// Inputs. Inputs that the spindle does not use are not read.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
@@ -24,9 +24,11 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [0.001 deg/s]
     pub v_direct: R,
-    /// with the key tunable: part of each stage's weight that acts, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of each stage's weight, 0 to 1; outside this range the last valid value stays active and
+    /// error_id reports it: not a fault
     pub tuning_weight: [R; STAGES],
-    /// with the key tunable: part of the limit (P-AXIS-00757) that holds, 0 to 1; anything else is held and told by error_id, and is no fault
+    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
+    /// and error_id reports it: not a fault
     pub tuning_limit: R,
     /// speed of a request, S word; its sign does not matter [0.001 deg/s]
     pub s_word: R,
@@ -40,15 +42,15 @@ pub struct Inputs<R> {
     pub m5: bool,
     /// request: stop at s_position, in negative direction if m4 is TRUE; counts when it becomes TRUE
     pub m19: bool,
-    /// request S[PUTAX]: give the axis away; counts when it becomes TRUE
+    /// request S[PUTAX]: release the axis; counts when it becomes TRUE
     pub putax: bool,
     /// request: homing; counts when it becomes TRUE
     pub g74: bool,
-    /// the interpolator has ended the job: M19, S[PUTAX] or G74
+    /// the interpolator has completed the job: M19, S[PUTAX] or G74
     pub job_done: bool,
     /// TRUE: the drive is on and has no fault
     pub drive_on: bool,
-    /// the operation mode that the drive says it is in: SERCOS S-0-0135, CANopen 6061h
+    /// the operation mode that the drive displays: SERCOS S-0-0135, CANopen 6061h
     pub operation_mode_display: i32,
     /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
@@ -58,13 +60,14 @@ pub struct Inputs<R> {
     pub feedforward_percentage: i32,
     /// CNC reset, a level: the spindle goes back to position control and stops
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
     pub cycle_counter: u32,
 }
 
-/// Outputs. What the spindle does not have is 0.
+/// Outputs. An output that the spindle does not have is 0.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
@@ -82,7 +85,7 @@ pub struct Outputs<R> {
     pub v_feedforward: R,
     /// additive velocity of improved position control [0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [0.001 deg/s]
+    /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [0.001 deg/s]
     pub v_add_calculated: R,
     /// position control in the drive: the position command of the drive [0.001 deg]
     pub x_drive: R,
@@ -90,9 +93,9 @@ pub struct Outputs<R> {
     pub spindle_state: SpindleState,
     /// what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME (G74)
     pub job: Job,
-    /// counts the jobs: another number is another job
+    /// counts the jobs: a changed number means a new job
     pub job_number: u32,
-    /// requests that wait
+    /// number of waiting requests
     pub waiting: u32,
     /// the operation mode that the drive is to take: SERCOS S-0-0134, CANopen 6060h
     pub operation_mode: i32,
@@ -104,16 +107,18 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// of several parts the last one's, or one of the changeover, which may stay until reset: 0 none
+    /// reason of the fault; of several faults that of the last part; a fault of the changeover may stay until reset: 0 none
     pub error_id: u32,
-    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be monitored
+    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be
+    /// monitored
     pub loop_closed: bool,
-    /// the limit of v_add or a process-data type cuts an output off in this cycle
+    /// v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle
     pub limited: bool,
-    /// a velocity that improved position control reads is bad, the last good one stands in its place (key ride_through)
+    /// a velocity sample of improved position control is bad and is replaced by the last good one (key ride_through)
     pub held: bool,
-    /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    /// improved position control found the loop unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE
+    /// (key watch)
     pub tripped: bool,
-    /// a part of the block cannot act in this cycle, or the spindle is stopped; the id says why
+    /// a part of the block cannot act in this cycle, or the spindle is stopped; the error id gives the reason
     pub fault: bool,
 }

@@ -1,20 +1,20 @@
 //! Improved position control whose numbers come from parameter sets: the block `ipc` of an axis with `tunable = "all"`.
 //!
-//! The cycle is that of [`crate::ipc`]; its structure (stages, modes, filters, cycle time) is known, its numbers are those of the set in
-//! use, which the state keeps. An offered set, which is one with another number, is taken over through the fade:
+//! The cycle is that of [`crate::ipc`]. The structure (stages, modes, filters, cycle time) is fixed; the numbers are those of
+//! the set in use, which is kept in the state. A set with another set number is offered, and is taken over through the fade:
 //!
 //! ```text
-//! offered         checked; refused: its id is told, and the set in use goes on
+//! offered         checked; if refused, the error id is reported and the set in use stays active
 //! fade out        as in DRYRUN
 //! fade at 0       checked again, taken over, all within one cycle; the sections start from the steady state of the present input
 //! fade in         as mode says
 //! ```
 //!
-//! The numbers in use stand in the state, twice. One of them is compared with its copy in each cycle. One that differs is an overwritten state
-//! (error 3). After it no set is in use, until the offered one has been checked and taken over anew. Nothing is added beyond the limit that the
-//! block was generated with, whatever the numbers say. A set is read once: its copy is checked, and the copy is taken over.
-//! A refused set is looked at again after fade_cycles cycles: what another task was just writing is whole by then. Before the first set
-//! is taken over nothing is added, and a refused one is a fault.
+//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a corrupted
+//! state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit that the block
+//! was generated with always applies, whatever the numbers are. A set is read once: the copy is checked, and the copy is taken
+//! over. A refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first
+//! set is taken over v_add is 0, and a refused set is a fault.
 
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
@@ -33,11 +33,11 @@ use portable::{Block, Enable, Fn, Off, Real, copy, from_u32, in_range, note, por
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Coeffs<R> {
-    /// the structure: a parameter set for another one is refused
+    /// id of the block structure: a parameter set for another structure is refused
     pub structure: u32,
     /// the number of the set that the block was generated with
     pub set_id: u32,
-    /// the block whose numbers come from sets, with its own
+    /// the block, with the numbers of the set that it was generated with
     pub ipc: ipc::Coeffs<R>,
 }
 
@@ -45,29 +45,29 @@ pub struct Coeffs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// the number of the set in use; 0: there is none
+    /// number of the set in use; 0: none
     pub set_id: u32,
-    /// the same while that set acts; 0: the block fades out for another set, or has none
+    /// number of the set in use while it acts; 0: the block fades out for another set, or no set is in use
     pub acting_set: u32,
-    /// the number of the set that is offered
+    /// number of the set that is offered
     pub offered_set: u32,
-    /// cycles until a refused set is looked at again
+    /// cycles until a refused set is checked again
     pub pause: u32,
-    /// why the last set was refused
+    /// error id of the last set that was refused
     pub refused: u32,
-    /// the number of the last set that was refused
+    /// number of the last set that was refused
     pub refused_set: u32,
     /// the numbers of the set in use
     pub now: Numbers<R>,
-    /// their copy; of a set that is offered, what was read
+    /// copy of the numbers in use, or the numbers read from an offered set
     pub copy: Numbers<R>,
-    /// which number is compared with its copy
+    /// the number to compare with its copy
     pub turn: turn::State,
     /// the cycle
     pub ipc: ipc::State<R>,
 }
 
-/// 1/2: half a word of 32 bits becomes a number that can be cut
+/// 1/2: scales each half of a 32-bit integer for the check word
 #[portable]
 pub fn half<R: Real>() -> R {
     R::lit(0.5)
@@ -77,7 +77,7 @@ pub fn half<R: Real>() -> R {
 #[portable]
 pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>, set_id: u32, offered: &Numbers<R>) {
     numbers::add_up(forming, &coeffs.ipc, offered);
-    // An integer in two halves, which are exact in every real type.
+    // Each integer is split into two halves, which are exact in every real type.
     let integers = [coeffs.structure, set_id];
     for i in 0..2 {
         let low_half = integers[i] % 65_536u32;
@@ -91,7 +91,7 @@ pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>, set_id: u32
     }
 }
 
-/// Why a set must not be taken over; none: it may be. `offered`: its numbers.
+/// The reason to refuse a set; no error: it is accepted. `offered`: its numbers.
 #[portable]
 pub fn error_of<R: Real>(coeffs: &Coeffs<R>, structure: u32, set_id: u32, check: &Word, offered: &Numbers<R>) -> u32 {
     let mut error = error_set_structure();
@@ -114,8 +114,8 @@ pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, acting_set: u32, tripp
     fade > 0u32 && (acting_set == 0u32 || coeffs.ipc.watch.active && tripped)
 }
 
-/// Whether the offered set was refused a short time ago. What something else has overwritten neither lengthens the time nor gives an id that
-/// no refusal has.
+/// Whether the offered set was refused a short time ago. A corrupted state can neither extend the pause nor produce an id that
+/// is not a refusal.
 #[portable]
 pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
     state.pause > 0u32
@@ -125,7 +125,7 @@ pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
         && state.refused <= error_set_damaged()
 }
 
-/// The set in use acts again: the copy is that of its numbers.
+/// The set in use acts again: copies its numbers.
 #[portable]
 pub fn go_back<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.acting_set = state.set_id;
@@ -133,7 +133,7 @@ pub fn go_back<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     turn::init(&mut state.turn);
 }
 
-/// A set is offered. Gives why it is refused; none: it is not.
+/// Handles an offered set. Returns the reason if it is refused.
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut refused = error_none();
@@ -164,7 +164,7 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     refused
 }
 
-/// No set is in use, and an offered one is looked at without a pause.
+/// No set is in use, and an offered set is checked without a pause.
 #[portable]
 pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.set_id = 0u32;
@@ -172,7 +172,7 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.pause = 0u32;
 }
 
-/// Compares the number whose turn it is with its copy. One that differs is an overwritten state.
+/// Compares the number whose turn it is with its copy. A difference is a corrupted state.
 #[portable]
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let turn = state.turn.next;
@@ -181,7 +181,7 @@ pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         state.turn.next = turn::differed();
     }
     if turn >= numbers {
-        note("every number has had its turn");
+        note("every number has been compared; the rest of the round is a pause");
         let end = numbers * turn::ROUND;
         if turn < end {
             state.turn.next = turn + 1i32;
@@ -190,21 +190,21 @@ pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         }
         if turn > end {
             note(
-                "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
+                "a number in use was corrupted: the next cycle reports the fault, then the block takes the offered set over again",
             );
             ipc::disturb(&mut state.ipc, &coeffs.ipc);
         }
     }
 }
 
-/// Before the first cycle: no set was taken over.
+/// Before the first cycle: no set is in use.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     drop_set(state);
     ipc::init(&mut state.ipc);
 }
 
-/// What the cycle of [`crate::ipc`] gets.
+/// Copies the inputs for the cycle of [`crate::ipc`].
 #[portable]
 pub fn hand_over<R: Real>(inputs: &Inputs<R>, mode: i32, ipc_inputs: &mut ipc::Inputs<R>) {
     copy!(ipc_inputs = inputs: v_command, v_motor, v_direct);
@@ -212,7 +212,7 @@ pub fn hand_over<R: Real>(inputs: &Inputs<R>, mode: i32, ipc_inputs: &mut ipc::I
     copy!(ipc_inputs = inputs: position_controlled, reset, task_cycle_ns);
 }
 
-/// Puts out what that cycle gives; `refused`: why an offered set is.
+/// Writes the outputs of the cycle of [`crate::ipc`]; `refused`: the reason if an offered set is refused.
 #[portable]
 pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32, outputs: &mut Outputs<R>) {
     copy!(outputs = ipc_outputs: v_add, v_add_calculated, limited, held, tripped, fault, error_id);
@@ -223,13 +223,13 @@ pub fn put_out<R: Real>(set_id: u32, ipc_outputs: &ipc::Outputs<R>, refused: u32
     outputs.active_set = set_id;
 }
 
-/// Nothing is added beyond the limit that the block was generated with, whatever has become of the numbers in use.
+/// Enforces the limit that the block was generated with, even if the numbers in use were corrupted.
 #[portable]
 pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, outputs: &mut ipc::Outputs<R>) {
-    // In OFF only v_add says what acts.
+    // In OFF v_add_calculated is 0, so v_add is checked, too.
     if !(in_range(outputs.v_add, coeffs.limit) && in_range(outputs.v_add_calculated, coeffs.limit)) {
         note(
-            "a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over anew",
+            "a number in use was corrupted: the next cycle reports the fault, then the block takes the offered set over again",
         );
         ipc::disturb(state, coeffs);
         outputs.v_add = R::ZERO;
@@ -246,12 +246,12 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     state.offered_set = inputs.params.set_id;
     ipc::count_call(&mut state.ipc, &coeffs.ipc, inputs.cycle_counter);
     if state.ipc.fade > coeffs.ipc.fade_cycles {
-        // The numbers in use may have been overwritten, too. The cycle reports the fault; the offered set is looked at in the next one.
+        // The numbers in use may be corrupted, too. This cycle reports the fault; the next one checks the offered set.
         drop_set(state);
     } else if state.offered_set != state.acting_set || state.acting_set == 0u32 {
         refused = offer(state, coeffs, &inputs.params);
         if state.set_id == 0u32 && ipc::is_mode(mode) {
-            // There are no numbers to run with.
+            // No set is in use.
             mode = ipc::mode_off();
         } else if state.acting_set == 0u32 && mode == ipc::mode_on() {
             mode = ipc::mode_dryrun();
@@ -262,7 +262,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, mode, &mut ipc_inputs);
     let mut ipc_outputs = ipc::Outputs::<R>::default();
-    // What has tripped stays so until the caller's own mode is not ON.
+    // The watch stays tripped until the caller's own mode is not ON.
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
     hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
@@ -272,8 +272,8 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
-/// One cycle. It begins with the usual one, in which the set in use is the one that is offered and nothing but the sections changes: it does what
-/// `any_cycle` does there, and asks for less.
+/// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It gives the same
+/// result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut ipc_inputs = ipc::Inputs::<R>::default();
@@ -314,7 +314,7 @@ pub fn numbers_of<R: Real>(ipc: &ipc::Coeffs<R>) -> Numbers<R> {
     }
 }
 
-/// The set that the numbers of a block make.
+/// The parameter set with the numbers of a block.
 pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
     let Coeffs { structure, set_id, ipc } = coeffs;
     let Numbers { limit, lower_limit, sum_limit, watch, stage } = numbers_of(ipc);
@@ -324,7 +324,7 @@ pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
     Params { structure, set_id, check: formed.word, limit, lower_limit, sum_limit, watch, stage }
 }
 
-/// Why the block would refuse a set that lies still; none: it would not.
+/// The reason why the block would refuse a set that does not change; no error: it accepts the set.
 pub fn refusal<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
     let mut offered = Numbers::<R>::default();
     numbers::read(&mut offered, &coeffs.ipc, params);

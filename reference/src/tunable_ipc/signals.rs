@@ -1,4 +1,4 @@
-//! What goes into the block `ipc` whose numbers come from parameter sets, and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `ipc` whose numbers come from parameter sets. Nothing is computed here.
 
 use crate::ipc::numbers::Params;
 use portable::portable;
@@ -7,21 +7,24 @@ use portable::portable;
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Inputs<R> {
-    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT (P-AXIS-00753)
+    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]; input of SET_POINT
+    /// (P-AXIS-00753)
     pub v_command: R,
     /// velocity of the motor encoder, v_ist1 [um/s or 0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753)
     pub v_motor: R,
-    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key direct_source
+    /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key
+    /// direct_source
     pub v_direct: R,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
     pub mode: i32,
-    /// FALSE: the axis is not in position control, the output is 0 at once
+    /// FALSE: the axis is not in position control: v_add is 0 at once
     pub position_controlled: bool,
-    /// while TRUE the output is 0 and the states follow the input
+    /// while TRUE v_add is 0 and the filter states follow the input
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: the controller's cycles, counted; 0: unchecked, in TwinCAT those of the task; skipped and doubled calls are a fault, and after a pause everything starts anew
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used;
+    /// skipped and doubled calls are a fault; the block restarts after a pause
     pub cycle_counter: u32,
     /// the parameter set
     pub params: Params<R>,
@@ -31,20 +34,20 @@ pub struct Inputs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// velocity to add to the manipulated variable [um/s or 0.001 deg/s]
+    /// additive velocity of improved position control, to be added to the manipulated variable [um/s or 0.001 deg/s]
     pub v_add: R,
-    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s or 0.001 deg/s]
+    /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s or 0.001 deg/s]
     pub v_add_calculated: R,
-    /// the limit of the parameter set acts in this cycle
+    /// the sum of the stages is above the limit of the parameter set in this cycle
     pub limited: bool,
-    /// a sample is bad, the last good one stands in its place (key ride_through)
+    /// a sample is bad and is replaced by the last good one (key ride_through)
     pub held: bool,
-    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON, or reset (key watch)
+    /// the loop was found unstable: v_add fades out and stays 0 until mode is not ON or reset is TRUE (key watch)
     pub tripped: bool,
-    /// the block cannot act in this cycle, the id says why
+    /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
     /// 0 none
     pub error_id: u32,
-    /// the number of the parameter set in use; 0: none was taken over
+    /// number of the parameter set in use; 0: none
     pub active_set: u32,
 }

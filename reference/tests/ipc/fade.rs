@@ -58,7 +58,7 @@ fn dryrun_never_resets_a_filter<R: Real>() {
 }
 
 /// Off for a shorter time than the fade takes to 0, and the filters run on; for that time or longer, and the block
-/// starts anew: exactly there.
+/// restarts: exactly there.
 fn off_resets_the_filters_where_it_has_faded_out<R: Real>() {
     for off in 1..=2 * FADE_CYCLES {
         let (mut block, mut twin) = (example::<R>().running(), example::<R>().running());

@@ -58,7 +58,7 @@ fn a_reset_is_a_level_and_the_states_follow_the_input<R: Real>() {
     }
 }
 
-/// Of two reasons the first in the order samples, cycle time, state, mode is told.
+/// Of two reasons the first in the order samples, cycle time, state, mode is reported.
 fn reasons_have_an_order<R: Real>() {
     let nan = R::lit(f64::NAN);
     let mut from_load = direct::<R>();
@@ -83,7 +83,7 @@ fn reasons_have_an_order<R: Real>() {
     assert_eq!(all_bits(&block.step()), (0, 0, false, false, 0));
 }
 
-/// Whatever the caller wants: one cycle tells it, then the block is like a new one.
+/// Whatever the caller wants: one cycle reports it, then the block is like a new one.
 fn an_overwritten_fade_is_a_fault<R: Real>() {
     for (mode, slave) in [(0, false), (1, false), (2, false), (0, true)] {
         for (beyond, position_controlled, reset) in

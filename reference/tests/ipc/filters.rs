@@ -9,7 +9,7 @@ use reference::stage::{DirectSource, Mode};
 const VELOCITIES: [f64; 8] = [0.0, 1.0, -1.0, 0.1, 1e-20, 530_000.0, -123_456.789, 9.9e8];
 
 /// Switched on while the axis moves at a constant velocity: not the last bit of an output.
-fn a_constant_velocity_gives_exactly_0_behind_a_band_pass<R: Real>() {
+fn a_constant_velocity_gives_exactly_0_after_a_band_pass<R: Real>() {
     for v in VELOCITIES.map(R::lit) {
         let mut block = Bench::<R>::new(&[direct()]);
         for cycle in 0..5_000 {
@@ -19,8 +19,9 @@ fn a_constant_velocity_gives_exactly_0_behind_a_band_pass<R: Real>() {
     }
 }
 
-/// Behind a simulated oscillation what remains in double precision is rounding; in single precision the oscillation sees no change.
-fn a_constant_velocity_gives_next_to_nothing_behind_an_oscillation<R: Real>() {
+/// After a simulated oscillation what remains in double precision is rounding; in single precision the oscillation sees no
+/// change.
+fn a_constant_velocity_gives_next_to_nothing_after_an_oscillation<R: Real>() {
     let least = R::per_kind(1e-12, 0.0);
     for (v, mode) in VELOCITIES.into_iter().flat_map(|v| [(R::lit(v), Mode::Indirect), (R::lit(v), Mode::SetPoint)]) {
         let mut block = Bench::<R>::new(&[simulated(mode)]);
@@ -75,8 +76,8 @@ fn is_normal_or_0(leaf: Literal) -> bool {
 }
 
 in_both_real_types! {
-    a_constant_velocity_gives_exactly_0_behind_a_band_pass
-    a_constant_velocity_gives_next_to_nothing_behind_an_oscillation
+    a_constant_velocity_gives_exactly_0_after_a_band_pass
+    a_constant_velocity_gives_next_to_nothing_after_an_oscillation
     the_stages_are_summed_in_their_order
     rest_is_exactly_0_without_subnormal_numbers
 }

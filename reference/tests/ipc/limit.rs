@@ -21,7 +21,7 @@ fn it_cuts_the_sum_and_leaves_the_filters_alone<R: Real>() {
         };
         assert_eq!(bits(found.v_add_calculated), bits(expected));
         assert_eq!(found.limited, bits(expected) != bits(sum));
-        assert!(!free.limited && !found.fault, "the limit is no fault");
+        assert!(!free.limited && !found.fault, "reaching the limit is not a fault");
         assert_eq!(leaves(&block), leaves(&twin));
         above += u32::from(sum > limit);
         below += u32::from(sum < -limit);

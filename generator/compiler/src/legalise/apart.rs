@@ -1,5 +1,5 @@
-//! Puts what seldom runs apart: the last `else` of a block that begins with the cycles that mostly run. C calls it in last place as a function
-//! of its own, so that a usual cycle saves no register for it.
+//! Separates the rare path: the last `else` of a block that begins with the fast path. In C it becomes a function of its own,
+//! called last, so that the fast path does not save registers.
 
 use crate::pass::Defect;
 use crate::program::{Program, Statement, Var};
@@ -15,7 +15,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// What no condition of the last chain of questions holds for.
+/// The last `else` of the last chain of conditions.
 fn last_else(list: &mut [Statement]) -> Option<&mut Vec<Statement>> {
     let Some(Statement::If { otherwise, .. }) = list.last_mut() else { return None };
     let goes_on = matches!(otherwise[..], [Statement::If { .. }]);

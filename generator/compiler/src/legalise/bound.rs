@@ -35,7 +35,7 @@ fn without_sign(part: &mut Expr, constants: &[Constant], compared: &[Intrinsic])
             *part = Expr::Literal(match operand.known(constants) {
                 Some(Literal::F32(value)) => Literal::F32(-value),
                 Some(Literal::F64(value)) => Literal::F64(-value),
-                other => panic!("bound: {other:?} is no real 0"),
+                other => panic!("bound: {other:?} is not 0.0"),
             });
         }
         _ => {}

@@ -1,5 +1,5 @@
-//! Writes what is known as soon as it is known: an assignment of a value that is there already moves before the branches that have nothing
-//! to do with it. Compilers then need not keep the value, nor bring the branches together for it.
+//! Moves an assignment of a value that is already known before the branches that do not affect it. Compilers then need not keep
+//! the value, nor join the branches for it.
 //!
 //! ```text
 //! if a { .. } else { .. }          x_drive := x_command
@@ -24,7 +24,7 @@ fn in_list(list: &mut Vec<Statement>) {
     list.iter_mut().for_each(|statement| statement.branches_mut().for_each(in_list));
 }
 
-/// Where a statement may stand among those before it; none: where it is.
+/// The earliest place to which a statement may move; `None`: it stays.
 fn place(before: &[Statement], statement: &Statement) -> Option<usize> {
     let Statement::Assign { target: target @ (Var::Output(_) | Var::State(_)), value } = statement else { return None };
     let known = match value {

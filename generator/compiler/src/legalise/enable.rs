@@ -1,4 +1,4 @@
-//! Puts the signals around a block that users of PLCopen-style function blocks expect: Enable, Valid, Busy, Error, ErrorID, NoticeID.
+//! Adds the signals of PLCopen function blocks to a block: Enable, Valid, Busy, Error, ErrorID, NoticeID.
 
 use crate::pass::Defect;
 use crate::program::{Constant, Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
@@ -6,15 +6,15 @@ use portable::{Binary, Brake, Literal};
 
 /// The outputs that get another name, and that name.
 pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorID")];
-/// The output of a block that may name what is not a fault.
+/// The output with the id of a notice, which is not a fault.
 pub const NOTICE: &str = "NoticeID";
 /// The ids that may stand at `error_id` without a fault, by the names of their functions in the reference.
 pub const NOTICES: [&str; 5] =
     ["error_tuning", "error_unstable", "error_set_structure", "error_set_unsound", "error_set_damaged"];
-/// Those of them that are never a fault.
+/// The ids among [`NOTICES`] that are never a fault.
 pub const ONLY_NOTICES: [&str; 2] = ["error_tuning", "error_unstable"];
 
-/// What the signals of a cycle follow from, for those who know the outputs of the block without them.
+/// The data from which the signals of a cycle follow, for callers that know the block's own outputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Cycle {
     pub fault: bool,
@@ -41,10 +41,11 @@ impl Cycle {
 
 /// The program with these signals, which come before the others.
 ///
-/// - `Enable` FALSE acts as what turns the block off: mode OFF, or a BOOL; TRUE as that input says.
+/// - `Enable` FALSE turns the block off: mode OFF, or a BOOL; with TRUE that input applies.
 /// - `Busy`: enabled, or not yet at rest: it fades out, or it brakes.
-/// - `Valid`: `Busy`, and no fault in this cycle. So it falls with the last value that was to be used, not before it.
-/// - `Error`, `ErrorID`: `fault` and its id while `Busy` is TRUE: what `Enable` FALSE has brought to rest shows no error.
+/// - `Valid`: `Busy`, and no fault in this cycle. It falls with the last value to be used, not earlier.
+/// - `Error`, `ErrorID`: `fault` and its id while `Busy` is TRUE: a block that `Enable` FALSE has brought to rest shows no
+///   error.
 /// - `NoticeID`: `error_id` in a cycle without a fault.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let missing = |what: &str| Defect { pass: "enable", message: format!("{} has no {what}", program.block) };
@@ -63,7 +64,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
-    // What the block reads is no longer the input, but what `Enable` makes of it.
+    // The block reads the input combined with `Enable` instead of the input.
     let (input, enabled) = (Var::Input(switch.input + 1), Var::Local(program.locals.len()));
     let variable = &program.inputs[switch.input + 1];
     program.locals.push(Local { path: format!("{}_enabled", variable.path), ty: Some(variable.ty) });
@@ -86,7 +87,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Writes the signals, behind all that the block does.
+/// Writes the signals after all statements of the block.
 fn put_out(program: &mut Program, is_busy: Expr) {
     let [valid, busy, error, error_id, notice] = [0, 1, 2, 3, 4].map(Var::Output);
     let and = |left, right| Expr::binary(Binary::And, left, right);
@@ -131,8 +132,8 @@ fn has_notices(program: &Program) -> bool {
     program.constants.iter().any(|constant| NOTICES.contains(&constant.path.as_str()))
 }
 
-/// Puts the new signals before the others, which nothing reads or writes yet, and the two that get another name behind them; gives
-/// where each output is then.
+/// Inserts the new signals before the others; the two renamed outputs follow them. Returns the new position of each output. No
+/// statement uses the new signals yet.
 fn add_signals(program: &mut Program, off: &Off, renamed: [usize; 2]) -> impl Fn(usize) -> Var + use<> {
     let bool = |path: &str, doc| Variable { path: path.to_owned(), doc, ty: Type::Bool, start: Literal::Bool(false) };
     let [of_enable, of_valid, of_busy] = docs(off);
@@ -168,28 +169,28 @@ fn add_signals(program: &mut Program, off: &Off, renamed: [usize; 2]) -> impl Fn
 }
 
 const OF_ERRORS: [&str; 2] = [
-    "a fault while Busy is TRUE; ErrorID says why. Enable FALSE ends it as soon as the block is at rest",
+    "fault while Busy is TRUE; ErrorID gives the reason. After Enable FALSE it ends as soon as the block is at rest",
     "why Error is TRUE: 0 none",
 ];
-const OF_NOTICE: &str = "what needs attention and is not a fault: 0 none";
+const OF_NOTICE: &str = "id of a notice: it needs attention but is not a fault: 0 none";
 
 /// What the signals mean, by what turns the block off.
 fn docs(off: &Off) -> [&'static str; 3] {
     match off {
         Off::Mode(..) => [
-            "FALSE acts as mode OFF: v_add fades out; TRUE as mode says",
-            "add v_add: enabled, or still fading out, and no fault in this cycle",
-            "enabled, or still fading out: go on calling the block",
+            "FALSE: acts as mode OFF, v_add fades out; TRUE: the input mode applies",
+            "TRUE: add v_add; the block is enabled or still fades out, and has no fault in this cycle",
+            "TRUE: keep calling the block; it is enabled or still fades out",
         ],
         Off::False => [
-            "FALSE acts as position_controlled FALSE, at once and without a ramp; TRUE as position_controlled says",
-            "enabled, and no fault of any part in this cycle; the outputs hold in any case, do not gate them with it",
-            "enabled: go on calling the block",
+            "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
+            "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+            "TRUE: keep calling the block; it is enabled",
         ],
         Off::Brake(_) => [
-            "FALSE acts as reset TRUE: the spindle brakes, and stands still under position control; TRUE as reset says",
-            "enabled, or still braking, and no fault in this cycle; the outputs hold in any case, do not gate them with it",
-            "enabled, still turning, or not back from velocity control: go on calling the block",
+            "FALSE: acts as reset TRUE, the spindle brakes to standstill under position control; TRUE: the input reset applies",
+            "TRUE: enabled or still braking, and no fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
+            "TRUE: keep calling the block; it is enabled, the spindle turns, or it is not yet back from velocity control",
         ],
     }
 }

@@ -72,7 +72,7 @@ pub const WITH_TASK: &[Stage] = &{
     passes
 };
 
-/// Those of the passes that change a program.
+/// The passes that change a program.
 pub fn needed<'s>(program: &Program, passes: &'s [Stage]) -> &'s [Stage] {
     match passes {
         [("filled", _), others @ ..] if !task::is_needed(program) => others,

@@ -25,7 +25,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     if is_used {
         program.constants.push(Constant {
             path: "nearly_half".to_owned(),
-            doc: "the largest number below 1/2, added before a number is truncated so that it is rounded",
+            doc: "largest number below 1/2, added before truncation in order to round",
             value: match real {
                 RealKind::F64 => Literal::F64(nearly_half()),
                 RealKind::F32 => Literal::F32(nearly_half()),

@@ -1,4 +1,4 @@
-//! Gives every condition that is negated a BOOL of its own: one compiler translates `NOT` before an expression wrongly.
+//! Assigns every negated condition to a BOOL of its own: one compiler translates `NOT` before an expression wrongly.
 //!
 //! ```text
 //! IF NOT ((mode = 1) OR (mode = 2)) THEN   ->   mode_fits := (mode = 1) OR (mode = 2); IF NOT mode_fits THEN

@@ -13,7 +13,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
             let known = constants[first..].iter().position(|constant| constant.value == value);
             let number = known.unwrap_or_else(|| {
                 let path = name_of(value);
-                constants.push(Constant { path, doc: "a number of the algorithm", value, origin: Origin::Function });
+                constants.push(Constant { path, doc: "constant of the algorithm", value, origin: Origin::Function });
                 constants.len() - 1 - first
             });
             *part = Expr::Var(Var::Constant(first + number));
@@ -27,7 +27,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// The same where reals are single: the digits of an LREAL may stand beside an LREAL.
+/// Names the operands in single precision only: the digits of an LREAL may stand next to an LREAL.
 pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
 }
@@ -37,7 +37,7 @@ fn name_of(value: Literal) -> String {
     let digits = match value {
         Literal::F64(value) => format!("{value:?}"),
         Literal::F32(value) => format!("{value:?}"),
-        other => panic!("operands: {other:?} is no real number"),
+        other => panic!("operands: {other:?} is not a real"),
     };
     match digits.as_str() {
         "0.0" => "zero".to_owned(),

@@ -1,5 +1,5 @@
-//! Leaves out the signals that an axis does not have: inputs that no cycle reads, and outputs that are always what they are at the
-//! start. A caller cannot connect them by mistake.
+//! Leaves out the signals that an axis does not have: inputs that no cycle reads, and outputs that keep their start value. A
+//! caller cannot connect them by mistake.
 
 use crate::pass::{Defect, prune};
 use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, rename, rewrite};
@@ -10,18 +10,18 @@ pub struct Own {
     pub program: Program,
     /// the position that each of its inputs has among all
     pub inputs: Vec<usize>,
-    /// the same for its outputs
+    /// the position that each of its outputs has among all
     pub outputs: Vec<usize>,
 }
 
 impl Own {
-    /// Its inputs that are no parameter set, by their position among all.
+    /// Its inputs outside the parameter set, by their position among all.
     pub fn signals(&self) -> Vec<usize> {
         let places = self.program.inputs.iter().zip(&self.inputs);
         places.filter(|(input, _)| self.program.in_set(input).is_none()).map(|(_, position)| *position).collect()
     }
 
-    /// Its real inputs that are no parameter set.
+    /// Its real inputs outside the parameter set.
     pub fn reals(&self) -> Vec<RealInput> {
         let is_wanted = |input: &Variable| input.ty == Type::Real && self.program.in_set(input).is_none();
         let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| is_wanted(input));
@@ -42,7 +42,7 @@ pub struct RealInput {
     pub position: usize,
     /// its position among those that the axis has
     pub own: usize,
-    /// whether it is a part of something, from 0 to 1, and no sample
+    /// whether it is a fraction from 0 to 1, not a sample
     pub is_fraction: bool,
 }
 
@@ -85,7 +85,7 @@ fn read(program: &Program) -> Vec<bool> {
     read
 }
 
-/// Which outputs are ever anything but what they are at the start.
+/// Which outputs ever differ from their start value.
 fn changing(program: &Program) -> Vec<bool> {
     let mut changing = vec![false; program.outputs.len()];
     for statement in &program.step {
@@ -98,7 +98,7 @@ fn changing(program: &Program) -> Vec<bool> {
     changing
 }
 
-/// Takes the outputs that do not change out of the statements: their value stands in their place.
+/// Replaces the outputs that do not change by their value.
 fn drop_outputs(program: &mut Program, changing: &[bool]) {
     let outputs = &program.outputs;
     map_expressions(&mut program.step, &mut |expr| {
@@ -116,7 +116,7 @@ fn drop_outputs(program: &mut Program, changing: &[bool]) {
     });
 }
 
-/// Keeps some of the variables; gives the position that each of them had.
+/// Keeps some of the variables; returns the position that each of them had.
 fn retain(variables: &mut Vec<Variable>, is_kept: &[bool]) -> Vec<usize> {
     let mut flags = is_kept.iter();
     variables.retain(|_| flags.next() == Some(&true));

@@ -1,5 +1,5 @@
-//! Lets every statement on REAL do one operation: a compiler that evaluates an expression in double precision rounds each result once,
-//! where it is assigned. The double of an operation on two REALs, rounded to REAL, is what REAL itself gives.
+//! Splits statements on REAL into one operation each: a compiler that evaluates an expression in double precision rounds each
+//! result once, where it is assigned. The double of an operation on two REALs, rounded to REAL, is what REAL itself gives.
 //!
 //! ```text
 //! y := a * x + s;   ->   a_times_x := a * x; y := a_times_x + s;
@@ -27,8 +27,8 @@ pub(super) fn run(program: Program) -> Result<Program, Defect> {
     }))
 }
 
-/// Names the operations in an expression, inner ones first. A sign stands before a variable only: the operand of a sign has none, nor
-/// has the bound of a magnitude, before which one is printed.
+/// Names the operations in an expression, inner ones first. A sign stands before a variable only: the operand of a sign has
+/// none, nor has the bound of a magnitude, before which one is printed.
 fn part(expr: &mut Expr, before: &mut Before<'_>) {
     let signed = match expr {
         Expr::Unary(Unary::Negate, _) => Some(0),

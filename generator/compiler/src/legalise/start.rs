@@ -1,5 +1,5 @@
-//! Moves what `init` does into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not every
-//! one applies initial values. An `init` that assigns nothing but 0 and FALSE is dropped.
+//! Moves the assignments of `init` into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not
+//! every one applies initial values. An `init` that assigns only 0 and FALSE is dropped.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var, Variable};
@@ -13,7 +13,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let started = Var::State(program.state.len());
     program.state.push(Variable {
         path: "started".to_owned(),
-        doc: "whether the first cycle has begun",
+        doc: "TRUE from the first cycle on",
         ty: Type::Bool,
         start: Literal::Bool(false),
     });

@@ -1,4 +1,4 @@
-//! Takes away what says that a part of the state is read from memory: Structured Text has no registers.
+//! Removes the operation that forces a read of the state from memory: Structured Text has no registers.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, map_expressions};

@@ -1,4 +1,4 @@
-//! Lets a block that counts its calls take the counter and the cycle time of its task where the caller gives none.
+//! A block that counts its calls reads the counter and the cycle time of its task if the caller passes 0.
 //!
 //! ```text
 //! IF cycle_counter = 0 THEN seen := the task's count ELSE seen := cycle_counter
@@ -36,7 +36,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         let known = Var::Constant(program.constants.len());
         program.constants.push(Constant {
             path: format!("task_{path}"),
-            doc: "what the controller's runtime knows of the task; 0 where there is no task",
+            doc: "task information of the controller's runtime; 0 without a task",
             value: Literal::U32(0),
             origin: Origin::Runtime(text),
         });

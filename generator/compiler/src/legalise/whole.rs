@@ -1,4 +1,4 @@
-//! Lets `init` give every part of the state a value: what looks at memory finds none there that nobody wrote.
+//! Makes `init` assign every part of the state, so that a memory checker finds no uninitialised memory.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Var};
@@ -24,7 +24,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// The part of the state that gets a value which nothing else decides.
+/// The part of the state that gets a constant value.
 fn place(statement: &Statement) -> Option<usize> {
     match statement {
         Statement::Assign { target: Var::State(index), value: Expr::Literal(_) | Expr::Var(Var::Constant(_)) } => {

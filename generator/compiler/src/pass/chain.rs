@@ -23,7 +23,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 fn in_list(list: &mut Vec<Statement>, conditions: &Conditions<'_>) {
     list.iter_mut().flat_map(Statement::branches_mut).for_each(|list| in_list(list, conditions));
     let mut done: Vec<Statement> = Vec::new();
-    // From behind, so that the rest of a chain is one statement already.
+    // From the end, so that the rest of a chain is one statement already.
     for statement in std::mem::take(list).into_iter().rev() {
         match (statement, done.pop()) {
             (Statement::If { condition, then, otherwise }, Some(rest))

@@ -11,7 +11,8 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Keeps what of a list is read afterwards; `read` is what is read behind the list, afterwards what is read before it.
+/// Keeps the assignments of a list that are read later. `read`: the variables read after the list; on return, those read before
+/// it.
 fn live(list: &mut Vec<Statement>, read: &mut Table<bool>) {
     let mut kept: Vec<Statement> = std::mem::take(list).into_iter().rev().filter_map(|it| keep(it, read)).collect();
     kept.reverse();

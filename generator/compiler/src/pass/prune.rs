@@ -23,7 +23,7 @@ fn live_variables(program: &Program) -> Table<bool> {
     live
 }
 
-/// Marks what the live part of a statement reads; tells whether there is such a part.
+/// Marks what the live part of a statement reads; reports whether there is such a part.
 fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool {
     let is_target_live = matches!(statement, Statement::Assign { target, .. } if live[*target]);
     let alive =

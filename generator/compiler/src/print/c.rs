@@ -1,4 +1,4 @@
-//! What C99 is to the printer.
+//! The description of C99 for the printer.
 
 use super::language::{Appearance, Cases, Form, Language, Level};
 use super::number::decimal;
@@ -22,7 +22,7 @@ pub static LANGUAGE: Language = Language {
         (text, level)
     },
     symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
-    // `&&` beside `||` is legal and misread.
+    // `&&` next to `||` is legal and easily misread.
     logic: [Level::And, Level::Comparison],
     form,
     has_enumerations: true,
@@ -35,7 +35,7 @@ pub static LANGUAGE: Language = Language {
     assign: " =",
     choice: ["if (", "} else if (", ") {", "} else {", "}"],
     // MISRA C:2012 15.7
-    nothing_else: Some("/* nothing else is to be done */"),
+    nothing_else: Some("/* no action */"),
     cases: Cases {
         asks: ["switch (", ") {"],
         label: ["case ", ": case ", ": {"],
@@ -64,8 +64,8 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .collect()
 });
 
-/// What a caller may write or read by name is a number of an enumeration, as is what chooses a `case`: to C a `const` is none. Any
-/// other number is a constant of the function that reads it; one that both functions of a cycle read stands above them.
+/// What a caller may write or read by name is a number of an enumeration, as is what chooses a `case`: to C a `const` is none.
+/// Any other number is a constant of the function that reads it; one that both functions of a cycle read stands above them.
 fn appearances(program: &Program, signals: &[Signal]) -> Vec<Appearance> {
     let [all, apart] = [&program.step[..], program.apart()].map(|list| readings(list, program.constants.len()));
     let appearance = |(index, constant): (usize, &Constant)| match constant.origin {

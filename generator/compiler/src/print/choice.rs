@@ -8,8 +8,8 @@ use pretty::DocAllocator;
 impl<'d> Layout<'d> {
     pub(super) fn choice(&self, by: &'d Expr, arms: &'d [Arm], declared: &mut [bool]) -> Doc<'d> {
         let cases = &self.printer.language.cases;
-        let [before, behind] = cases.asks;
-        let mut doc = self.arena.text(before).append(self.expr(by).doc).append(behind);
+        let [before, after] = cases.asks;
+        let mut doc = self.arena.text(before).append(self.expr(by).doc).append(after);
         let (last, named) = arms.split_last().expect("print: a choice has arms");
         for arm in named {
             doc = doc.append(self.hardline).append(self.labels(&arm.labels)).append(self.arm(&arm.body, declared));
@@ -26,26 +26,26 @@ impl<'d> Layout<'d> {
     }
 
     fn arm(&self, body: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
-        let [inside, behind] = self.printer.language.cases.ends;
+        let [inside, after] = self.printer.language.cases.ends;
         let mut list = self.list(body, declared);
         if !inside.is_empty() {
             list = list.append(self.hardline).append(inside);
         }
         let list = list.nest(INDENTATION);
-        if behind.is_empty() { list } else { list.append(self.hardline).append(behind) }
+        if after.is_empty() { list } else { list.append(self.hardline).append(after) }
     }
 
     /// The numbers that choose a list.
     fn labels(&self, labels: &[Expr]) -> Doc<'d> {
-        let Cases { label: [before, between, behind], by_name, .. } = self.printer.language.cases;
+        let Cases { label: [before, between, after], by_name, .. } = self.printer.language.cases;
         let names = self.names(labels);
         self.arena.text(if by_name && !names.is_empty() {
-            format!("{before}{}{behind}", names.join(between))
+            format!("{before}{}{after}", names.join(between))
         } else {
             let digits: Vec<String> = labels.iter().map(|label| self.digits(label)).collect();
             let [open, _, close] = self.printer.language.comment;
             let note = if names.is_empty() { String::new() } else { format!(" {open}{}{close}", names.join(", ")) };
-            format!("{before}{}{behind}{note}", digits.join(between))
+            format!("{before}{}{after}{note}", digits.join(between))
         })
     }
 

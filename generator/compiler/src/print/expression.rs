@@ -37,7 +37,7 @@ impl<'d> Layout<'d> {
         let (level, [mut left_least, mut right_least]) = match operator {
             Binary::Add | Binary::Subtract => (Level::Sum, [Level::Sum, Level::Product]),
             Binary::Multiply | Binary::Divide => (Level::Product, [Level::Product, Level::Primary]),
-            // How tightly a remainder binds beside other operators is easily misread.
+            // The precedence of a remainder is easily misread.
             Binary::Remainder => (Level::Any, [Level::Primary; 2]),
             Binary::And => (Level::And, [language.logic[0]; 2]),
             Binary::Or => (Level::Or, [language.logic[1]; 2]),

@@ -1,4 +1,4 @@
-//! What a language is to the printer: data and small functions. No walk over a program.
+//! The description of a language for the printer: data and small functions. No walk over a program.
 
 use crate::program::values::Signal;
 use crate::program::{Expr, Program, Type};
@@ -7,7 +7,7 @@ use portable::{Literal, RealKind};
 /// How tightly an expression binds, loosest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Level {
-    /// gets parentheses beside every operator
+    /// gets parentheses next to every operator
     Any,
     Or,
     And,
@@ -27,8 +27,8 @@ pub enum Level {
 pub struct Language {
     /// whether the language, or a block's own text, keeps a word for itself
     pub(super) is_reserved: fn(&str) -> bool,
-    /// the characters in which names of one scope must differ; a longer name loses parts of its path where that shortens it enough.
-    /// `None`: all of them count
+    /// the characters in which names of one scope must differ; a longer name loses parts of its path where that shortens it
+    /// enough. `None`: all of them count
     pub(super) significant: Option<usize>,
     /// names that are given as they are, although they are reserved: signals that a legalising pass adds
     pub(super) kept: &'static [&'static str],
@@ -61,10 +61,11 @@ pub struct Language {
     pub(super) locals: Option<[Declaration; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
-    /// the texts of an `if`: before the first condition, before each further one, behind a condition, before the statements
+    /// the texts of an `if`: before the first condition, before each further one, after a condition, before the statements
     /// for which no condition holds, at the end
     pub(super) choice: [&'static str; 5],
-    /// the comment in the `else` that ends a chain of questions in which nothing is left to do; `None`: a chain needs no such end
+    /// the comment in the `else` that ends a chain of questions in which nothing is left to do; `None`: a chain needs no such
+    /// end
     pub(super) nothing_else: Option<&'static str>,
     /// how a choice by a number is written
     pub(super) cases: Cases,
@@ -80,9 +81,9 @@ pub(super) type Declaration = fn(&str, &str) -> String;
 /// How a choice by a number is written.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cases {
-    /// before and behind what is asked
+    /// before and after the selecting expression
     pub asks: [&'static str; 2],
-    /// before the first number that chooses a list, between two, behind the last
+    /// before the first label of a list, between two labels, after the last one
     pub label: [&'static str; 3],
     /// whether numbers stand there by their names, else as digits with the names in a comment
     pub by_name: bool,
@@ -90,7 +91,7 @@ pub(super) struct Cases {
     pub others: &'static str,
     /// for every other number, where there is nothing to do
     pub nothing: &'static str,
-    /// at the end of each list, inside it and behind it
+    /// at the end of each list, inside it and after it
     pub ends: [&'static str; 2],
     /// at the end
     pub end: &'static str,
@@ -111,8 +112,8 @@ impl Language {
 /// How an operation is written.
 pub(super) struct Form {
     pub level: Level,
-    /// its text: `{0}` and `{1}` are its operands, `{block}` is what the names of the block begin with, a line break is a blank or, in a
-    /// line that is too long, a new line
+    /// its text: `{0}` and `{1}` are its operands, `{block}` is what the names of the block begin with, a line break is a blank
+    /// or, in a line that is too long, a new line
     pub text: &'static str,
     /// how tightly its operands bind at least, or they get parentheses
     pub least: [Level; 2],
@@ -121,14 +122,14 @@ pub(super) struct Form {
 /// How a named number appears in a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Appearance {
-    /// its digits in the statements, its name behind them
+    /// its digits in the statements, followed by its name
     Inline,
     /// by its name, declared as a constant; where functions have constants of their own, in the only one that reads it
     Declared,
-    /// by its name behind the block's, declared as a constant outside all functions
+    /// by its name with the block's name as prefix, declared as a constant outside all functions
     Shared,
     /// by its name, a variable that each cycle assigns anew
     Assigned,
-    /// by its name behind the block's in capital letters, a number of an enumeration that the caller sees
+    /// by its name with the block's name as prefix, in capital letters: an enumerator that the caller sees
     Enumerator,
 }

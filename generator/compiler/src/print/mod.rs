@@ -94,7 +94,8 @@ fn members<'v>(
 }
 
 impl<'p> Printer<'p> {
-    /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its functions.
+    /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its
+    /// functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
         let signals = if language.has_enumerations { values::of_signals(program) } else { Vec::new() };
@@ -178,7 +179,7 @@ struct Layout<'d> {
 }
 
 impl<'d> Layout<'d> {
-    /// Statements, each behind a line break. `declared` knows the locals that an outer list declares.
+    /// Statements, each after a line break. `declared` holds the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
         let Printer { program, language, names, .. } = self.printer;
         let mut doc = self.arena.nil();
@@ -220,11 +221,11 @@ impl<'d> Layout<'d> {
             Statement::Apart(_) => self.arena.text(self.printer.language.call.replace("{block}", self.printer.block)),
             Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {
-                let [first, next, behind, last, end] = self.printer.language.choice;
+                let [first, next, after, last, end] = self.printer.language.choice;
                 let mut inner = |list| self.list(list, declared).nest(INDENTATION);
                 let asked = |text: &'static str, condition| {
                     let condition = self.expr(condition).doc.group().nest(2 * INDENTATION);
-                    self.arena.text(text).append(condition).append(behind)
+                    self.arena.text(text).append(condition).append(after)
                 };
                 let mut doc = asked(first, condition).append(inner(then));
                 let (mut rest, mut is_chain) = (otherwise, false);
@@ -245,7 +246,7 @@ impl<'d> Layout<'d> {
         }
     }
 
-    /// An assignment; one that is too long is broken behind its target first.
+    /// An assignment; if it is too long, it is broken after its target first.
     fn assignment(&self, target: Doc<'d>, value: &'d Expr) -> Doc<'d> {
         let value = self.expr(value).doc.nest(INDENTATION).append(";");
         let value = self.line_before(value).nest(INDENTATION);

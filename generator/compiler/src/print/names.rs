@@ -1,4 +1,4 @@
-//! Identifiers from paths, each given once. The reserved words are part of a language's description.
+//! Identifiers from paths, each used once. The reserved words are part of a language's description.
 
 use super::language::Language;
 use std::collections::HashSet;
@@ -11,7 +11,8 @@ pub fn identifier(path: &str) -> String {
     name
 }
 
-/// The names of one scope, unlike each other in more than the case of their letters, and in the characters that the language counts.
+/// The names of one scope, unlike each other in more than the case of their letters, and in the characters that the language
+/// counts.
 pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
     significant: usize,
@@ -52,7 +53,8 @@ impl Names {
         name
     }
 
-    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: nothing of it can be left out.
+    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: nothing of it
+    /// can be left out.
     fn take_short(&mut self, path: &str) -> Option<String> {
         let (first, mut rest) = path.split_once('.')?;
         while let Some((_, shorter)) = rest.split_once('.') {

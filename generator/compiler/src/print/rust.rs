@@ -1,4 +1,4 @@
-//! What Rust is to the printer.
+//! The description of Rust for the printer.
 
 use super::language::{Appearance, Cases, Form, Language, Level};
 use super::number::decimal;
@@ -21,7 +21,7 @@ pub static LANGUAGE: Language = Language {
         (text, level)
     },
     symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
-    // `&&` beside `||` is legal and misread.
+    // `&&` next to `||` is legal and easily misread.
     logic: [Level::And, Level::Comparison],
     form,
     has_enumerations: false,
@@ -103,7 +103,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             }
             (Intrinsic::InRange | Intrinsic::Within, RealKind::F64) => (Comparison, "f64::abs({0}) <= {1}", [Any, Sum]),
             (Intrinsic::InRange | Intrinsic::Within, RealKind::F32) => (Comparison, "f32::abs({0}) <= {1}", [Any, Sum]),
-            // What a cast stands beside may be read as part of its type: it always gets parentheses.
+            // The token after a cast may be read as part of its type, so a cast always gets parentheses.
             (Intrinsic::FromU32, RealKind::F64) if is_digits => (Primary, "f64::from({0}_u32)", [Any; 2]),
             (Intrinsic::FromU32, RealKind::F32) if is_digits => (Any, "{0}_u32 as f32", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),

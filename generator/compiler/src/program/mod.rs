@@ -21,7 +21,7 @@ pub struct Program {
     pub block: &'static str,
     /// what turns the block off from outside; `None`: nothing does
     pub switch: Option<Switch>,
-    /// whether `step` begins with the cycles that mostly run, and its last `else` is any other cycle
+    /// whether `step` begins with the fast path, and its last `else` is any other cycle
     pub usual_first: bool,
     /// the names of real inputs that are parts of something, from 0 to 1
     pub fractions: &'static [&'static str],
@@ -50,7 +50,7 @@ pub struct Program {
 pub struct Switch {
     /// of [`Program::inputs`]
     pub input: usize,
-    /// what it must be for that
+    /// the value that turns the block off
     pub off: Off,
 }
 
@@ -104,7 +104,7 @@ pub struct Constant {
 pub enum Origin {
     /// a coefficient, by its position among their leaves
     Coefficient(usize),
-    /// a function without parameters, the same for every axis
+    /// a function without parameters, which does not depend on the axis
     Function,
     /// a variant of an enumeration
     Variant(Variant),
@@ -195,7 +195,7 @@ pub enum Statement {
         /// the last one is for every other number too
         arms: Vec<Arm>,
     },
-    /// what seldom runs, at the end of a way; a legalising pass puts it apart
+    /// the rare path, at the end of `step`; a legalising pass separates it
     Apart(Vec<Statement>),
 }
 
@@ -247,7 +247,7 @@ impl Program {
         self.fractions.iter().any(|fraction| name == Some(fraction))
     }
 
-    /// The path of an input within the parameter set; `None`: it is no part of one.
+    /// The path of an input within the parameter set; `None`: it is not part of one.
     pub fn in_set<'v>(&self, input: &'v Variable) -> Option<&'v str> {
         input.path.strip_prefix(self.set?)?.strip_prefix('.')
     }
@@ -271,7 +271,7 @@ impl Program {
         found
     }
 
-    /// The statements of `step` that stand apart.
+    /// The statements of `step` that were separated as the rare path.
     pub fn apart(&self) -> &[Statement] {
         fn last(list: &[Statement]) -> &[Statement] {
             match list.last() {

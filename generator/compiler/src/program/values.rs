@@ -1,4 +1,4 @@
-//! Which named numbers the integers among the signals of a program can be: a mode, a state, the id of a fault. Nothing is changed.
+//! Finds the named numbers that the integer signals of a program can have: modes, states, error ids. Nothing is changed.
 
 use super::{Expr, Program, Statement, Table, Type, Var};
 use portable::{Binary, Literal};
@@ -15,13 +15,13 @@ pub struct Signal {
 
 /// The signals for which that is so: outputs that nothing but named numbers reach, and inputs that are only compared with such.
 pub fn of_signals(program: &Program) -> Vec<Signal> {
-    // Nobody writes the numbers of a parameter set one by one.
+    // The numbers of a parameter set are not written one by one.
     let is_set = |index: &usize| program.in_set(&program.inputs[*index]).is_some();
     let inputs = (0..program.inputs.len()).filter(|index| !is_set(index)).map(Var::Input);
     of_those(program, inputs.chain((0..program.outputs.len()).map(Var::Output)))
 }
 
-/// The same of the outputs alone, which costs less.
+/// The signals among the outputs only, which costs less.
 pub fn of_outputs(program: &Program) -> Vec<Signal> {
     of_those(program, (0..program.outputs.len()).map(Var::Output))
 }
@@ -57,7 +57,7 @@ impl Values {
         Self { others: true, ..Self::default() }
     }
 
-    /// Gives whether anything was not known yet.
+    /// Returns whether anything was not known yet.
     fn extend(&mut self, more: &Self) -> bool {
         let before = (self.constants.len(), self.literals.len(), self.others);
         self.constants.extend(&more.constants);
@@ -113,7 +113,8 @@ fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
     }
 }
 
-/// What each input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a named number.
+/// What each input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a
+/// named number.
 fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
     let meant = meant(program);
     let input = |expr: &Expr| if let Expr::Var(var) = expr { meant[*var] } else { None };

@@ -77,7 +77,7 @@ impl Statement {
         first.into_iter().chain(second).chain(arms.iter().map(|arm| &arm.body))
     }
 
-    /// The same, to be changed.
+    /// The lists of an `if` or of a choice, or the one that is separate, to be changed.
     pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
         let (first, second, arms): (_, _, &mut [Arm]) = match self {
             Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &mut []),
@@ -101,7 +101,7 @@ impl Expr {
         first.into_iter().chain(second).chain(more)
     }
 
-    /// The same, to be changed.
+    /// The expressions that this one is made of, to be changed.
     pub(crate) fn operands_mut(&mut self) -> impl Iterator<Item = &mut Self> {
         let (first, second, more): (_, _, &mut [Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &mut []),

@@ -1,5 +1,5 @@
-//! What is known of every variable at one point of a program, and what follows from the answer to a condition that a variable holds. A
-//! branch is followed, taken back, and joined with the other one; only what it has changed is touched.
+//! What is known of every variable at one point of a program, and what follows from the answer to a condition that a variable
+//! holds. A branch is followed, taken back, and joined with the other one; only what it has changed is touched.
 
 use super::value::Value;
 use super::whole::Names;
@@ -79,7 +79,7 @@ impl Known {
         self.log.push((place, before));
     }
 
-    /// A variable has one of these values only. Gives whether there is one, so that the point can be reached.
+    /// A variable has one of these values only. Returns whether there is one, so that the point can be reached.
     pub(super) fn restrict(&mut self, place: Place, to: Value) -> bool {
         let before = self.entries[place].value;
         let value = before.meet(to, &self.names);
@@ -114,7 +114,7 @@ impl Known {
         self.log.len()
     }
 
-    /// Takes everything back that was learned or written since a mark; gives it.
+    /// Takes everything back that was learned or written since a mark; returns it.
     pub(super) fn take_back(&mut self, mark: usize) -> Changes {
         let mut changes = Changes::new();
         for (place, before) in self.log.drain(mark..).rev() {

@@ -8,7 +8,7 @@ use crate::program::{Expr, Type, Var};
 use portable::{Binary, Intrinsic, Unary};
 
 impl Walk<'_> {
-    /// From here on the condition has this answer. Gives whether it can have it.
+    /// From here on the condition has this answer. Returns whether it can have it.
     pub(super) fn learn(&mut self, condition: &Expr, holds: bool) -> bool {
         match condition {
             Expr::Literal(literal) => self.literal(*literal).holds(portable::Literal::Bool(holds)),
@@ -55,7 +55,7 @@ impl Walk<'_> {
                 let (low, high) = if is_turned { (right, left) } else { (left, right) };
                 self.learn_integer_order(low, high, is_strict)
             }
-            _ => panic!("ranges: {operator:?} is no comparison"),
+            _ => panic!("ranges: {operator:?} is not a comparison"),
         }
     }
 
@@ -89,7 +89,7 @@ impl Walk<'_> {
             && self.restrict(high, Value::Whole(Whole::numbers(a.low + step, i64::MAX)))
     }
 
-    /// `low < high` or `low <= high` holds, or does not: then one of them may be no number.
+    /// `low < high` or `low <= high` holds, or does not hold: then one of them may be NaN.
     fn learn_order(&mut self, low: &Expr, high: &Expr, is_strict: bool, holds: bool) -> bool {
         let kind = self.program.real;
         let (a, b) = (self.interval(low), self.interval(high));
@@ -108,7 +108,7 @@ impl Walk<'_> {
         (b.nan || self.restrict(low, Value::Real(from))) && (a.nan || self.restrict(high, Value::Real(up_to)))
     }
 
-    /// `-limit <= x <= limit` holds, or does not: then one of them may be no number.
+    /// `-limit <= x <= limit` holds, or does not hold: then one of them may be NaN.
     fn learn_magnitude(&mut self, x: &Expr, limit: &Expr, holds: bool) -> bool {
         let (a, b) = (self.interval(x), self.interval(limit));
         if holds {
@@ -142,7 +142,7 @@ impl Walk<'_> {
             },
             Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
             {
-                // An infinity, or what is no number, leaves no number that is finite.
+                // An infinity or NaN as an operand excludes a finite result.
                 let finite = Value::Real(Interval::finite(self.program.real));
                 !self.value(expr).meet(to, &self.known.names).is_none()
                     && self.restrict(left, finite)

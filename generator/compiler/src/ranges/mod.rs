@@ -1,5 +1,5 @@
-//! What is certain of a program whatever its state, its inputs and its parameter sets hold: an interval for every variable, from any bit
-//! patterns on, followed through every branch of `step`.
+//! The range analysis: an interval for every variable of a program, for any bit patterns in its state, inputs and parameter
+//! sets, followed through every branch of `step`.
 //!
 //! ```text
 //! real     intervals of reals, with infinities and NaN
@@ -10,8 +10,8 @@
 //! walk     the statements, and the operations that have no meaning for some operands
 //! finding  what cannot be shown, in words
 //! ```
-//! Shown is: outputs are finite numbers within their limits, ids and words are from their lists, no integer overflows, no conversion
-//! leaves its range, no integer is divided by 0.
+//! Shown is: outputs are finite numbers within their limits, ids and words are from their lists, no integer overflows, no
+//! conversion leaves its range, no integer is divided by 0.
 
 mod finding;
 mod known;
@@ -48,7 +48,7 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Refuses a block of which something cannot be shown.
+    /// Rejects a block if a property cannot be shown.
     ///
     /// # Errors
     /// All that cannot be shown.

@@ -1,24 +1,24 @@
-//! Intervals of reals, with infinities and what is no number. Rounding to nearest keeps the order of numbers: the bounds of a result are
-//! the results of bounds, computed in the block's own real type.
+//! Intervals of reals, with infinities and NaN. Rounding to nearest preserves the order of numbers, so the bounds of a result
+//! are computed from the bounds of the operands, in the block's own real type.
 
 #![expect(clippy::float_cmp, reason = "bounds are exact, and infinities are asked for")]
 
 use portable::Extreme;
 use portable::{Binary, RealKind};
 
-/// The reals from `low` to `high`, in the block's own type; `low > high`: no number. An infinity stands where a bound is one.
+/// The reals from `low` to `high`, in the block's own type; a bound may be infinite; `low > high`: no number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     pub low: f64,
     pub high: f64,
-    /// whether it may be no number
+    /// whether it may be NaN
     pub nan: bool,
 }
 
 impl Interval {
     /// Any bit pattern.
     pub const ANY: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY, nan: true };
-    /// None at all.
+    /// No value.
     pub const NONE: Self = Self { low: f64::INFINITY, high: f64::NEG_INFINITY, nan: false };
 
     pub(super) fn one(value: f64) -> Self {
@@ -30,7 +30,7 @@ impl Interval {
         Self { low, high, nan: false }
     }
 
-    /// Every number that is no infinity.
+    /// Every finite number.
     pub(super) fn finite(kind: RealKind) -> Self {
         let largest = match kind {
             RealKind::F64 => f64::MAX,

@@ -193,14 +193,14 @@ impl<'p> Walk<'p> {
     pub(super) fn interval(&self, expr: &Expr) -> Interval {
         match self.value(expr) {
             Value::Real(interval) => interval,
-            other => panic!("ranges: {other:?} is no real"),
+            other => panic!("ranges: {other:?} is not a real"),
         }
     }
 
     pub(super) fn whole(&self, expr: &Expr) -> Whole {
         match self.value(expr) {
             Value::Whole(whole) => whole,
-            other => panic!("ranges: {other:?} is no integer"),
+            other => panic!("ranges: {other:?} is not an integer"),
         }
     }
 

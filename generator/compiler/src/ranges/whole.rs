@@ -54,7 +54,7 @@ impl Names {
         }
     }
 
-    /// The same with their names, where each number of a short range has one.
+    /// The integers as named numbers, if each number of a short range has a name.
     fn listed(&self, of: Whole) -> Whole {
         if of.named != ALL || of.high - of.low > 126 {
             return of;

@@ -13,7 +13,7 @@ impl Specialiser<'_> {
         self.call(function, arguments, name).expect("specialise: a function that is used as a value has one")
     }
 
-    /// Inlines a call; gives its value, if it has one. A local that holds the value gets the name.
+    /// Inlines a call; returns its value, if it has one. A local that holds the value gets the name.
     pub(super) fn call(&mut self, function: &'static Fn, arguments: &'static [Argument], name: &str) -> Option<Expr> {
         if let Some(intrinsic) = function.body.intrinsic {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();

@@ -29,7 +29,7 @@ impl Specialiser<'_> {
             portable::Expr::Call { function, arguments } => self.called(function, arguments, "value"),
             portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(expr, "value"),
             portable::Expr::Array { .. } | portable::Expr::Repeat { .. } => {
-                panic!("specialise: in {}: an array is no scalar", self.frame().function)
+                panic!("specialise: in {}: an array is not a scalar", self.frame().function)
             }
         }
     }
@@ -79,7 +79,7 @@ impl Specialiser<'_> {
     /// The value of a scalar.
     pub(super) fn read(&mut self, part: Part) -> Expr {
         let Some(cell) = part.cell() else {
-            panic!("specialise: in {}: a struct or an array is no scalar; borrow it", self.frame().function)
+            panic!("specialise: in {}: a struct or an array is not a scalar; borrow it", self.frame().function)
         };
         match self.cells[cell] {
             Cell::Coefficient(position) => match self.coefficients[position] {

@@ -136,7 +136,7 @@ impl Specialiser<'_> {
         };
         let value = match off.body.block.value {
             Some(portable::Expr::Constant { value }) => value(),
-            _ => panic!("specialise: {} is no number", off.name),
+            _ => panic!("specialise: {} is not a number", off.name),
         };
         let off = Constant { path: off.name.to_owned(), doc: off.doc, value, origin: Origin::Function };
         Switch { input, off: Off::Mode(off, find(&self.program.state, fades).map(Var::State)) }
@@ -204,6 +204,6 @@ fn scalar_type(leaf: &Leaf) -> Type {
         Ty::I32 | Ty::Enum { .. } => Type::I32,
         Ty::U32 => Type::U32,
         Ty::Real(_) => Type::Real,
-        ty => panic!("specialise: `{}` is no variable: {ty:?}", leaf.path),
+        ty => panic!("specialise: `{}` is not a variable: {ty:?}", leaf.path),
     }
 }

@@ -89,8 +89,8 @@ impl Leaf {
         loop {
             match leaf.ty {
                 Ty::Struct { def } => {
-                    let behind = def.fields.partition_point(|field| field.first <= position);
-                    let field = &def.fields[behind - 1];
+                    let after = def.fields.partition_point(|field| field.first <= position);
+                    let field = &def.fields[after - 1];
                     leaf.path.push_str(if leaf.path.is_empty() { "" } else { "." });
                     leaf.path.push_str(field.name);
                     position -= field.first;

@@ -6,7 +6,7 @@ use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
 
 impl Specialiser<'_> {
-    /// Runs a block; gives its value. The names that it declares end with it.
+    /// Runs a block; returns its value. The names that it declares end with it.
     pub(super) fn block(&mut self, block: &'static CodeBlock) -> Option<Expr> {
         self.named_block(block, "value")
     }

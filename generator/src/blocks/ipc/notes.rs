@@ -11,7 +11,8 @@ use crate::number::digits;
 use crate::parameters::words::Words;
 
 /// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) and what stands there, in the order of the
-/// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed number with seven digits.
+/// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed
+/// number with seven digits.
 pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
     let axis = &designed.axis;
     let enable = format!("mode at start: {} (P-AXIS-00758)", axis.ipc.enable.name());
@@ -20,21 +21,24 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
         notes.extend(of_stage(design));
     }
     notes.push(note("limit", of_limit(axis)));
-    let of_sum = "2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit";
+    let of_sum = "2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit";
     notes.push(note("sum_limit", of_sum.to_owned()));
     let rest = rest_exponent(axis.real);
-    notes.push(note("rest", format!("P-AXIS-00212 * 2^{rest}: a sum below it is exactly 0")));
+    notes.push(note("rest", format!("rest threshold of the sum: P-AXIS-00212 * 2^{rest}")));
     notes.push(note("fade_cycles", of_fade(axis)));
     if axis.ipc.ride_through > 0 {
-        let of_ride = "key ride_through: each of so many bad samples in a row is the last good one";
+        let of_ride = "key ride_through: the last good sample replaces up to this number of consecutive bad samples";
         notes.push(note("ride_through", of_ride.to_owned()));
     }
     let watch = &designed.ipc.watch;
     if watch.active {
         let milliseconds = digits(f64::from(watch.block_cycles) * axis.cycle_time() * 1e3);
-        let of_block = format!("key watch: a block of the watch over the loop lasts {milliseconds} ms");
+        let of_block = format!("key watch: the watch evaluates the sum in blocks of {milliseconds} ms");
         notes.push(note("watch.block_cycles", of_block));
-        let of_alarm = format!("{} blocks in which the sum reaches both limits and does not die away", watch.alarm / 2);
+        let of_alarm = format!(
+            "trips after {} consecutive blocks in which the sum reaches both limits and does not decay",
+            watch.alarm / 2
+        );
         notes.push(note("watch.alarm", of_alarm));
     }
     notes
@@ -42,7 +46,10 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
 
 /// What holds for every block.
 pub(crate) fn cycle_time(axis: &Axis) -> String {
-    format!("cycle time {} us, the coefficients hold for no other", digits(f64::from(axis.cycle_time_ns) / 1000.0))
+    format!(
+        "cycle time {} us; the coefficients are valid only for this cycle time",
+        digits(f64::from(axis.cycle_time_ns) / 1000.0)
+    )
 }
 
 fn of_stage(design: &StageDesign) -> Vec<(String, String)> {
@@ -103,7 +110,9 @@ fn of_gain(design: &StageDesign) -> String {
     let f0 = design.stage.f0();
     let h = response::of_stage(&design.coeffs, warped(f0, design.cycle_time));
     let [magnitude, phase] = [response::magnitude(h), response::angle(h)].map(digits);
-    format!("-weight, against the vibration; at {f0} Hz the stage adds {magnitude} times its source at {phase} deg")
+    format!(
+        "-weight, against the vibration; at {f0} Hz the stage output is {magnitude} times its input, phase {phase} deg"
+    )
 }
 
 fn of_limit(axis: &Axis) -> String {
@@ -115,7 +124,7 @@ fn of_limit(axis: &Axis) -> String {
 fn of_fade(axis: &Axis) -> String {
     let fade = axis.ipc.fade_time();
     let reason = if fade > axis.ipc.fade { "one period of the lowest f0" } else { "key fade" };
-    format!("OFF to ON takes {} s ({reason}), in cycles", digits(fade))
+    format!("fade from OFF to ON: {} s ({reason})", digits(fade))
 }
 
 pub(crate) fn note(path: &str, text: String) -> (String, String) {

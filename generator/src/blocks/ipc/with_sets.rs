@@ -1,4 +1,5 @@
-//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it beside what is said of one with constants.
+//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it beside what is said of one with
+//! constants.
 
 use super::notes::note;
 use super::sets::shown;
@@ -16,8 +17,8 @@ impl Design for TunableIpc {
 pub(super) fn notes(designed: &Designed, of_constants: Vec<(String, String)>) -> Vec<(String, String)> {
     let [structure, set] = designed.sets;
     let own = [
-        note("structure", format!("parameter sets for the set structure {} are taken over", shown(structure))),
-        note("set_id", format!("the set that the block was generated with has the number {}", shown(set))),
+        note("structure", format!("accepts parameter sets for the set structure {}", shown(structure))),
+        note("set_id", format!("the block was generated with the set number {}", shown(set))),
     ];
     // Of a stage another set has other numbers.
     let of_ipc = of_constants.into_iter().map(|(path, text)| {

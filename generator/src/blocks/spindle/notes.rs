@@ -40,10 +40,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     match &of.drive {
         Changeover::Cnc { feedforward, .. } => notes.extend(feedforward.map(|weight| {
             let weight = digits(weight.value());
-            note(
-                "lead_time_per_percent",
-                format!("weight {weight} of the feedforward (P-AXIS-00228/00229), / 100 / Kv"),
-            )
+            note("lead_time_per_percent", format!("weight of the feedforward {weight} (P-AXIS-00228/00229) / 100 / Kv"))
         })),
         Changeover::Drive { velocity, .. } => {
             let [scale, _] = of_velocity(velocity, axis);

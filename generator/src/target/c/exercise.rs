@@ -15,7 +15,7 @@ use portable::RealKind;
 pub(super) struct CExercise<'a> {
     /// what the names of the functions begin with
     pub(super) owner: String,
-    /// whether integers are drawn beside those on the real inputs
+    /// whether integers are drawn in addition to those for the real inputs
     pub(super) draws: bool,
     pub(super) real: &'a str,
     pub(super) bits: usize,
@@ -25,9 +25,9 @@ pub(super) struct CExercise<'a> {
     pub(super) scales: [String; 2],
     /// the inputs that get noise, each with what draws it
     pub(super) reals: Vec<(&'a str, String)>,
-    /// whether one of them is no part from 0 to 1: its noise is scaled
+    /// whether the noise of one of them is scaled, because it is not a fraction from 0 to 1
     pub(super) is_scaled: bool,
-    /// the other inputs as they mostly are
+    /// the other inputs with their usual values
     pub(super) usual: Vec<(&'a str, String)>,
     /// the input that counts the calls
     pub(super) counter: Option<&'a str>,

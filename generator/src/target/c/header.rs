@@ -1,4 +1,4 @@
-//! What a header tells code beside the structs and functions: macros that it can compare, and the named values of signals.
+//! The macros of a header that code can compare, and the named values of signals. Structs and functions are in the template.
 
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use crate::target::{Header, Legal, unit};
@@ -21,8 +21,8 @@ pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
     let bits = if axis.real == RealKind::F64 { 64 } else { 32 };
     let one = |name: &str, value: String, doc: &str| Macro { doc: doc.to_owned(), name: name.to_owned(), value };
     let mut macros = vec![
-        one("CYCLE_TIME_NS", format!("{}u", axis.cycle_time_ns), "the cycle time that the block is designed for [ns]"),
-        one("REAL_BITS", bits.to_string(), "the bits of its real type"),
+        one("CYCLE_TIME_NS", format!("{}u", axis.cycle_time_ns), "cycle time that the block was designed for [ns]"),
+        one("REAL_BITS", bits.to_string(), "size of the real type [bit]"),
     ];
     for figure in &block.block.certificate.figures {
         macros.push(one(figure.name, (LANGUAGE.literal)(figure.value), &unit::own(&figure.doc, axis.is_rotary)));
@@ -30,9 +30,9 @@ pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
     macros.extend(words(
         "PARAMETERS",
         &axis.parameters_digest,
-        "the digest of its parameters, as in the head of this file",
+        "digest of the parameters, as in the head of this file",
     ));
-    let doc = "the digest of its structure: the same where two blocks differ in the values of coefficients only";
+    let doc = "digest of the structure: equal for blocks that differ only in the values of their coefficients";
     macros.extend(words("STRUCTURE", &axis.structure_digest, doc));
     let program = &*block.program;
     // The inputs of a block that takes sets hold a pointer, whose size is the processor's.
@@ -41,7 +41,7 @@ pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
         program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set()).collect();
     let structs =
         [(first, in_first), ("OUTPUTS", program.outputs.iter().collect()), ("STATE", program.state.iter().collect())];
-    let mut doc = "the bytes of its structs where a bool has one and each member is aligned to its own size";
+    let mut doc = "sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size";
     for (name, members) in structs {
         let size = size(&members, axis.real);
         macros.push(one(&format!("{name}_SIZE"), format!("{size}u"), std::mem::take(&mut doc)));
@@ -116,7 +116,7 @@ fn group(outline: &Outline<'_>, note: &str, signals: &[Var], constants: &BTreeSe
     let number = |index: usize| match program.constants[index].value {
         Literal::I32(value) => i64::from(value),
         Literal::U32(value) => i64::from(value),
-        other => panic!("header: {other:?} is no integer"),
+        other => panic!("header: {other:?} is not an integer"),
     };
     let mut order: Vec<usize> = constants.iter().copied().collect();
     order.sort_by_key(|index| (number(*index), *index));

@@ -78,7 +78,7 @@ struct CBlock {
     /// those of what stands apart
     constants_apart: Vec<Group>,
     init: String,
-    /// what seldom runs, a function of its own; empty where `step` is one function
+    /// what rarely runs, a function of its own; empty where `step` is one function
     any_cycle: String,
     step: String,
     /// what is certain of its range, and its measured response

@@ -113,7 +113,7 @@ pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dia
 }
 
 impl Origin<'_> {
-    /// The same of the file that holds the block itself: what is certain of it, and how it is called.
+    /// Adds the comment of the file that holds the block itself: its guaranteed range, and how to call it.
     pub(super) fn with_call(self, block: &Legal<'_>, dialect: &Dialect) -> Self {
         let [mode, cycle, counter] = dialect.arguments;
         let [inputs, _] = signals(&block.program, dialect.language);

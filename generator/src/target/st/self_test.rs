@@ -77,28 +77,30 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
     let of_outputs = program.outputs.iter().zip(outputs);
     let mut state = vec![
         member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
-        variable(Type::I32, "sample".to_owned(), "the number of the sample"),
-        variable(Type::I32, "random".to_owned(), "what the noise is made of"),
+        variable(Type::I32, "sample".to_owned(), "number of the sample"),
+        variable(Type::I32, "random".to_owned(), "state of the pseudo-random generator"),
     ];
     let reals = [
-        ("noise", "an integer of 22 bits, less by half of their range"),
-        ("noise_scale", "its factor"),
-        ("small", "another factor, for some"),
-        ("factor", "a number whose square is rounded"),
-        ("square", "its rounded square"),
-        ("remainder", "what a build that fuses operations leaves of it"),
-        ("nothing", "what it must be: 0"),
+        ("noise", "pseudo-random integer of 22 bits, minus half of its range"),
+        ("noise_scale", "factor of the noise"),
+        ("small", "additional factor of small samples"),
+        ("factor", "number whose square must be rounded"),
+        ("square", "rounded square of factor"),
+        ("remainder", "factor * factor - square: not 0 if the build fuses operations"),
+        ("nothing", "0, the value that remainder must have"),
     ];
     if axis.real == RealKind::F32 {
-        state.push(variable(Type::Real, "product".to_owned(), "the square, as this controller rounds it"));
+        state.push(variable(Type::Real, "product".to_owned(), "factor * factor, rounded by this controller"));
     }
     if trial.has_parts() {
-        state.push(variable(Type::Real, "part".to_owned(), "the factor of noise from 0 to 1"));
+        state.push(variable(Type::Real, "part".to_owned(), "factor of noise in the range 0 to 1"));
     }
     state.extend(reals.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
-    state.extend(of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "what the block gets")));
     state.extend(
-        of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "the reference's answer")),
+        of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "input of the block under test")),
+    );
+    state.extend(
+        of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "output of the reference")),
     );
     if program.has_set() {
         let name = set_name(&axis.name, program.block);
@@ -114,7 +116,7 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
             variable(
                 Type::I32,
                 "differing".to_owned(),
-                "values that differ from the reference, so far: 0 in a good build",
+                "number of values so far that differ from the reference: 0 in a correct build",
             ),
         ],
         state,

@@ -6,12 +6,12 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    3857732253f06c368be9594953d2f038
+ * checksum    f4158b8fe792e914d8927eda892357be
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static float axis_f_axis_magnitude(float value)
 {
 #if defined(__GNUC__)
@@ -45,8 +45,8 @@ static float axis_f_axis_magnitude(float value)
 #endif
 }
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t axis_f_axis_nearest(float value)
 {
 #if defined(__GNUC__)
@@ -58,7 +58,7 @@ static int32_t axis_f_axis_nearest(float value)
 
 void axis_f_axis_init(axis_f_axis_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_f_axis_state *const state = fresh;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
@@ -85,7 +85,7 @@ void axis_f_axis_step(
     const axis_f_axis_inputs *restrict inputs,
     axis_f_axis_outputs *restrict outputs)
 {
-    /* cycle time 2000 us, the coefficients hold for no other */
+    /* cycle time 2000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
@@ -95,27 +95,27 @@ void axis_f_axis_step(
     /* DIRECT (P-AXIS-00753) from v_motor, weight 60/100 = 0.6 (P-AXIS-00754/00755)
      * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 24 Hz (P-AXIS-00751), quality
      * factor 4 (P-AXIS-00752), -3 dB at 21.1811 and 27.1811 Hz
-     * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 there and 1 at 24 Hz */
+     * section 1 of 1: centre frequency 24 Hz, quality factor 3.93777, gain 1 at its centre and 1 at 24 Hz */
     static const float ipc_stage0_filter0_bandpass0_a = 0.036346115f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float ipc_stage0_filter0_bandpass0_b = 0.116187185f;
     static const float ipc_stage0_filter0_bandpass0_c = 1.1966879f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* -weight, against the vibration; at 24 Hz the stage adds 0.6 times its source at 180 deg */
+    /* -weight, against the vibration; at 24 Hz the stage output is 0.6 times its input, phase 180 deg */
     static const float ipc_stage0_gain = -0.6f; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 60000: 200 * 0.1 % (P-AXIS-00757) of 300000 (P-AXIS-00212) */
     static const float ipc_limit = 60000.0f; /* largest |v_add| */
     static const float ipc_lower_limit = -60000.0f; /* -limit */
 
-    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const float ipc_sum_limit = 459109.13f; /* largest magnitude of a sum of stages that is not a fault */
+    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const float ipc_sum_limit = 459109.13f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
-    /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-    static const float ipc_rest = 2.728484e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
+    static const float ipc_rest = 2.728484e-7f; /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
 
-    /* OFF to ON takes 0.1 s (key fade), in cycles */
-    static const uint32_t ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+    /* fade from OFF to ON: 0.1 s (key fade) */
+    static const uint32_t ipc_fade_cycles = 50u; /* length of the fade from 0 to 1 [cycles] */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
     /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
@@ -132,10 +132,11 @@ void axis_f_axis_step(
     /* largest number that is rounded to the largest value */
     static const float position_control_manipulated_range_upper_limit = 32767.498f;
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const float sample_limit = 1000000000.0f;
-    /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+    /* added to every change of an input and to the filter state low, so that a section at rest never decays into
+     * subnormal numbers */
     static const float least_change = 1.0e-18f;
 
     if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -286,8 +287,8 @@ void axis_f_axis_step(
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                     * then everything starts anew */
+                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                     * block restarts */
                     state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0f;
                 }
@@ -336,7 +337,7 @@ void axis_f_axis_step(
                 position_control_increments < position_control_manipulated_range_lower_limit || limited_so_far;
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }

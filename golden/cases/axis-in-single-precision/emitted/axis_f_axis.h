@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    e046c17cbb16eca99ae084d86d3f25f5
+ * checksum    c475e1be87a08eb49282692d7ddab1b4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -19,30 +19,30 @@
 extern "C" {
 #endif
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_F_AXIS_CYCLE_TIME_NS 2000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_F_AXIS_REAL_BITS 32
 /* the largest |v_add| [um/s] */
 #define AXIS_F_AXIS_LIMIT 60000.0f
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_F_AXIS_PARAMETERS_0 0x729469a6u
 #define AXIS_F_AXIS_PARAMETERS_1 0x8c1da346u
 #define AXIS_F_AXIS_PARAMETERS_2 0xc7ec146fu
 #define AXIS_F_AXIS_PARAMETERS_3 0x131f7f79u
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_F_AXIS_STRUCTURE_0 0x3ac15a77u
 #define AXIS_F_AXIS_STRUCTURE_1 0x1f94c293u
 #define AXIS_F_AXIS_STRUCTURE_2 0x10e4aea9u
 #define AXIS_F_AXIS_STRUCTURE_3 0xca399807u
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_F_AXIS_INPUTS_SIZE 32u
 #define AXIS_F_AXIS_OUTPUTS_SIZE 28u
 #define AXIS_F_AXIS_STATE_SIZE 20u
 
-/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -63,16 +63,16 @@ enum {
     AXIS_F_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_F_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
     AXIS_F_AXIS_ERROR_STATE = 3,
     AXIS_F_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_F_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
     AXIS_F_AXIS_ERROR_FOLLOWING_ERROR = 24 /* following_error is not within the sample limit */
 };
 
-/* Written by the caller. axis_f_axis_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_f_axis_inputs_init writes the start values. */
 typedef struct {
-    /* x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in
+    /* x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in
      * double precision [um]; start 0.0f */
     float following_error;
     float v_interpolator; /* velocity of the interpolator [um/s]; start 0.0f */
@@ -80,63 +80,68 @@ typedef struct {
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
-    /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the
-     * controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    /* FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
+     * position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must
+     * be at x_actual; start true */
     bool position_controlled;
-    bool reset; /* while TRUE the same; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
+    /* while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; start false */
+    bool reset;
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
 } axis_f_axis_inputs;
 
 /* Written by axis_f_axis_step. */
 typedef struct {
     float v_command; /* output of the position controller with feedforward, before v_add is added [um/s] */
     float v_feedforward; /* conventional feedforward [um/s] */
-    float v_add; /* additive velocity of improved position control; gantry slaves get it as v_add_master [um/s] */
-    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
+    /* additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s] */
+    float v_add;
+    float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* of several parts the last one's; cycle_time, x_command and x_actual stop the axis, the others the part that
-     * reads them: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 24 following_error */
+    /* reason of the fault; of several faults that of the last part; cycle_time, x_command and x_actual stop the
+     * axis, the others stop the part that reads the input: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14
+     * v_interpolator, 24 following_error */
     uint32_t error_id;
-    bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
-    bool fault; /* a part of the block cannot act in this cycle, the id says why */
+    /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
+    bool limited;
+    bool fault; /* a part of the block cannot act in this cycle; the error id gives the reason */
 } axis_f_axis_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
-     * state was overwritten */
+    bool ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
+    /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t ipc_fade;
-    float ipc_source_v_motor_before; /* the value of the cycle before */
-    float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
-    float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */
+    float ipc_source_v_motor_before; /* the value of the previous cycle */
+    float ipc_stage0_filter0_section0_s1; /* filter state s1: part of the next output */
+    float ipc_stage0_filter0_section0_p; /* filter state p: the input minus its low-pass part */
 } axis_f_axis_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_f_axis_init(axis_f_axis_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_f_axis_inputs_init(axis_f_axis_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_f_axis_step(
     axis_f_axis_state *state,
     const axis_f_axis_inputs *inputs,
     axis_f_axis_outputs *outputs);
 
-/* In a file of its own, axis_f_axis_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_f_axis_self_test.c; a build that does not call it can omit that file.
+ * Runs 41 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_f_axis_self_test(void);
 
 #ifdef __cplusplus

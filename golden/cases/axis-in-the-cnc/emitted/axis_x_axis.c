@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    7e24ea1cb0ca38d31d1a3f1f450b7c06
+ * checksum    1053c18b8462be4c1f86cdeb26249c83
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static double axis_x_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
@@ -45,8 +45,8 @@ static double axis_x_axis_magnitude(double value)
 #endif
 }
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t axis_x_axis_nearest(double value)
 {
 #if defined(__GNUC__)
@@ -58,7 +58,7 @@ static int32_t axis_x_axis_nearest(double value)
 
 void axis_x_axis_init(axis_x_axis_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
@@ -90,7 +90,7 @@ void axis_x_axis_step(
     const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* weight of the whole feedforward 1/1 = 1 (P-AXIS-00228/00229) */
@@ -103,13 +103,13 @@ void axis_x_axis_step(
     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
      * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
      * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
-     * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz */
+     * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 at its centre and 1 at 53 Hz */
     /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
     static const double ipc_stage0_filter0_bandpass0_b2 = -0.016379233277825974;
     static const double ipc_stage0_filter0_bandpass0_a1 = -1.8591673332183505; /* denominator: s1 = s2 - a1 y */
     static const double ipc_stage0_filter0_bandpass0_a2 = 0.967241533444348; /* denominator: s2 = b2 x - a2 y */
 
-    /* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
+    /* -weight, against the vibration; at 53 Hz the stage output is 3 times its input, phase 180 deg */
     static const double ipc_stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
@@ -125,28 +125,28 @@ void axis_x_axis_step(
 
     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
      * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
-     * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
+     * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 at its centre and 1 at 11 Hz */
     /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
     static const double ipc_stage1_filter0_bandpass0_b2 = -0.01698693694336859;
     static const double ipc_stage1_filter0_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
     static const double ipc_stage1_filter0_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
 
-    /* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at 147.9946 deg */
+    /* -weight, against the vibration; at 11 Hz the stage output is 2.240571 times its input, phase 147.9946 deg */
     static const double ipc_stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
     static const double ipc_limit = 530000.0; /* largest |v_add| */
     static const double ipc_lower_limit = -530000.0; /* -limit */
 
-    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double ipc_sum_limit = 4616683.738307328; /* largest magnitude of a sum of stages that is not a fault */
+    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const double ipc_sum_limit = 4616683.738307328; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
-    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
+    /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
     static const double ipc_rest = 4.597017211338539e-13;
 
-    /* OFF to ON takes 0.1 s (key fade), in cycles */
-    static const uint32_t ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    /* fade from OFF to ON: 0.1 s (key fade) */
+    static const uint32_t ipc_fade_cycles = 100u; /* length of the fade from 0 to 1 [cycles] */
     static const double ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
     /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
@@ -163,8 +163,8 @@ void axis_x_axis_step(
     /* largest number that is rounded to the largest value */
     static const double position_control_manipulated_range_upper_limit = 2147483647.4999998;
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
@@ -362,8 +362,8 @@ void axis_x_axis_step(
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                     * then everything starts anew */
+                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                     * block restarts */
                     state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0;
                 }
@@ -412,7 +412,7 @@ void axis_x_axis_step(
                 position_control_increments < position_control_manipulated_range_lower_limit || limited_so_far;
             outputs->manipulated_variable = position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }

@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    0f7f2f22ca5a11ecc22ba5b3c4852d50
+ * checksum    d55f7d86f915a37fe23306ee89959fe2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static double axis_x_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
@@ -47,7 +47,7 @@ static double axis_x_feedforward_magnitude(double value)
 
 void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_feedforward_state *const state = fresh;
     state->unused = false;
 }
@@ -69,7 +69,7 @@ void axis_x_feedforward_step(
     const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* weight of the whole feedforward 12/10 = 1.2 (P-AXIS-00228/00229) */
@@ -82,8 +82,8 @@ void axis_x_feedforward_step(
     /* jerk factor 1/2 (P-AXIS-00337/00338) times Ta^2 */
     static const double t_j = 8.0e-6; /* square of the time constant of the jerk [s^2] */
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const double sample_limit = 1000000000000000.0;
 
     (void)state;

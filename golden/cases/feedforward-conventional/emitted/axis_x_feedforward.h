@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    b843c612b256ff07f1f4bce286b12bcd
+ * checksum    68dd5d60cee4a014dc082df1fadfe495
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -19,28 +19,28 @@
 extern "C" {
 #endif
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_X_FEEDFORWARD_CYCLE_TIME_NS 1000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_X_FEEDFORWARD_REAL_BITS 64
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_X_FEEDFORWARD_PARAMETERS_0 0x43173c9au
 #define AXIS_X_FEEDFORWARD_PARAMETERS_1 0xbf2e1de7u
 #define AXIS_X_FEEDFORWARD_PARAMETERS_2 0x6d5853ceu
 #define AXIS_X_FEEDFORWARD_PARAMETERS_3 0x7539dd7du
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_X_FEEDFORWARD_STRUCTURE_0 0x492cb455u
 #define AXIS_X_FEEDFORWARD_STRUCTURE_1 0x9603e904u
 #define AXIS_X_FEEDFORWARD_STRUCTURE_2 0xc751d6a6u
 #define AXIS_X_FEEDFORWARD_STRUCTURE_3 0x2b8c0542u
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_FEEDFORWARD_INPUTS_SIZE 40u
 #define AXIS_X_FEEDFORWARD_OUTPUTS_SIZE 16u
 #define AXIS_X_FEEDFORWARD_STATE_SIZE 1u
 
-/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a double with 64 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -59,54 +59,56 @@ enum {
     AXIS_X_FEEDFORWARD_ERROR_J_INTERPOLATOR = 16 /* j_interpolator is not within the sample limit */
 };
 
-/* Written by the caller. axis_x_feedforward_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_x_feedforward_inputs_init writes the start values. */
 typedef struct {
     double v_interpolator; /* velocity of the interpolator [um/s]; start 0.0 */
     double a_interpolator; /* acceleration of the interpolator [um/s^2]; start 0.0 */
     double j_interpolator; /* jerk of the interpolator, 0 where the profile is not jerk-limited [um/s^3]; start 0.0 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
-    bool position_controlled; /* FALSE: the axis is not in position control, all outputs are 0 at once; start true */
-    bool reset; /* while TRUE all outputs are 0 and the delays are filled anew afterwards; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
+    bool position_controlled; /* FALSE: the axis is not in position control: all outputs are 0 at once; start true */
+    /* while TRUE all outputs are 0; the first cycle after it fills the delays with the present sample; start false */
+    bool reset;
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
 } axis_x_feedforward_inputs;
 
 /* Written by axis_x_feedforward_step. */
 typedef struct {
-    double v_feedforward; /* conventional feedforward: what to add to the position controller's output [um/s] */
-    bool fault; /* the block cannot act in this cycle, the id says why */
+    double v_feedforward; /* conventional feedforward, to be added to the position controller's output [um/s] */
+    bool fault; /* the block cannot act in this cycle; the error id gives the reason */
     uint32_t error_id; /* 0 none, 1 cycle_time, 14 v_interpolator, 15 a_interpolator, 16 j_interpolator */
 } axis_x_feedforward_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    bool unused; /* this block keeps nothing; C has no struct without a member */
+    bool unused; /* the block has no state; a C struct needs a member */
 } axis_x_feedforward_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_x_feedforward_init(axis_x_feedforward_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_x_feedforward_step(
     axis_x_feedforward_state *state,
     const axis_x_feedforward_inputs *inputs,
     axis_x_feedforward_outputs *outputs);
 
-/* In a file of its own, axis_x_feedforward_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 41 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_x_feedforward_self_test.c; a build that does not call it can omit that file.
+ * Runs 41 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_x_feedforward_self_test(void);
 
 #ifdef __cplusplus

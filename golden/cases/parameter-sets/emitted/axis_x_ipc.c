@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    aad1af98541b05bb536d04c6cb4dd7e8
+ * checksum    224f966f85e26bb13dd42ec1bc3c7824
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static float axis_x_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
@@ -45,7 +45,7 @@ static float axis_x_ipc_magnitude(float value)
 #endif
 }
 
-/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+/* whether value is exactly 0; the exact comparison is intended, so the warning is disabled */
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
@@ -58,23 +58,24 @@ static bool axis_x_ipc_is_zero(float value)
 #pragma GCC diagnostic pop
 #endif
 
-/* cycle time 1000 us, the coefficients hold for no other */
+/* cycle time 1000 us; the coefficients are valid only for this cycle time */
 static const uint32_t axis_x_ipc_ipc_cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
 /* largest |v_add| = 8000: 20 * 0.1 % (P-AXIS-00757) of 400000 (P-AXIS-00212) */
 static const float axis_x_ipc_ipc_limit = 8000.0f; /* largest |v_add| */
 
-/* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+/* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
+/* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
 static const float axis_x_ipc_ipc_rest = 3.6379788e-7f;
 
-/* OFF to ON takes 0.05 s (key fade), in cycles */
-static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* cycles that the fade takes from 0 to 1 */
+/* fade from OFF to ON: 0.05 s (key fade) */
+static const uint32_t axis_x_ipc_ipc_fade_cycles = 50u; /* length of the fade from 0 to 1 [cycles] */
 
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+/* constants that do not depend on the axis */
+/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
 static const float axis_x_ipc_sample_limit = 1000000000.0f;
-/* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+/* added to every change of an input and to the filter state low, so that a section at rest never decays into
+ * subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
 static const int32_t axis_x_ipc_differed = 2147483647; /* a number differed from its copy */
 
@@ -94,7 +95,7 @@ const axis_x_ipc_params axis_x_ipc_designed = {
 
 void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
     state->set_id = 0u;
     state->acting_set = 0u;
@@ -134,7 +135,7 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
     inputs->params = &axis_x_ipc_designed;
 }
 
-/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+/* all cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers */
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
@@ -143,22 +144,23 @@ static void axis_x_ipc_any_cycle(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* parameter sets for the set structure ccd71317 = 3436647191 are taken over */
-    static const uint32_t structure = 3436647191u; /* the structure: a parameter set for another one is refused */
+    /* accepts parameter sets for the set structure ccd71317 = 3436647191 */
+    static const uint32_t structure = 3436647191u; /* id of the block structure: a parameter set for another structure is refused */
 
-    /* OFF to ON takes 0.05 s (key fade), in cycles */
+    /* fade from OFF to ON: 0.05 s (key fade) */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
-    /* the same for every axis */
-    static const float limit_scale = 9.536743e-7f; /* 2^-20: factor of a limit before it is cut */
-    static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled */
+    /* constants that do not depend on the axis */
+    static const float limit_scale = 9.536743e-7f; /* 2^-20: scales a limit for the check word */
+    static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled by 2^-20 */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
-    static const float pole_limit = 2.0f; /* 2: |a1| of a stable biquad and B of a stable trapezoidal section are below it */
-    static const float first_cut = 32768.0f; /* 2^15: the first cut */
-    /* the largest number below 2^31: what is left of a number is below it after each cut */
+    static const float pole_limit = 2.0f; /* 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section */
+    static const float first_cut = 32768.0f; /* 2^15: scales a number before its first integer for the check word is taken */
+    /* largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken */
     static const float largest_piece = 2147483500.0f;
-    static const float next_cut = 2147483600.0f; /* 2^31: each further cut */
-    static const float half = 0.5f; /* 1/2: half a word of 32 bits becomes a number that can be cut */
+    /* 2^31: scales the remainder of a number before its next integer for the check word is taken */
+    static const float next_cut = 2147483600.0f;
+    static const float half = 0.5f; /* 1/2: scales each half of a 32-bit integer for the check word */
 
     state->offered_set = inputs->params->set_id;
     int32_t mode;
@@ -236,7 +238,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0) <= largest_piece) {
                             piece00 = (int32_t)rest0;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00 = 0;
                         }
                         const int32_t part00 = piece00 % 46337;
@@ -247,7 +249,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00) <= largest_piece) {
                             piece01 = (int32_t)rest00;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece01 = 0;
                         }
                         const int32_t part01 = piece01 % 46337;
@@ -260,7 +262,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01) <= largest_piece) {
                             piece02 = (int32_t)rest01;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece02 = 0;
                         }
                         const int32_t part02 = piece02 % 46337;
@@ -276,7 +278,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest1) <= largest_piece) {
                             piece10 = (int32_t)rest1;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece10 = 0;
                         }
                         const int32_t part10 = piece10 % 46337;
@@ -289,7 +291,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest10) <= largest_piece) {
                             piece11 = (int32_t)rest10;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece11 = 0;
                         }
                         const int32_t part11 = piece11 % 46337;
@@ -302,7 +304,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest11) <= largest_piece) {
                             piece12 = (int32_t)rest11;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece12 = 0;
                         }
                         const int32_t part12 = piece12 % 46337;
@@ -318,7 +320,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest2) <= largest_piece) {
                             piece20 = (int32_t)rest2;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece20 = 0;
                         }
                         const int32_t part20 = piece20 % 46337;
@@ -331,7 +333,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest20) <= largest_piece) {
                             piece21 = (int32_t)rest20;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece21 = 0;
                         }
                         const int32_t part21 = piece21 % 46337;
@@ -344,7 +346,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest21) <= largest_piece) {
                             piece22 = (int32_t)rest21;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece22 = 0;
                         }
                         const int32_t part22 = piece22 % 46337;
@@ -362,7 +364,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0000) <= largest_piece) {
                             piece00000 = (int32_t)rest0000;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00000 = 0;
                         }
                         const int32_t part00000 = piece00000 % 46337;
@@ -375,7 +377,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00000) <= largest_piece) {
                             piece00001 = (int32_t)rest00000;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00001 = 0;
                         }
                         const int32_t part00001 = piece00001 % 46337;
@@ -388,7 +390,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00001) <= largest_piece) {
                             piece00002 = (int32_t)rest00001;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00002 = 0;
                         }
                         const int32_t part00002 = piece00002 % 46337;
@@ -403,7 +405,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0001) <= largest_piece) {
                             piece00010 = (int32_t)rest0001;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00010 = 0;
                         }
                         const int32_t part00010 = piece00010 % 46337;
@@ -416,7 +418,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00010) <= largest_piece) {
                             piece00011 = (int32_t)rest00010;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00011 = 0;
                         }
                         const int32_t part00011 = piece00011 % 46337;
@@ -429,7 +431,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00011) <= largest_piece) {
                             piece00012 = (int32_t)rest00011;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00012 = 0;
                         }
                         const int32_t part00012 = piece00012 % 46337;
@@ -444,7 +446,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0002) <= largest_piece) {
                             piece00020 = (int32_t)rest0002;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00020 = 0;
                         }
                         const int32_t part00020 = piece00020 % 46337;
@@ -457,7 +459,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00020) <= largest_piece) {
                             piece00021 = (int32_t)rest00020;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00021 = 0;
                         }
                         const int32_t part00021 = piece00021 % 46337;
@@ -470,7 +472,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00021) <= largest_piece) {
                             piece00022 = (int32_t)rest00021;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00022 = 0;
                         }
                         const int32_t part00022 = piece00022 % 46337;
@@ -486,7 +488,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest0_next) <= largest_piece) {
                             piece00_next = (int32_t)rest0_next;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece00_next = 0;
                         }
                         const int32_t part00_next = piece00_next % 46337;
@@ -499,7 +501,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00_next) <= largest_piece) {
                             piece01_next = (int32_t)rest00_next;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece01_next = 0;
                         }
                         const int32_t part01_next = piece01_next % 46337;
@@ -512,7 +514,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01_next) <= largest_piece) {
                             piece02_next = (int32_t)rest01_next;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece02_next = 0;
                         }
                         const int32_t part02_next = piece02_next % 46337;
@@ -532,7 +534,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest00_last) <= largest_piece) {
                             piece000 = (int32_t)rest00_last;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece000 = 0;
                         }
                         const int32_t part000 = piece000 % 46337;
@@ -545,7 +547,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest000) <= largest_piece) {
                             piece001 = (int32_t)rest000;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece001 = 0;
                         }
                         const int32_t part001 = piece001 % 46337;
@@ -558,7 +560,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest001) <= largest_piece) {
                             piece002 = (int32_t)rest001;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece002 = 0;
                         }
                         const int32_t part002 = piece002 % 46337;
@@ -574,7 +576,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest01_last) <= largest_piece) {
                             piece010 = (int32_t)rest01_last;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece010 = 0;
                         }
                         const int32_t part010 = piece010 % 46337;
@@ -587,7 +589,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest010) <= largest_piece) {
                             piece011 = (int32_t)rest010;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece011 = 0;
                         }
                         const int32_t part011 = piece011 % 46337;
@@ -600,7 +602,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest011) <= largest_piece) {
                             piece012 = (int32_t)rest011;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece012 = 0;
                         }
                         const int32_t part012 = piece012 % 46337;
@@ -620,7 +622,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest10_next) <= largest_piece) {
                             piece100 = (int32_t)rest10_next;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece100 = 0;
                         }
                         const int32_t part100 = piece100 % 46337;
@@ -633,7 +635,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest100) <= largest_piece) {
                             piece101 = (int32_t)rest100;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece101 = 0;
                         }
                         const int32_t part101 = piece101 % 46337;
@@ -646,7 +648,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest101) <= largest_piece) {
                             piece102 = (int32_t)rest101;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece102 = 0;
                         }
                         const int32_t part102 = piece102 % 46337;
@@ -662,7 +664,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest11_next) <= largest_piece) {
                             piece110 = (int32_t)rest11_next;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece110 = 0;
                         }
                         const int32_t part110 = piece110 % 46337;
@@ -675,7 +677,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest110) <= largest_piece) {
                             piece111 = (int32_t)rest110;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece111 = 0;
                         }
                         const int32_t part111 = piece111 % 46337;
@@ -688,7 +690,7 @@ static void axis_x_ipc_any_cycle(
                         if (axis_x_ipc_magnitude(rest111) <= largest_piece) {
                             piece112 = (int32_t)rest111;
                         } else {
-                            /* only what something else has overwritten comes here */
+                            /* reached only if the block's memory was corrupted */
                             piece112 = 0;
                         }
                         const int32_t part112 = piece112 % 46337;
@@ -868,8 +870,8 @@ static void axis_x_ipc_any_cycle(
                     ipc_v_limited_next = state->now_lower_limit;
                 }
             } else {
-                /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                 * then everything starts anew */
+                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                 * block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited_next = 0.0f;
             }
@@ -905,8 +907,8 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = ipc_v_add_calculated;
         outputs->limited = ipc_limited_next;
     } else {
-        /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-         * anew */
+        /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
+         * set over again */
         state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
         outputs->v_add = 0.0f;
         outputs->v_add_calculated = 0.0f;
@@ -1001,19 +1003,19 @@ static void axis_x_ipc_any_cycle(
             if (turn_next < 0) {
                 state->turn_next = axis_x_ipc_differed;
             } else if (turn_next >= 7) {
-                /* every number has had its turn */
+                /* every number has been compared; the rest of the round is a pause */
                 if (turn_next < 28) {
                     state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
                 } else {
                     state->turn_next = 0;
                 }
                 if (turn_next > 28) {
-                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-                     * anew */
+                    /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
+                     * set over again */
                     state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 }
             } else {
-                /* nothing else is to be done */
+                /* no action */
             }
             break;
         }
@@ -1081,8 +1083,8 @@ void axis_x_ipc_step(
                     ipc_v_limited = state->now_lower_limit;
                 }
             } else {
-                /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                 * then everything starts anew */
+                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                 * block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited = 0.0f;
             }
@@ -1093,8 +1095,8 @@ void axis_x_ipc_step(
             outputs->v_add_calculated = ipc_v_limited;
             outputs->limited = ipc_limited;
         } else {
-            /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-             * anew */
+            /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
+             * set over again */
             state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
             outputs->v_add = 0.0f;
             outputs->v_add_calculated = 0.0f;
@@ -1188,19 +1190,19 @@ void axis_x_ipc_step(
             if (turn < 0) {
                 state->turn_next = axis_x_ipc_differed;
             } else if (turn >= 7) {
-                /* every number has had its turn */
+                /* every number has been compared; the rest of the round is a pause */
                 if (turn < 28) {
                     state->turn_next = (int32_t)((uint32_t)turn + (uint32_t)1);
                 } else {
                     state->turn_next = 0;
                 }
                 if (turn > 28) {
-                    /* a number in use has been overwritten: a fault in the next cycle, then the offered set is taken over
-                     * anew */
+                    /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
+                     * set over again */
                     state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 }
             } else {
-                /* nothing else is to be done */
+                /* no action */
             }
             break;
         }

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    b910f8980dd108b142c8674694619aae
+ * checksum    e619560a599da9c2f2a78d8e41ea310f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -28,33 +28,33 @@ extern "C" {
  * signal-to-noise ratio in single precision, of a vibration of 800 at f0 while the axis moves at 400000:
  * stage[0] 128 dB */
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_X_IPC_CYCLE_TIME_NS 1000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_X_IPC_REAL_BITS 32
 /* the largest |v_add| [um/s] */
 #define AXIS_X_IPC_LIMIT 8000.0f
-/* the bound of |v_add| before the limit that is certain for |v| <= 400000 [um/s], with the set that the block
- * was generated with */
+/* guaranteed bound of |v_add| before the limit, for |v| <= 400000 [um/s], with the set that the block was
+ * generated with */
 #define AXIS_X_IPC_BOUND 1528678.3f
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_X_IPC_PARAMETERS_0 0x5f654803u
 #define AXIS_X_IPC_PARAMETERS_1 0x41441c4bu
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_X_IPC_STRUCTURE_0 0x6e374858u
 #define AXIS_X_IPC_STRUCTURE_1 0xb5fe7a14u
 #define AXIS_X_IPC_STRUCTURE_2 0x92c6199cu
 #define AXIS_X_IPC_STRUCTURE_3 0x2bb5921eu
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 44u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
 #define AXIS_X_IPC_STATE_SIZE 104u
 
-/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -75,29 +75,29 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
     AXIS_X_IPC_ERROR_STATE = 3,
-    /* a parameter set for another structure is refused; no fault while a set is in use */
+    /* a parameter set for another block structure is refused; not a fault while a set is in use */
     AXIS_X_IPC_ERROR_SET_STRUCTURE = 6,
     /* a parameter set with an unusable number, an unstable section or too large a limit is refused */
     AXIS_X_IPC_ERROR_SET_UNSOUND = 7,
-    AXIS_X_IPC_ERROR_SET_DAMAGED = 8, /* a damaged parameter set is refused: it does not have its check word */
+    AXIS_X_IPC_ERROR_SET_DAMAGED = 8, /* a damaged parameter set is refused: its check word is wrong */
     AXIS_X_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
 
-/* A parameter set: what `axgen params-of` writes, and what the block checks before it takes it over. Its contents stay as they are while
- * step may look at them: in ROM, or in memory that another task writes before it hands the pointer over. */
+/* A parameter set, written by `axgen params-of`. The block checks a set before it uses it. The contents must not change while step
+ * can read them: keep the set in ROM, or write it completely before you pass the pointer. */
 typedef struct {
-    /* the structure that the set is for: axis, stages, modes, filters, real type, cycle time, fade, ride_through,
-     * watch */
+    /* id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade,
+     * ride_through, watch */
     uint32_t structure;
-    /* the number of the set, not 0: another number than that of the set in use offers this set */
+    /* number of the set, not 0; a number other than that of the set in use offers this set to the block */
     uint32_t set_id;
     int32_t check_first; /* check word: the numbers as a polynomial at 31337, modulo 46337 */
-    int32_t check_second; /* check word: the same at 17389 */
-    float limit; /* largest |v_add|; not above the one that the block was generated with */
+    int32_t check_second; /* check word: the numbers as a polynomial at 17389, modulo 46337 */
+    float limit; /* largest |v_add|; at most the limit that the block was generated with */
     float lower_limit; /* -limit */
-    float sum_limit; /* largest magnitude of a sum of stages that is not a fault */
+    float sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
     float stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float stage0_filter0_bandpass0_b;
@@ -108,87 +108,90 @@ typedef struct {
 /* The set that the block was generated with. */
 extern const axis_x_ipc_params axis_x_ipc_designed;
 
-/* Written by the caller. axis_x_ipc_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_x_ipc_inputs_init writes the start values. */
 typedef struct {
     float v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0f */
     int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 0 */
-    bool position_controlled; /* FALSE: the axis is not in position control, the output is 0 at once; start true */
-    bool reset; /* while TRUE the output is 0 and the states follow the input; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
-    /* the parameter set, never NULL; start &axis_x_ipc_designed; volatile: each number is read once, so that what was checked is what is
-     * used */
+    bool position_controlled; /* FALSE: the axis is not in position control: v_add is 0 at once; start true */
+    bool reset; /* while TRUE v_add is 0 and the filter states follow the input; start false */
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
+    /* the parameter set, never NULL; start &axis_x_ipc_designed; volatile: each number is read once, so that the
+     * checked value is the one that is used */
     const volatile axis_x_ipc_params *params;
 } axis_x_ipc_inputs;
 
 /* Written by axis_x_ipc_step. */
 typedef struct {
-    float v_add; /* velocity to add to the manipulated variable [um/s] */
-    float v_add_calculated; /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s] */
-    bool limited; /* the limit of the parameter set acts in this cycle */
-    bool fault; /* the block cannot act in this cycle, the id says why */
+    /* additive velocity of improved position control, to be added to the manipulated variable [um/s] */
+    float v_add;
+    float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
+    bool limited; /* the sum of the stages is above the limit of the parameter set in this cycle */
+    bool fault; /* the block cannot act in this cycle; the error id gives the reason */
     /* 0 none, 1 cycle_time, 2 mode, 3 state, 6 set_structure, 7 set_unsound, 8 set_damaged, 12 v_motor */
     uint32_t error_id;
-    uint32_t active_set; /* the number of the parameter set in use; 0: none was taken over */
+    uint32_t active_set; /* number of the parameter set in use; 0: none */
 } axis_x_ipc_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    uint32_t set_id; /* the number of the set in use; 0: there is none */
-    uint32_t acting_set; /* the same while that set acts; 0: the block fades out for another set, or has none */
-    uint32_t offered_set; /* the number of the set that is offered */
-    uint32_t pause; /* cycles until a refused set is looked at again */
-    uint32_t refused; /* why the last set was refused */
-    uint32_t refused_set; /* the number of the last set that was refused */
+    uint32_t set_id; /* number of the set in use; 0: none */
+    /* number of the set in use while it acts; 0: the block fades out for another set, or no set is in use */
+    uint32_t acting_set;
+    uint32_t offered_set; /* number of the set that is offered */
+    uint32_t pause; /* cycles until a refused set is checked again */
+    uint32_t refused; /* error id of the last set that was refused */
+    uint32_t refused_set; /* number of the last set that was refused */
     float now_limit; /* largest |v_add| */
     float now_lower_limit; /* -limit */
-    float now_sum_limit; /* largest magnitude of a sum of stages that is not a fault */
+    float now_sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
     float now_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float now_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float now_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
     float copy_limit; /* largest |v_add| */
     float copy_lower_limit; /* -limit */
-    float copy_sum_limit; /* largest magnitude of a sum of stages that is not a fault */
+    float copy_sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
     float copy_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     float copy_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float copy_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
-    /* cycle of the round: which number is compared with its copy, from 0 on; any other: a number differed */
+    /* cycle in the round of comparisons, from 0 on; it selects the number to compare with its copy; a value outside
+     * the round: a number differed */
     int32_t turn_next;
-    bool ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
-     * state was overwritten */
+    bool ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
+    /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t ipc_fade;
-    float ipc_source_v_motor_before; /* the value of the cycle before */
-    float ipc_stage0_filter0_section0_s1; /* what the next output takes over */
-    float ipc_stage0_filter0_section0_p; /* the input without its low-pass part */
+    float ipc_source_v_motor_before; /* the value of the previous cycle */
+    float ipc_stage0_filter0_section0_s1; /* filter state s1: part of the next output */
+    float ipc_stage0_filter0_section0_p; /* filter state p: the input minus its low-pass part */
 } axis_x_ipc_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter.
- * A cycle that checks a parameter set takes some hundred bytes of stack. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one.
+ * A cycle that checks a parameter set needs a few hundred bytes of stack. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_x_ipc_init(axis_x_ipc_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_x_ipc_step(
     axis_x_ipc_state *state,
     const axis_x_ipc_inputs *inputs,
     axis_x_ipc_outputs *outputs);
 
-/* In a file of its own, axis_x_ipc_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_x_ipc_self_test.c; a build that does not call it can omit that file.
+ * Runs 35 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_x_ipc_self_test(void);
 
 #ifdef __cplusplus

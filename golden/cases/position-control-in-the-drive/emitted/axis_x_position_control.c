@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  2159609bf42e0b1bc9c5f51b280bdecb
  * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
- * checksum    2f99b9fb2ae36b3e9c8bd5a55825006a
+ * checksum    bdf05f17b204444b673d5656fbd4804d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_position_control.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static double axis_x_position_control_magnitude(double value)
 {
 #if defined(__GNUC__)
@@ -45,7 +45,7 @@ static double axis_x_position_control_magnitude(double value)
 #endif
 }
 
-/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+/* whether value is exactly 0; the exact comparison is intended, so the warning is disabled */
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
@@ -58,8 +58,8 @@ static bool axis_x_position_control_is_zero(double value)
 #pragma GCC diagnostic pop
 #endif
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t axis_x_position_control_nearest(double value)
 {
 #if defined(__GNUC__)
@@ -71,7 +71,7 @@ static int32_t axis_x_position_control_nearest(double value)
 
 void axis_x_position_control_init(axis_x_position_control_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_position_control_state *const state = fresh;
     state->x_held = 0.0;
     state->x_held_copy = 0.0;
@@ -93,10 +93,10 @@ void axis_x_position_control_step(
     const axis_x_position_control_inputs *restrict inputs,
     axis_x_position_control_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
-    /* 1/Kv, Kv = 20/s (P-AXIS-00099): the drive must have the same (SERCOS S-0-0104, CANopen 30C0h:01) */
+    /* 1/Kv, Kv = 20/s (P-AXIS-00099): the drive must have the same Kv (SERCOS S-0-0104, CANopen 30C0h:01) */
     static const double lag = 0.05; /* 1 / Kv of the drive: position lag for a velocity [s] */
 
     /* additive velocity: 10000 increments at 10000 um per minute (P-AXIS-00206/00205, 00207): 1000000 for 1 m/min */
@@ -108,8 +108,8 @@ void axis_x_position_control_step(
     static const double velocity_range_lower_limit = -2147483648.4999995; /* smallest number that is rounded to the smallest value */
     static const double velocity_range_upper_limit = 2147483647.4999998; /* largest number that is rounded to the largest value */
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const double sample_limit = 1000000000000000.0;
 
     if (!(axis_x_position_control_magnitude(inputs->x_command) <= sample_limit)) {
@@ -122,7 +122,7 @@ void axis_x_position_control_step(
             outputs->x_drive = state->x_held;
         } else {
             outputs->x_drive = 0.0;
-            /* the position has been overwritten, and there is no other: 0, with the id that says so */
+            /* the held position was corrupted and cannot be restored: x_drive is 0, and the error id reports it */
             outputs->error_id = AXIS_X_POSITION_CONTROL_ERROR_STATE;
         }
     } else if (inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != cycle_time_ns) {
@@ -180,7 +180,7 @@ void axis_x_position_control_step(
             outputs->limited = increments < velocity_range_lower_limit;
             outputs->additive_velocity = velocity_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->additive_velocity = 0;
             outputs->limited = true;
         }

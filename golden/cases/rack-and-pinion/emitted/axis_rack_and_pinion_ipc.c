@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    b648b9acb06b9126105693f7766a21c5
+ * checksum    00fd441043ef141455c3355154216247
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static double axis_rack_and_pinion_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
@@ -47,7 +47,7 @@ static double axis_rack_and_pinion_ipc_magnitude(double value)
 
 void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_rack_and_pinion_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
@@ -73,18 +73,18 @@ void axis_rack_and_pinion_ipc_step(
     const axis_rack_and_pinion_ipc_inputs *restrict inputs,
     axis_rack_and_pinion_ipc_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
      * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
      * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
-     * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz */
+     * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 at its centre and 1 at 53 Hz */
     static const double stage0_filter0_bandpass0_b2 = -0.016379233277825974; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
     static const double stage0_filter0_bandpass0_a1 = -1.8591673332183505; /* denominator: s1 = s2 - a1 y */
     static const double stage0_filter0_bandpass0_a2 = 0.967241533444348; /* denominator: s2 = b2 x - a2 y */
 
-    /* -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg */
+    /* -weight, against the vibration; at 53 Hz the stage output is 3 times its input, phase 180 deg */
     static const double stage0_gain = -3.0; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* INDIRECT (P-AXIS-00753) from v_motor, weight 190/100 = 1.9 (P-AXIS-00754/00755)
@@ -100,31 +100,31 @@ void axis_rack_and_pinion_ipc_step(
 
     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
      * factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
-     * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz */
+     * section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 at its centre and 1 at 11 Hz */
     static const double stage1_filter0_bandpass0_b2 = -0.01698693694336859; /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
     static const double stage1_filter0_bandpass0_a1 = -1.9613322512435023; /* denominator: s1 = s2 - a1 y */
     static const double stage1_filter0_bandpass0_a2 = 0.9660261261132628; /* denominator: s2 = b2 x - a2 y */
 
-    /* -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at 147.9946 deg */
+    /* -weight, against the vibration; at 11 Hz the stage output is 2.240571 times its input, phase 147.9946 deg */
     static const double stage1_gain = -1.9; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212) */
     static const double limit = 530000.0; /* largest |v_add| */
     static const double lower_limit = -530000.0; /* -limit */
 
-    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const double sum_limit = 4616683.738307328; /* largest magnitude of a sum of stages that is not a fault */
+    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const double sum_limit = 4616683.738307328; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
-    /* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-    /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
+    /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
     static const double rest = 4.597017211338539e-13;
 
-    /* OFF to ON takes 0.1 s (key fade), in cycles */
-    static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    /* fade from OFF to ON: 0.1 s (key fade) */
+    static const uint32_t fade_cycles = 100u; /* length of the fade from 0 to 1 [cycles] */
     static const double fade_step = 0.01; /* 1 / fade_cycles */
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const double sample_limit = 1000000000000000.0;
     /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
     static const double anti_denormal = 1.0e-30;
@@ -255,8 +255,8 @@ void axis_rack_and_pinion_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-             * then everything starts anew */
+            /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+             * block restarts */
             outputs->limited = true;
             state->fade = fade_cycles + 1u;
             v_limited = 0.0;

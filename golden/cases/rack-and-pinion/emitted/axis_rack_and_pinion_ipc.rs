@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    c6c81a3b0eaec62a94714722b736e57d
+// checksum    a464a2f4e6a543676d171c07b6c772c9
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -19,56 +19,55 @@
 
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Inputs {
     /// velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0
     pub v_motor: f64,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1
     pub mode: i32,
-    /// FALSE: the axis is not in position control, the output is 0 at once; start true
+    /// FALSE: the axis is not in position control: v_add is 0 at once; start true
     pub position_controlled: bool,
-    /// while TRUE the output is 0 and the states follow the input; start false
+    /// while TRUE v_add is 0 and the filter states follow the input; start false
     pub reset: bool,
-    /// the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0
+    /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0
     pub task_cycle_ns: u32,
 }
 
 /// Written by [`step`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // in brackets stand units
+#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 #[allow(dead_code)] // not every caller reads all of them
 pub struct Outputs {
-    /// velocity to add to the manipulated variable [um/s]
+    /// additive velocity of improved position control, to be added to the manipulated variable [um/s]
     pub v_add: f64,
-    /// the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [um/s]
+    /// v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s]
     pub v_add_calculated: f64,
-    /// the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle
+    /// the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle
     pub limited: bool,
-    /// the block cannot act in this cycle, the id says why
+    /// the block cannot act in this cycle; the error id gives the reason
     pub fault: bool,
     /// 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor
     pub error_id: u32,
 }
 
-/// Kept from cycle to cycle; only the functions below look inside.
+/// Memory of the block from cycle to cycle. Only the functions below access the fields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State {
-    // whether the sections have been preset to the steady state of an input
+    // TRUE after the filter sections have been preset to the steady state of the input
     preset: bool,
-    // position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
-    // state was overwritten
+    // position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted
     fade: u32,
-    // what the next output takes over
+    // filter state s1: part of the next output
     stage0_filter0_section0_s1: f64,
-    // what `s1` takes over
+    // filter state s2: part of the next s1
     stage0_filter0_section0_s2: f64,
-    // what the next output takes over
+    // filter state s1: part of the next output
     stage1_oscillation_s1: f64,
-    // what `s1` takes over
+    // filter state s2: part of the next s1
     stage1_oscillation_s2: f64,
-    // what the next output takes over
+    // filter state s1: part of the next output
     stage1_filter0_section0_s1: f64,
-    // what `s1` takes over
+    // filter state s2: part of the next s1
     stage1_filter0_section0_s2: f64,
 }
 
@@ -138,18 +137,18 @@ impl Default for State {
     }
 }
 
-// The numbers below hold for IEEE 754 arithmetic that rounds every operation once.
+// The constants below require IEEE 754 arithmetic in which every operation is rounded once.
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("this block needs arithmetic in the declared type: compile it for x86 with SSE2");
 
-// cycle time 1000 us, the coefficients hold for no other
+// cycle time 1000 us; the coefficients are valid only for this cycle time
 /// cycle time that all coefficients were designed for [ns]
 const CYCLE_TIME_NS: u32 = 1000000;
 
 // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
 // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
 // factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
-// section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz
+// section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 at its centre and 1 at 53 Hz
 /// numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y
 const STAGE0_FILTER0_BANDPASS0_B2: f64 = -0.016379233277825974;
 /// denominator: s1 = s2 - a1 y
@@ -157,7 +156,7 @@ const STAGE0_FILTER0_BANDPASS0_A1: f64 = -1.8591673332183505;
 /// denominator: s2 = b2 x - a2 y
 const STAGE0_FILTER0_BANDPASS0_A2: f64 = 0.967241533444348;
 
-// -weight, against the vibration; at 53 Hz the stage adds 3 times its source at 180 deg
+// -weight, against the vibration; at 53 Hz the stage output is 3 times its input, phase 180 deg
 /// -weight: negative, because the stage moves the motor against the vibration
 const STAGE0_GAIN: f64 = -3.0;
 
@@ -181,7 +180,7 @@ const STAGE1_OSCILLATION_PRESET_S2: f64 = -0.946513268643382;
 
 // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 11 Hz (P-AXIS-00751), quality
 // factor 2 (P-AXIS-00752), -3 dB at 8.588009 and 14.08801 Hz
-// section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 there and 1 at 11 Hz
+// section 1 of 1: centre frequency 11 Hz, quality factor 1.998209, gain 1 at its centre and 1 at 11 Hz
 /// numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y
 const STAGE1_FILTER0_BANDPASS0_B2: f64 = -0.01698693694336859;
 /// denominator: s1 = s2 - a1 y
@@ -189,7 +188,7 @@ const STAGE1_FILTER0_BANDPASS0_A1: f64 = -1.9613322512435023;
 /// denominator: s2 = b2 x - a2 y
 const STAGE1_FILTER0_BANDPASS0_A2: f64 = 0.9660261261132628;
 
-// -weight, against the vibration; at 11 Hz the stage adds 2.240571 times its source at 147.9946 deg
+// -weight, against the vibration; at 11 Hz the stage output is 2.240571 times its input, phase 147.9946 deg
 /// -weight: negative, because the stage moves the motor against the vibration
 const STAGE1_GAIN: f64 = -1.9;
 
@@ -199,24 +198,24 @@ const LIMIT: f64 = 530000.0;
 /// -limit
 const LOWER_LIMIT: f64 = -530000.0;
 
-// 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit
-/// largest magnitude of a sum of stages that is not a fault
+// 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit
+/// largest magnitude of the sum of the stages; a larger sum is a fault
 const SUM_LIMIT: f64 = 4616683.738307328;
 
-// P-AXIS-00212 * 2^-60: a sum below it is exactly 0
-/// a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0
+// rest threshold of the sum: P-AXIS-00212 * 2^-60
+/// a sum up to this magnitude is set to 0, so that the output at rest is exactly 0
 const REST: f64 = 4.597017211338539e-13;
 
-// OFF to ON takes 0.1 s (key fade), in cycles
-/// cycles that the fade takes from 0 to 1
+// fade from OFF to ON: 0.1 s (key fade)
+/// length of the fade from 0 to 1 [cycles]
 const FADE_CYCLES: u32 = 100;
 /// 1 / fade_cycles
 const FADE_STEP: f64 = 0.01;
 
-// the same for every axis
+// constants that do not depend on the axis
 /// error_id: no fault
 const ERROR_NONE: u32 = 0;
-/// largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range
+/// largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range
 const SAMPLE_LIMIT: f64 = 1000000000000000.0;
 /// error_id: v_motor is not within the sample limit
 const ERROR_V_MOTOR: u32 = 12;
@@ -224,8 +223,7 @@ const ERROR_V_MOTOR: u32 = 12;
 const MODE_ON: i32 = 1;
 /// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
 const ERROR_CYCLE_TIME: u32 = 1;
-/// error_id: a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts
-/// anew
+/// error_id: the block's memory was corrupted, or an input is far above vb_max; the block restarts
 const ERROR_STATE: u32 = 3;
 /// mode: the block is off
 const MODE_OFF: i32 = 0;
@@ -236,8 +234,8 @@ const ERROR_MODE: u32 = 2;
 /// added in every update of s2, so that a section at rest never decays into subnormal numbers
 const ANTI_DENORMAL: f64 = 1.0e-30;
 
-/// Once per position-controller cycle.
-#[allow(clippy::all)] // one statement for each of the reference
+/// Call once per position-controller cycle.
+#[allow(clippy::all)] // one statement for each statement of the reference
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
     let runs: bool;
@@ -364,8 +362,8 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
                 v_limited = LOWER_LIMIT;
             }
         } else {
-            // a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-            // then everything starts anew
+            // a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+            // block restarts
             outputs.limited = true;
             state.fade = FADE_CYCLES.wrapping_add(1);
             v_limited = 0.0;
@@ -394,12 +392,13 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
     }
 }
 
-/// Compares a run of 35 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
-/// number of the first sample that differs, or 1 if the build fuses a product with a sum. Run it once at start-up, on the
-/// machine: it finds a build that fuses or reorders floating-point operations, or that takes a NaN for a number.
+/// Runs 35 samples and compares outputs and state with the bits of the reference. Returns 0 if all
+/// bits are equal, otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum. Call
+/// it once at start-up on the machine. It also detects a build that reorders floating-point operations or treats a NaN as a
+/// number.
 #[must_use]
-#[allow(dead_code)] // for whoever runs it
-#[allow(clippy::all)] // numbers that may be equal
+#[allow(dead_code)] // a build need not call it
+#[allow(clippy::all)] // generated arithmetic, some factors are equal
 #[rustfmt::skip]
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample
@@ -440,12 +439,12 @@ pub fn self_test() -> u32 {
         0xa86f1909,
         0x5742a7d2,
     ];
-    // opaque: the compiler must call what the caller calls, and not work it out by itself
+    // opaque: the compiler must call the same function as the caller and must not evaluate it at compile time
     let step: fn(&mut State, &Inputs, &mut Outputs) = core::hint::black_box(step);
     // 1 + 2^-30 and its rounded square
     let factor = core::hint::black_box(f64::from_bits(0x3ff0_0000_0040_0000));
     let square = core::hint::black_box(f64::from_bits(0x3ff0_0000_0080_0000));
-    // 0, unless the compiler fuses a product with the sum behind it: noise alone shows that too rarely
+    // 0, unless the compiler fuses the product with the following sum; noise alone detects that too rarely
     if (factor * factor - square).to_bits() != 0 {
         return 1;
     }
@@ -458,12 +457,12 @@ pub fn self_test() -> u32 {
     inputs.reset = false;
     inputs.task_cycle_ns = 0;
     let mut random: u32 = 0;
-    // the next integer of the noise
+    // next integer of the pseudo-random noise
     let mut integer = || {
         random = random.wrapping_mul(509).wrapping_add(2097155) % 4194304;
         random
     };
-    // a number, of which one in four is small
+    // a real sample of the noise; one in four is small
     let noise = |integer: u32, scale: f64| {
         let noise = (f64::from(integer) - 2097152.0) * scale;
         if integer < 1048576 { noise * 0.00390625 } else { noise }
@@ -473,9 +472,9 @@ pub fn self_test() -> u32 {
     let mut digest: u32 = 0;
     let mut sample: u32 = 0;
     for expected in &EXPECTED {
-        // at first within every limit, so that nothing is cut off
+        // the first samples stay within every limit, so that nothing is cut off
         let scale = if sample < 27 { 0.015625 } else { 4.0 };
-        // each input is no number for one sample: a block that does not notice it goes on with other bits
+        // each input is NaN for one sample; a build that does not detect it goes on with different bits
         let value = noise(integer(), scale);
         inputs.v_motor = if sample == 3 { not_a_number } else { value };
         step(&mut state, &inputs, &mut outputs);

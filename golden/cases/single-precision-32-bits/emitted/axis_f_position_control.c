@@ -6,12 +6,12 @@
  * cycle time  2000000 ns
  * parameters  3a154cd186faf36d5b7438ab27a47ecf
  * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
- * checksum    aab0c75a1f7a5c2c314970ca86f416d5
+ * checksum    91d1418d018828d88d2765ea7d7babcb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_position_control.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static float axis_f_position_control_magnitude(float value)
 {
 #if defined(__GNUC__)
@@ -45,8 +45,8 @@ static float axis_f_position_control_magnitude(float value)
 #endif
 }
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t axis_f_position_control_nearest(float value)
 {
 #if defined(__GNUC__)
@@ -58,7 +58,7 @@ static int32_t axis_f_position_control_nearest(float value)
 
 void axis_f_position_control_init(axis_f_position_control_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_f_position_control_state *const state = fresh;
     state->unused = false;
 }
@@ -77,7 +77,7 @@ void axis_f_position_control_step(
     const axis_f_position_control_inputs *restrict inputs,
     axis_f_position_control_outputs *restrict outputs)
 {
-    /* cycle time 2000 us, the coefficients hold for no other */
+    /* cycle time 2000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 2000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* position control in the CNC: Kv = 20/s (P-AXIS-00099) */
@@ -92,8 +92,8 @@ void axis_f_position_control_step(
     static const float manipulated_range_lower_limit = -2147483600.0f; /* smallest number that is rounded to the smallest value */
     static const float manipulated_range_upper_limit = 2147483500.0f; /* largest number that is rounded to the largest value */
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const float sample_limit = 1000000000.0f;
 
     (void)state;
@@ -138,7 +138,7 @@ void axis_f_position_control_step(
             outputs->limited = increments < manipulated_range_lower_limit;
             outputs->manipulated_variable = manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }

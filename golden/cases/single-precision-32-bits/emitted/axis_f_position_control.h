@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  3a154cd186faf36d5b7438ab27a47ecf
  * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
- * checksum    f873a0440d3ed1a610979e2bfb08105b
+ * checksum    327ad395d1c8f29c44e19498f85a03a6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
@@ -19,28 +19,28 @@
 extern "C" {
 #endif
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_F_POSITION_CONTROL_CYCLE_TIME_NS 2000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_F_POSITION_CONTROL_REAL_BITS 32
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_0 0x3a154cd1u
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_1 0x86faf36du
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_2 0x5b7438abu
 #define AXIS_F_POSITION_CONTROL_PARAMETERS_3 0x27a47ecfu
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_0 0x7a6d81ecu
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_1 0x8a8cbd34u
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_2 0x2dd255d0u
 #define AXIS_F_POSITION_CONTROL_STRUCTURE_3 0x33e5eeb5u
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_F_POSITION_CONTROL_INPUTS_SIZE 16u
 #define AXIS_F_POSITION_CONTROL_OUTPUTS_SIZE 16u
 #define AXIS_F_POSITION_CONTROL_STATE_SIZE 1u
 
-/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -58,17 +58,20 @@ enum {
     AXIS_F_POSITION_CONTROL_ERROR_FOLLOWING_ERROR = 24 /* following_error is not within the sample limit */
 };
 
-/* Written by the caller. axis_f_position_control_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_f_position_control_inputs_init writes the start values. */
 typedef struct {
-    /* x_command - x_actual in the place of both, in single precision: subtracted by the caller in increments or in
+    /* x_command - x_actual, in single precision instead of both positions: the caller subtracts in increments or in
      * double precision [um]; start 0.0f */
     float following_error;
     float v_feedforward; /* conventional feedforward [um/s]; start 0.0f */
-    /* FALSE: the axis is not in position control, all outputs are 0 at once; x_drive, if the drive has the
-     * controller, follows x_command. It acts in full in the next cycle: x_command stands on x_actual then; start true */
+    /* FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
+     * position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must
+     * be at x_actual; start true */
     bool position_controlled;
-    bool reset; /* while TRUE the same; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
+    /* while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; start false */
+    bool reset;
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
 } axis_f_position_control_inputs;
 
 /* Written by axis_f_position_control_step. */
@@ -78,40 +81,41 @@ typedef struct {
     float v_command;
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    bool limited; /* a process-data type cuts an output off in this cycle */
-    bool fault; /* the block cannot act in this cycle, the id says why */
-    uint32_t error_id; /* each stops the block: 0 none, 1 cycle_time, 19 v_feedforward, 24 following_error */
+    bool limited; /* an output is limited to the range of its process-data type in this cycle */
+    bool fault; /* the block cannot act in this cycle; the error id gives the reason */
+    /* reason of the fault, which stops the block: 0 none, 1 cycle_time, 19 v_feedforward, 24 following_error */
+    uint32_t error_id;
 } axis_f_position_control_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    bool unused; /* this block keeps nothing; C has no struct without a member */
+    bool unused; /* the block has no state; a C struct needs a member */
 } axis_f_position_control_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_f_position_control_init(axis_f_position_control_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_f_position_control_inputs_init(axis_f_position_control_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_f_position_control_step(
     axis_f_position_control_state *state,
     const axis_f_position_control_inputs *inputs,
     axis_f_position_control_outputs *outputs);
 
-/* In a file of its own, axis_f_position_control_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_f_position_control_self_test.c; a build that does not call it can omit that file.
+ * Runs 38 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_f_position_control_self_test(void);
 
 #ifdef __cplusplus

@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    6c6d1334eb2c2209502d0eba50bb0b58
+ * checksum    6f945c83d7e5aed99674003b045009bc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static float axis_c_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
@@ -47,7 +47,7 @@ static float axis_c_ipc_magnitude(float value)
 
 void axis_c_ipc_init(axis_c_ipc_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_c_ipc_state *const state = fresh;
     state->preset = false;
     state->fade = 0u;
@@ -93,25 +93,27 @@ void axis_c_ipc_step(
     const axis_c_ipc_inputs *restrict inputs,
     axis_c_ipc_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 1000000u; /* cycle time that all coefficients were designed for [ns] */
 
     /* DIRECT (P-AXIS-00753) from v_motor, weight 250/100 = 2.5 (P-AXIS-00754/00755)
      * BANDPASS BUTTERWORTH order 3 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
      * factor 3 (P-AXIS-00752), -3 dB at 44.87068 and 62.53735 Hz
-     * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 there and 1 at 53 Hz */
+     * section 1 of 3: centre frequency 53 Hz, quality factor 2.941835, gain 1 at its centre and 1 at 53 Hz */
     static const float stage0_filter0_bandpass0_a = 0.052634247f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass0_b = 0.15731385f;
     static const float stage0_filter0_bandpass0_c = 0.98881173f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
+    /* section 2 of 3: centre frequency 45.8539 Hz, quality factor 5.947513, gain 2.021702 at its centre and 1 at 53
+     * Hz */
     static const float stage0_filter0_bandpass1_a = 0.04716619f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass1_b = 0.08691527f;
     static const float stage0_filter0_bandpass1_c = 0.85347956f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 there and 1 at 53 Hz */
+    /* section 3 of 3: centre frequency 61.21189 Hz, quality factor 5.947513, gain 2.021702 at its centre and 1 at 53
+     * Hz */
     static const float stage0_filter0_bandpass2_a = 0.061818752f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     static const float stage0_filter0_bandpass2_b = 0.1319749f; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage0_filter0_bandpass2_c = 1.1456028f; /* C = 2 g / (c k): the low-pass part grows by C y */
@@ -122,7 +124,7 @@ void axis_c_ipc_step(
     static const float stage0_filter1_allpass_b = 0.13876995f; /* B = 2 (g + k) g h: bp = s1 + (s1 + u), s1 = s1 + u, y = x - 2 bp */
     static const float stage0_filter1_allpass_c = 0.89718497f; /* C = 2 g / k: the low-pass part grows by C bp */
 
-    /* -weight, against the vibration; at 53 Hz the stage adds 2.5 times its source at -61.59105 deg */
+    /* -weight, against the vibration; at 53 Hz the stage output is 2.5 times its input, phase -61.59105 deg */
     static const float stage0_gain = -2.5f; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* INDIRECT (P-AXIS-00753) from v_motor, weight 120/100 = 1.2 (P-AXIS-00754/00755)
@@ -135,19 +137,19 @@ void axis_c_ipc_step(
 
     /* BANDPASS CRIT_DAMPING order 2 (P-AXIS-00849, 00848, 00750): centre frequency 17.5 Hz (P-AXIS-00751), quality
      * factor 3 (P-AXIS-00752), -3 dB at 14.82376 and 20.65709 Hz
-     * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
+     * section 1 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 at its centre and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass0_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage1_filter0_bandpass0_b = 0.06124996f;
     static const float stage1_filter0_bandpass0_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 there and 1 at 17.5 Hz */
+    /* section 2 of 2: centre frequency 17.5 Hz, quality factor 1.926679, gain 1 at its centre and 1 at 17.5 Hz */
     static const float stage1_filter0_bandpass1_a = 0.027689066f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage1_filter0_bandpass1_b = 0.06124996f;
     static const float stage1_filter0_bandpass1_c = 0.2120631f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* -weight, against the vibration; at 17.5 Hz the stage adds 1.474684 times its source at 144.4623 deg */
+    /* -weight, against the vibration; at 17.5 Hz the stage output is 1.474684 times its input, phase 144.4623 deg */
     static const float stage1_gain = -1.2f; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* SET_POINT (P-AXIS-00753) from v_command, weight 72/100 = 0.72 (P-AXIS-00754/00755)
@@ -160,39 +162,42 @@ void axis_c_ipc_step(
 
     /* BANDPASS BESSEL order 2 (P-AXIS-00849, 00848, 00750): centre frequency 64 Hz (P-AXIS-00751), quality factor 5
      * (P-AXIS-00752), -3 dB at 57.90185 and 70.70185 Hz
-     * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
+     * section 1 of 2: centre frequency 60.02592 Hz, quality factor 4.424675, gain 1.157198 at its centre and 1 at 64
+     * Hz */
     static const float stage2_filter0_bandpass0_a = 0.04623405f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage2_filter0_bandpass0_b = 0.14738232f;
     static const float stage2_filter0_bandpass0_c = 1.4594313f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 there and 1 at 64 Hz */
+    /* section 2 of 2: centre frequency 68.22194 Hz, quality factor 4.424675, gain 1.157198 at its centre and 1 at 64
+     * Hz */
     static const float stage2_filter0_bandpass1_a = 0.051913977f; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
     /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     static const float stage2_filter0_bandpass1_b = 0.17613757f;
     static const float stage2_filter0_bandpass1_c = 1.664561f; /* C = 2 g / (c k): the low-pass part grows by C y */
 
-    /* -weight, against the vibration; at 64 Hz the stage adds 0.8490583 times its source at 147.9946 deg */
+    /* -weight, against the vibration; at 64 Hz the stage output is 0.8490583 times its input, phase 147.9946 deg */
     static const float stage2_gain = -0.72f; /* -weight: negative, because the stage moves the motor against the vibration */
 
     /* largest |v_add| = 18000: 100 * 0.1 % (P-AXIS-00757) of 180000 (P-AXIS-00212) */
     static const float limit = 18000.0f; /* largest |v_add| */
     static const float lower_limit = -18000.0f; /* -limit */
 
-    /* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-    static const float sum_limit = 2180051.0f; /* largest magnitude of a sum of stages that is not a fault */
+    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const float sum_limit = 2180051.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
-    /* P-AXIS-00212 * 2^-40: a sum below it is exactly 0 */
-    static const float rest = 1.6370905e-7f; /* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+    /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
+    static const float rest = 1.6370905e-7f; /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
 
-    /* OFF to ON takes 0.1 s (key fade), in cycles */
-    static const uint32_t fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+    /* fade from OFF to ON: 0.1 s (key fade) */
+    static const uint32_t fade_cycles = 100u; /* length of the fade from 0 to 1 [cycles] */
     static const float fade_step = 0.01f; /* 1 / fade_cycles */
 
-    /* the same for every axis */
-    /* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+    /* constants that do not depend on the axis */
+    /* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
     static const float sample_limit = 1000000000.0f;
-    /* added to every change and to low, so that a section at rest never decays into subnormal numbers */
+    /* added to every change of an input and to the filter state low, so that a section at rest never decays into
+     * subnormal numbers */
     static const float least_change = 1.0e-18f;
 
     bool runs;
@@ -448,8 +453,8 @@ void axis_c_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-             * then everything starts anew */
+            /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+             * block restarts */
             outputs->limited = true;
             state->fade = fade_cycles + 1u;
             v_limited = 0.0f;

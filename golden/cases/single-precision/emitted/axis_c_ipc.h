@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    006eb6d290fa3fd7bbff02262cfe8c45
+ * checksum    e703927acb6d823eead6c6ae7fcb064e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -34,32 +34,32 @@ extern "C" {
  * signal-to-noise ratio in single precision, of a vibration of 360 at f0 while the axis moves at 180000:
  * stage[0] 125 dB, stage[1] 94 dB, stage[2] 93 dB */
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_C_IPC_CYCLE_TIME_NS 1000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_C_IPC_REAL_BITS 32
 /* the largest |v_add| [0.001 deg/s] */
 #define AXIS_C_IPC_LIMIT 18000.0f
-/* the bound of |v_add| before the limit that is certain for |v| <= 180000 [0.001 deg/s] */
+/* guaranteed bound of |v_add| before the limit, for |v| <= 180000 [0.001 deg/s] */
 #define AXIS_C_IPC_BOUND 1090500.8f
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_C_IPC_PARAMETERS_0 0x66f0269bu
 #define AXIS_C_IPC_PARAMETERS_1 0x36f88be0u
 #define AXIS_C_IPC_PARAMETERS_2 0x89736648u
 #define AXIS_C_IPC_PARAMETERS_3 0xcbf9f148u
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_C_IPC_STRUCTURE_0 0x3e99e516u
 #define AXIS_C_IPC_STRUCTURE_1 0xdbb85b62u
 #define AXIS_C_IPC_STRUCTURE_2 0x5e4116a6u
 #define AXIS_C_IPC_STRUCTURE_3 0xe39a1e8eu
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u
 #define AXIS_C_IPC_STATE_SIZE 108u
 
-/* With another number of bits in float the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(float) == sizeof(uint32_t), "float must have 32 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -80,13 +80,13 @@ enum {
     AXIS_C_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_C_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_C_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
     AXIS_C_IPC_ERROR_STATE = 3,
     AXIS_C_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_C_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
 
-/* Written by the caller. axis_c_ipc_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_c_ipc_inputs_init writes the start values. */
 typedef struct {
     /* output of the position controller with feedforward, before v_add is added [0.001 deg/s]; input of SET_POINT
      * (P-AXIS-00753); start 0.0f */
@@ -94,78 +94,79 @@ typedef struct {
     /* velocity of the motor encoder, v_ist1 [0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0f */
     float v_motor;
     int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
-    bool position_controlled; /* FALSE: the axis is not in position control, the output is 0 at once; start true */
-    bool reset; /* while TRUE the output is 0 and the states follow the input; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
+    bool position_controlled; /* FALSE: the axis is not in position control: v_add is 0 at once; start true */
+    bool reset; /* while TRUE v_add is 0 and the filter states follow the input; start false */
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
 } axis_c_ipc_inputs;
 
 /* Written by axis_c_ipc_step. */
 typedef struct {
-    float v_add; /* velocity to add to the manipulated variable [0.001 deg/s] */
-    /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [0.001 deg/s] */
-    float v_add_calculated;
-    bool limited; /* the limit (P-AXIS-00757 of P-AXIS-00212) acts in this cycle */
-    bool fault; /* the block cannot act in this cycle, the id says why */
+    /* additive velocity of improved position control, to be added to the manipulated variable [0.001 deg/s] */
+    float v_add;
+    float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [0.001 deg/s] */
+    /* the sum of the stages is above the limit (P-AXIS-00757, in 0.1 % of P-AXIS-00212) in this cycle */
+    bool limited;
+    bool fault; /* the block cannot act in this cycle; the error id gives the reason */
     uint32_t error_id; /* 0 none, 1 cycle_time, 2 mode, 3 state, 11 v_command, 12 v_motor */
 } axis_c_ipc_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    bool preset; /* whether the sections have been preset to the steady state of an input */
-    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
-     * state was overwritten */
+    bool preset; /* TRUE after the filter sections have been preset to the steady state of the input */
+    /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t fade;
-    float source_v_command_before; /* the value of the cycle before */
-    float source_v_motor_before; /* the value of the cycle before */
-    float stage0_filter0_section0_s1; /* what the next output takes over */
-    float stage0_filter0_section0_p; /* the input without its low-pass part */
-    float stage0_filter0_section1_s1; /* what the next output takes over */
-    float stage0_filter0_section1_low; /* the low-pass part of the input */
-    float stage0_filter0_section2_s1; /* what the next output takes over */
-    float stage0_filter0_section2_low; /* the low-pass part of the input */
-    float stage0_filter1_section0_s1; /* what the next output takes over */
-    float stage0_filter1_section0_p; /* the input without its low-pass part */
-    float stage0_filter1_input_before; /* the value of the cycle before */
-    float stage1_oscillation_s1; /* what the next output takes over */
-    float stage1_oscillation_p; /* the input without its low-pass part */
-    float stage1_filter0_section0_s1; /* what the next output takes over */
-    float stage1_filter0_section0_p; /* the input without its low-pass part */
-    float stage1_filter0_section1_s1; /* what the next output takes over */
-    float stage1_filter0_section1_low; /* the low-pass part of the input */
-    float stage1_filter0_input_before; /* the value of the cycle before */
-    float stage2_oscillation_s1; /* what the next output takes over */
-    float stage2_oscillation_p; /* the input without its low-pass part */
-    float stage2_filter0_section0_s1; /* what the next output takes over */
-    float stage2_filter0_section0_p; /* the input without its low-pass part */
-    float stage2_filter0_section1_s1; /* what the next output takes over */
-    float stage2_filter0_section1_low; /* the low-pass part of the input */
-    float stage2_filter0_input_before; /* the value of the cycle before */
+    float source_v_command_before; /* the value of the previous cycle */
+    float source_v_motor_before; /* the value of the previous cycle */
+    float stage0_filter0_section0_s1; /* filter state s1: part of the next output */
+    float stage0_filter0_section0_p; /* filter state p: the input minus its low-pass part */
+    float stage0_filter0_section1_s1; /* filter state s1: part of the next output */
+    float stage0_filter0_section1_low; /* filter state low: the low-pass part of the input */
+    float stage0_filter0_section2_s1; /* filter state s1: part of the next output */
+    float stage0_filter0_section2_low; /* filter state low: the low-pass part of the input */
+    float stage0_filter1_section0_s1; /* filter state s1: part of the next output */
+    float stage0_filter1_section0_p; /* filter state p: the input minus its low-pass part */
+    float stage0_filter1_input_before; /* the value of the previous cycle */
+    float stage1_oscillation_s1; /* filter state s1: part of the next output */
+    float stage1_oscillation_p; /* filter state p: the input minus its low-pass part */
+    float stage1_filter0_section0_s1; /* filter state s1: part of the next output */
+    float stage1_filter0_section0_p; /* filter state p: the input minus its low-pass part */
+    float stage1_filter0_section1_s1; /* filter state s1: part of the next output */
+    float stage1_filter0_section1_low; /* filter state low: the low-pass part of the input */
+    float stage1_filter0_input_before; /* the value of the previous cycle */
+    float stage2_oscillation_s1; /* filter state s1: part of the next output */
+    float stage2_oscillation_p; /* filter state p: the input minus its low-pass part */
+    float stage2_filter0_section0_s1; /* filter state s1: part of the next output */
+    float stage2_filter0_section0_p; /* filter state p: the input minus its low-pass part */
+    float stage2_filter0_section1_s1; /* filter state s1: part of the next output */
+    float stage2_filter0_section1_low; /* filter state low: the low-pass part of the input */
+    float stage2_filter0_input_before; /* the value of the previous cycle */
 } axis_c_ipc_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_c_ipc_init(axis_c_ipc_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_c_ipc_step(
     axis_c_ipc_state *state,
     const axis_c_ipc_inputs *inputs,
     axis_c_ipc_outputs *outputs);
 
-/* In a file of its own, axis_c_ipc_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 38 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_c_ipc_self_test.c; a build that does not call it can omit that file.
+ * Runs 38 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_c_ipc_self_test(void);
 
 #ifdef __cplusplus

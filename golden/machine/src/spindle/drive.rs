@@ -55,7 +55,7 @@ pub struct Drive {
     follows: Follows,
     velocity: Velocity,
     x: f64,
-    /// command position of the cycle before
+    /// command position of the previous cycle
     x_before: f64,
     display: Display<i32>,
     /// on the way to the CNC
@@ -73,7 +73,7 @@ impl Drive {
         (Self { setup, follows, velocity, x, x_before: x, display: Display::of(mode), sent }, rest)
     }
 
-    /// One cycle with a command. Gives what the CNC reads when it computes the next one.
+    /// One cycle with a command. Returns what the CNC reads when it computes the next one.
     pub fn step(&mut self, command: Command) -> Actual {
         let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
         self.display.ask(command.mode, Some(MODE_CYCLES));

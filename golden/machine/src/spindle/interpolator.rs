@@ -6,7 +6,7 @@ use crate::profile::{Error, Limits, Mover};
 /// Speed of homing [0.001 deg/s]: 50 rpm.
 const HOMING: f64 = 300_000.0;
 
-/// What the control of the changeover put out in the cycle before: state, job, commands.
+/// What the control of the changeover put out in the previous cycle: state, job, commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     pub state: State,
@@ -66,8 +66,8 @@ impl Interpolator {
         Ok(Self { limits, cycle, mover, job: 0.0, after_stop: None, last: Commanded { x, v: 0.0, is_done: false } })
     }
 
-    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the control put out. In VELOCITY only the velocity
-    /// counts: the position stays.
+    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the control put out. In VELOCITY only the
+    /// velocity counts: the position stays.
     pub fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
         match seen.state {
             State::Brake => return Ok(self.last),
@@ -100,7 +100,8 @@ impl Interpolator {
         }
     }
 
-    /// To the next passage of an angle, in the direction of the speed, for which it can brake. In the other direction it stops first.
+    /// To the next passage of an angle, in the direction of the speed, for which it can brake. In the other direction it stops
+    /// first.
     fn approach(&mut self, target: f64, speed: f64) -> Result<(), Error> {
         let v = self.mover.now().v;
         if v * speed < 0.0 {

@@ -1,4 +1,5 @@
-//! The axis that is only its drive: what is measured of a sine is late by the delay and the time constant, and as large as they leave it.
+//! The axis that is only its drive: what is measured of a sine is late by the delay and the time constant, and as large as they
+//! leave it.
 
 use machine::Machine;
 use machine::drive::{Drive, Setup};
@@ -36,9 +37,9 @@ fn a_delay_leaves_the_amplitude_and_is_as_late_as_it_says() {
     }
 }
 
-/// `(1 - e) / (1 - e z^-1)` with e = exp(-Ts / Tc), beside the delay.
+/// `(1 - e) / (1 - e z^-1)` with e = exp(-Ts / Tc), in addition to the delay.
 #[test]
-fn a_time_constant_multiplies_it_behind_its_hold() {
+fn a_time_constant_multiplies_it_after_its_hold() {
     let Setup { cycle, delay, time_constant } = Setup::DELAY_AND_LAG;
     let (e, w) = ((-cycle / time_constant).exp(), TAU * 0.05);
     let [re, im] = [1.0 - e * w.cos(), e * w.sin()];

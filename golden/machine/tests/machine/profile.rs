@@ -20,7 +20,7 @@ pub fn run(mover: &mut Mover) -> Vec<Sample> {
     samples
 }
 
-/// Holds each sample and each step against the limits. What is more by a rounding of the library is no mistake.
+/// Holds each sample and each step against the limits. An excess by a rounding of the library is not a mistake.
 pub fn hold(samples: &[Sample], limits: Limits, cycle: f64) {
     let within = |what: &str, value: f64, most: f64, reached: f64| {
         assert!(value.abs() <= most * (1.0 + 1e-9) + reached.abs() * 1e-12, "{what}: {value} is above {most}");
@@ -172,7 +172,7 @@ fn another_target_on_the_way() {
     assert_eq!(mover.now(), Sample { x: -20.0, ..Sample::default() });
 }
 
-/// The same calls, the same bits.
+/// Equal calls give equal bits.
 #[test]
 fn a_mover_is_deterministic() {
     let motion = || {

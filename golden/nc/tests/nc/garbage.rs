@@ -3,7 +3,7 @@
 use nc::{Command, read};
 use proptest::prelude::*;
 
-/// Reads a text; what is read ends once, what is wrong has its place in the text and is said in order.
+/// Reads a text; what is read ends once, what is wrong has its place in the text and is reported in order.
 fn check(text: &str) {
     match read(text) {
         Ok(program) => {

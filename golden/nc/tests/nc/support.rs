@@ -10,7 +10,7 @@ pub fn commands(text: &str) -> Vec<Vec<Command>> {
     blocks
 }
 
-/// All that is said of a text.
+/// All that is reported for a text.
 pub fn said(text: &str) -> Vec<String> {
     read(text).err().unwrap_or_default().iter().map(ToString::to_string).collect()
 }

@@ -1,4 +1,4 @@
-//! `CASE`: which branch is taken, and what has a value behind it.
+//! `CASE`: which branch is taken, and which variables have a value after it.
 
 use crate::support::{answers, block, said};
 use portable::{Literal, RealKind};
@@ -83,7 +83,7 @@ END_FUNCTION_BLOCK
 ";
 
 #[test]
-fn a_temporary_has_a_value_behind_it_if_each_branch_gives_it_one() {
+fn a_temporary_has_a_value_after_it_if_each_branch_gives_it_one() {
     let check = |from: &str, to: &str| {
         assert!(SCL.contains(from), "{from}");
         said(Dialect::Scl, &SCL.replacen(from, to, 1), "probe", RealKind::F64).join("; ")

@@ -94,7 +94,7 @@ fn each_instance_has_its_memory_and_keeps_the_inputs_that_a_call_leaves_out() {
     assert_eq!(found(&outer, &inputs), expected);
 }
 
-/// The same in the forms of the tools, which honour start values.
+/// Instances in the forms of the tools, which honour start values.
 fn in_form(dialect: Dialect, text: &str, body: &str, variables: &str) -> String {
     let part = |start: &str, end: &str| {
         let from = text.find(start).expect("a test's text has its parts") + start.len();

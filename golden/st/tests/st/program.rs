@@ -144,7 +144,7 @@ fn declarations_that_are_refused() {
     let instead = "write a type of a variable, or a structure of a file before this one";
     assert_eq!(said, format!("3:9: found the type `STRING`; {instead}; 4:9: found the type `Later`; {instead}"));
     let said = mistakes(program.globals(&gvl("VAR_GLOBAL\n    s : FB_step;\nEND_VAR\n")));
-    assert_eq!(said, "2:9: found an instance that is no variable of `VAR`; write the instance in `VAR`");
+    assert_eq!(said, "2:9: found an instance that is not a variable of `VAR`; write the instance in `VAR`");
     let said = mistakes(program.globals(&gvl("VAR_GLOBAL\n    n AT %MD4 : DINT;\nEND_VAR\n")));
     assert_eq!(said, "2:10: found `AT`; write a variable without an address");
     let said = mistakes(program.globals(&dut("G", OUTER)));
@@ -156,7 +156,7 @@ fn declarations_that_are_refused() {
         ),
         (
             "VAR CONSTANT\n    s : Outer;\nEND_VAR\n",
-            "found a structure that is no variable; write the structure in `VAR` or `VAR_IN_OUT`",
+            "found a structure that is not a variable; write the structure in `VAR` or `VAR_IN_OUT`",
         ),
         (
             "VAR\n    s : Outer := 5;\nEND_VAR\n",

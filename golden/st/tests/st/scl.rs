@@ -55,7 +55,7 @@ fn the_source_without_a_mistake_passes() {
     assert_eq!(check(""), "1:1: found no block `FB_x`; write `FUNCTION_BLOCK FB_x`");
 }
 
-/// What is replaced, by what, and the first thing that is said.
+/// What is replaced, by what, and the first thing that is reported.
 #[rustfmt::skip]
 const MISTAKES: &[(&str, &str, &str)] = &[
     // the block
@@ -233,7 +233,7 @@ const MISTAKES: &[(&str, &str, &str)] = &[
     ("#o := -#t;", "#s := #n = 1.0;",
      "34:12: found `1.0` in an expression; write a LREAL variable that was assigned it"),
     ("#i MOD 4 = 2", "#i / 0 = 1",
-     "28:12: found a divisor that is no positive literal; write an integer literal from 1 on"),
+     "28:12: found a divisor that is not a positive literal; write an integer literal from 1 on"),
     ("#i MOD 4 = 2", "#i",
      "28:8: found a condition of type DINT; write a BOOL"),
     // temporaries

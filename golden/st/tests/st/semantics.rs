@@ -1,4 +1,4 @@
-//! What a text does: the same as the Rust beside it, to the last bit.
+//! What a text does: the same as equivalent Rust, to the last bit.
 
 use crate::support::{LREAL, answers, block};
 use portable::{Literal, Real, RealKind};

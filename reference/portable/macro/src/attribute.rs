@@ -34,8 +34,8 @@ fn is_doc(token: &TokenTree) -> bool {
     matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Rejects the attributes that may take a field or a variant away while its description stays. One at the item itself
-/// is no danger: rustc decides it before it runs the macro.
+/// Rejects the attributes that may take a field or a variant away while its description stays. An attribute at the item itself
+/// is harmless: rustc evaluates it before it runs the macro.
 pub fn reject_conditions(attributes: &[syn::Attribute], rejections: &mut Rejections) {
     for attribute in attributes {
         if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {

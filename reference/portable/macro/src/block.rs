@@ -32,7 +32,7 @@ fn describe_statement(statement: &Stmt, scope: &mut Scope, rejections: &mut Reje
         Stmt::Local(local) => return describe_let(local, scope, rejections),
         Stmt::Expr(value, _) => return expression(value, scope, rejections),
         Stmt::Item(item) => {
-            rejections.push(item, "an item inside a function is not described; write it beside the function")
+            rejections.push(item, "an item inside a function is not described; write it next to the function")
         }
         Stmt::Macro(call) => match copy::assignments(&call.mac) {
             Some(assignments) => {

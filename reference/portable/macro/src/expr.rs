@@ -154,11 +154,11 @@ fn describe_path(path: &syn::ExprPath, scope: &Scope, rejections: &mut Rejection
             ::portable::Expr::Read { place: ::portable::Place { root: stringify!(#path), projections: &[] } }
         },
         Some(Kind::Array) => {
-            rejections.push(path, "an array is no value; write its elements, or pass it with `&` or `&mut`");
+            rejections.push(path, "an array is not a value; write its elements, or pass it with `&` or `&mut`");
             TokenStream::new()
         }
         Some(Kind::Shared | Kind::Mutable) => {
-            rejections.push(path, "a borrowed parameter is no value; write its fields, or pass it to a call");
+            rejections.push(path, "a borrowed parameter is not a value; write its fields, or pass it to a call");
             TokenStream::new()
         }
     }

@@ -34,7 +34,7 @@ fn type_parameter<'g>(generics: &'g Generics, rejections: &mut Rejections) -> Op
             }
             GenericParam::Lifetime(_) => rejections.push(param, "a borrow ends with the call; remove the lifetime"),
             GenericParam::Const(_) => {
-                rejections.push(param, "a length is a `const` beside the item; write one and its name")
+                rejections.push(param, "a length is a `const` next to the item; write one and its name")
             }
         }
     }

@@ -63,7 +63,8 @@ pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Re
     }
 }
 
-/// Rejects a divisor of integers that is no number from 1 on: by 0, and the smallest by -1, languages do different things.
+/// Rejects a divisor of integers that is not a literal from 1 on: languages differ for a division by 0, and of the smallest
+/// number by -1.
 pub fn check_divisor(binary: &syn::ExprBinary, rejections: &mut Rejections) {
     let is_number = match expr::bare(&binary.right) {
         Expr::Lit(syn::ExprLit { lit: Lit::Int(integer), .. }) => {

@@ -1,5 +1,5 @@
-//! The attribute `#[portable]`: checks that an item keeps to the subset, leaves it as it is, and puts its description
-//! beside it; and `copy!`, the only macro that an item may contain. What the subset is stands in `docs/portable-rust.md`.
+//! The attribute `#[portable]`: checks that an item keeps to the subset, leaves it unchanged, and adds its description;
+//! and `copy!`, the only macro that an item may contain. `docs/portable-rust.md` defines the subset.
 #![forbid(unsafe_code)]
 
 mod attribute;

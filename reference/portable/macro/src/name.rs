@@ -7,7 +7,7 @@ use syn::Ident;
 pub fn check(name: &Ident, rejections: &mut Rejections) {
     let text = name.to_string();
     if text.starts_with("r#") {
-        rejections.push(name, "a keyword is no name in the emitted code; write another name");
+        rejections.push(name, "a keyword is not a name in the emitted code; write another name");
     } else if !text.is_ascii() {
         rejections.push(name, "names in C and Structured Text are ASCII; write another name");
     }

@@ -17,7 +17,7 @@ pub fn reject(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections)
     check_inside(expression, scope, rejections);
 }
 
-/// Rejects an expression that is no statement.
+/// Rejects an expression that is not a statement.
 pub fn reject_statement(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) {
     match expression {
         Expr::Tuple(tuple) if tuple.elems.is_empty() => {
@@ -59,10 +59,10 @@ fn instead(expression: &Expr) -> &'static str {
         Expr::Let(_) => "a condition binds no name; write a `match` on an enum",
         Expr::Unsafe(_) => "nothing here needs it; remove `unsafe`",
         Expr::Block(_) => "a block of its own has no counterpart; write its statements without the braces",
-        Expr::Const(_) => "a `const` block has no counterpart; write a `const` beside the function, and its name",
+        Expr::Const(_) => "a `const` block has no counterpart; write a `const` next to the function, and its name",
         Expr::Async(_) | Expr::Await(_) | Expr::Yield(_) => "a function runs within one cycle; write plain statements",
-        Expr::If(_) | Expr::Match(_) => "an `if` or a `match` is no operand; write `let value = if ...;` before",
-        Expr::Array(_) | Expr::Repeat(_) => "an array is no value; write `let name = [...];`, each element a scalar",
+        Expr::If(_) | Expr::Match(_) => "an `if` or a `match` is not an operand; write `let value = if ...;` before",
+        Expr::Array(_) | Expr::Repeat(_) => "an array is not a value; write `let name = [...];`, each element a scalar",
         Expr::Assign(_) | Expr::Binary(_) => "an assignment has no value; write it as a statement",
         Expr::ForLoop(_) => "a loop has no value; write it as a statement",
         Expr::Infer(_) => "`_` takes no value; write the call alone, as a statement",

@@ -3,7 +3,7 @@
 use proc_macro2::{Group, Ident, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
-/// The same tokens for a module inside: `super::x` becomes `super::super::x`, `self::x` becomes `super::x`.
+/// The tokens as they must read in an inner module: `super::x` becomes `super::super::x`, `self::x` becomes `super::x`.
 pub fn from_inside(tokens: TokenStream) -> TokenStream {
     let mut moved = TokenStream::new();
     let (mut colon, mut continues) = (false, false);

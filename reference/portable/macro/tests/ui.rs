@@ -1,4 +1,4 @@
-//! Each construct outside the subset has a file in `ui`, the message that it gets beside it, and a row in the guide.
+//! Each construct outside the subset has a file in `ui`, a file with its message, and a row in the guide.
 //!
 //! `TRYBUILD=overwrite cargo test -p axgen-portable-macro --test ui` writes the messages anew.
 

@@ -6,11 +6,11 @@ use portable::Literal;
 
 /// What one compiler takes as a real literal, although its LREAL has the range of a double.
 const SMALLEST: f64 = 1.18e-38;
-/// The same at the other end.
+/// The largest magnitude that this compiler takes as a real literal.
 const LARGEST: f64 = 3.4e38;
 /// 2^120, within these limits.
 const UP: f64 = f64::from_bits((1023 + 120) << 52);
-/// 2^-120, the same.
+/// 2^-120, within these limits.
 const DOWN: f64 = f64::from_bits((1023 - 120) << 52);
 
 /// The text of a literal. A real has digits on both sides of the point and a signed exponent; a magnitude that some compiler

@@ -1,4 +1,4 @@
-//! What Structured Text is to the printer, and what its dialects do differently inside a block. There are more parentheses
+//! The description of Structured Text and its dialects for the printer. There are more parentheses
 //! than the standard asks for: implementations read `NOT`, signs and mixed operators in more than one way.
 
 mod literal;
@@ -108,7 +108,7 @@ fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     Some(Form { level: Level::And, text, least: [Level::Any; 2] })
 }
 
-/// Where the smallest DINT is no literal, it is no value of a constant either.
+/// The smallest DINT is not a literal everywhere, so a constant must not have this value.
 fn declared(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let appearance = |constant: &Constant| match (constant.origin, constant.value) {
         (Origin::Runtime(_), _) | (_, Literal::I32(i32::MIN)) => Appearance::Inline,
@@ -117,7 +117,7 @@ fn declared(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     program.constants.iter().map(appearance).collect()
 }
 
-/// Digits in an expression are LREAL in every implementation: they must not stand beside a REAL.
+/// Digits in an expression are LREAL in every implementation: they must not be combined with a REAL.
 fn among_statements(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let usual = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
     let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| usual(constant.value)).collect();

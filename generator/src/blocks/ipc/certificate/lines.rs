@@ -26,17 +26,15 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
 pub(crate) fn figure(certificate: &Certificate) -> Option<Figure> {
     let Certificate { real, v_max, limit, bound, .. } = certificate;
     let value = bound.v_sum * v_max;
-    let doc = format!(
-        "the bound of |v_add| before the limit that is certain for |v| <= {} [um/s or 0.001 deg/s]",
-        digits(*v_max)
-    );
+    let doc =
+        format!("guaranteed bound of |v_add| before the limit, for |v| <= {} [um/s or 0.001 deg/s]", digits(*v_max));
     (*limit > 0.0 && value.is_finite()).then(|| Figure { name: "BOUND", doc, value: at_least(value, *real) })
 }
 
 fn range(certificate: &Certificate) -> String {
     let Certificate { real, v_max, limit, bound, .. } = certificate;
     if !bound.state.is_finite() || !bound.v_sum.is_finite() {
-        return "range: no bound is certain, a section is so weakly damped that its roundings may add up".to_owned();
+        return "range: no guaranteed bound, because a section is so weakly damped that its rounding errors can accumulate".to_owned();
     }
     let (muted, v_add) = if *limit > 0.0 {
         ("", format!("|v_add| <= {} before the limit and ", digits(bound.v_sum * v_max)))

@@ -77,7 +77,7 @@ impl Kind for Bandpass {
     fn note_of_section(&self, section: usize, [centre, quality, gain]: [String; 3]) -> Option<String> {
         let Self { order, f0, .. } = self;
         Some(format!(
-            "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} there and 1 at {f0} Hz",
+            "section {} of {order}: centre frequency {centre} Hz, quality factor {quality}, gain {gain} at its centre and 1 at {f0} Hz",
             section + 1
         ))
     }

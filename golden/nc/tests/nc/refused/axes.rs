@@ -50,31 +50,31 @@ fn g_words_beside_each_other() {
         (
             "G135 G137\nM30",
             &[
-                "1:6: error: found `G137` beside `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G137` in a block of its own",
+                "1:6: error: found `G137` with `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G137` in a block of its own",
             ],
         ),
         (
             "G135 G136 X1 G137\nM30",
             &[
-                "1:14: error: found `G137` beside `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G137` in a block of its own",
+                "1:14: error: found `G137` with `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G137` in a block of its own",
             ],
         ),
         (
             "G00 G01 X1 F5\nM30",
             &[
-                "1:5: error: found `G01` beside `G00`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G01` in a block of its own",
+                "1:5: error: found `G01` with `G00`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G01` in a block of its own",
             ],
         ),
         (
             "G135 G00 X1\nM30",
             &[
-                "1:6: error: found `G00` beside `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G00` in a block of its own",
+                "1:6: error: found `G00` with `G135`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G00` in a block of its own",
             ],
         ),
         (
             "G136 G74 X1\nM30",
             &[
-                "1:6: error: found `G74` beside `G136`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G74` in a block of its own",
+                "1:6: error: found `G74` with `G136`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G74` in a block of its own",
             ],
         ),
     ]);
@@ -92,7 +92,7 @@ fn axes_and_their_numbers() {
         (
             "G136 X80.5\nM30",
             &[
-                "1:6: error: found `X80.5` beside `G136`; allowed: an integer like `80`, with up to 9 digits; write `X` and such a number",
+                "1:6: error: found `X80.5` with `G136`; allowed: an integer like `80`, with up to 9 digits; write `X` and such a number",
             ],
         ),
         (
@@ -104,13 +104,13 @@ fn axes_and_their_numbers() {
         (
             "G74 X2\nM30",
             &[
-                "1:5: error: found `X2` beside `G74`; allowed: 1 after each axis of `G74`: they are homed at once; write `X1`, in a later block if it comes later",
+                "1:5: error: found `X2` with `G74`; allowed: 1 after each axis of `G74`: they are homed at once; write `X1`, in a later block if it comes later",
             ],
         ),
         (
             "G74 X1 Y0\nM30",
             &[
-                "1:8: error: found `Y0` beside `G74`; allowed: 1 after each axis of `G74`: they are homed at once; write `Y1`, in a later block if it comes later",
+                "1:8: error: found `Y0` with `G74`; allowed: 1 after each axis of `G74`: they are homed at once; write `Y1`, in a later block if it comes later",
             ],
         ),
         (
@@ -156,31 +156,31 @@ fn dwell() {
         (
             "G04 Y1\nM30",
             &[
-                "1:5: error: found `Y1` beside `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
+                "1:5: error: found `Y1` with `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
             ],
         ),
         (
             "G04 X1 Y1\nM30",
             &[
-                "1:8: error: found `Y1` beside `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
+                "1:8: error: found `Y1` with `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
             ],
         ),
         (
             "G04 X-1\nM30",
             &[
-                "1:5: error: found `X-1` beside `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
+                "1:5: error: found `X-1` with `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
             ],
         ),
         (
             "G04 X1 F5\nM30",
             &[
-                "1:8: error: found `F5` beside `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
+                "1:8: error: found `F5` with `G04`; allowed: `G04` with one time: `X` or `F` and seconds, or `P`, no less than 0; write a block like `G04 X2.5`",
             ],
         ),
         (
             "G04 X1 G00\nM30",
             &[
-                "1:8: error: found `G00` beside `G04`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G00` in a block of its own",
+                "1:8: error: found `G00` with `G04`; allowed: one G word that moves, waits or sets feedforward in a block, or `G135` with `G136`; write `G00` in a block of its own",
             ],
         ),
         (

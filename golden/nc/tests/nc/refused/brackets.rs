@@ -105,31 +105,31 @@ fn words_beside_each_other() {
         (
             "S[G135 G137]\nM30",
             &[
-                "1:8: error: found `G137` beside another word of the bracket; allowed: {bracket}; write `S[G137]` in a block of its own",
+                "1:8: error: found `G137` with another word of the bracket; allowed: {bracket}; write `S[G137]` in a block of its own",
             ],
         ),
         (
             "S[G137 G136=5]\nM30",
             &[
-                "1:8: error: found `G136=5` beside another word of the bracket; allowed: {bracket}; write `S[G136=5]` in a block of its own",
+                "1:8: error: found `G136=5` with another word of the bracket; allowed: {bracket}; write `S[G136=5]` in a block of its own",
             ],
         ),
         (
             "S[G135 G135]\nM30",
             &[
-                "1:8: error: found `G135` beside another word of the bracket; allowed: {bracket}; write `S[G135]` in a block of its own",
+                "1:8: error: found `G135` with another word of the bracket; allowed: {bracket}; write `S[G135]` in a block of its own",
             ],
         ),
         (
             "S[G136=1 G136=2]\nM30",
             &[
-                "1:10: error: found `G136=2` beside another word of the bracket; allowed: {bracket}; write `S[G136=2]` in a block of its own",
+                "1:10: error: found `G136=2` with another word of the bracket; allowed: {bracket}; write `S[G136=2]` in a block of its own",
             ],
         ),
         (
             "S[PUTAX G74]\nM30",
             &[
-                "1:9: error: found `G74` beside another word of the bracket; allowed: {bracket}; write `S[G74]` in a block of its own",
+                "1:9: error: found `G74` with another word of the bracket; allowed: {bracket}; write `S[G74]` in a block of its own",
             ],
         ),
     ]);
@@ -141,37 +141,37 @@ fn other_spindle_words() {
         (
             "S[G135] M3 S5\nM30",
             &[
-                "1:1: error: found `S[G135]` beside `M3`; allowed: a bracket as the only spindle word of its block; write `S[G135]` in a block of its own",
+                "1:1: error: found `S[G135]` with `M3`; allowed: a bracket as the only spindle word of its block; write `S[G135]` in a block of its own",
             ],
         ),
         (
             "M5 S[G137]\nM30",
             &[
-                "1:4: error: found `S[G137]` beside `M5`; allowed: a bracket as the only spindle word of its block; write `S[G137]` in a block of its own",
+                "1:4: error: found `S[G137]` with `M5`; allowed: a bracket as the only spindle word of its block; write `S[G137]` in a block of its own",
             ],
         ),
         (
             "S[G136=5] S5\nM30",
             &[
-                "1:1: error: found `S[G136=5]` beside `S5`; allowed: a bracket as the only spindle word of its block; write `S[G136=5]` in a block of its own",
+                "1:1: error: found `S[G136=5]` with `S5`; allowed: a bracket as the only spindle word of its block; write `S[G136=5]` in a block of its own",
             ],
         ),
         (
             "S[G135] S2[G135]\nM30",
             &[
-                "1:1: error: found `S[G135]` beside `S2[G135]`; allowed: a bracket as the only spindle word of its block; write `S[G135]` in a block of its own",
+                "1:1: error: found `S[G135]` with `S2[G135]`; allowed: a bracket as the only spindle word of its block; write `S[G135]` in a block of its own",
             ],
         ),
         (
             "M5 S[G74]\nM30",
             &[
-                "1:4: error: found `S[G74]` beside `M5`; allowed: a bracket as the only spindle word of its block; write `S[G74]` in a block of its own",
+                "1:4: error: found `S[G74]` with `M5`; allowed: a bracket as the only spindle word of its block; write `S[G74]` in a block of its own",
             ],
         ),
         (
             "S2[PUTAX] M5\nM30",
             &[
-                "1:1: error: found `S2[PUTAX]` beside `M5`; allowed: a bracket as the only spindle word of its block; write `S2[PUTAX]` in a block of its own",
+                "1:1: error: found `S2[PUTAX]` with `M5`; allowed: a bracket as the only spindle word of its block; write `S2[PUTAX]` in a block of its own",
             ],
         ),
     ]);

@@ -3,7 +3,7 @@
 use crate::refused::refuses;
 use crate::support::said;
 
-/// A line with such a word: what is said of it.
+/// A line with such a word: what is reported for it.
 #[test]
 fn each_word_says_what_it_is() {
     for (line, column, word, what) in [

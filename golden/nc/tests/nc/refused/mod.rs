@@ -1,4 +1,4 @@
-//! What is refused: a text, and all that is said of it.
+//! What is refused: a text, and all that is reported for it.
 
 mod axes;
 mod brackets;
@@ -24,7 +24,7 @@ const REPEATED: [(&str, &str); 5] = [
     ("{functions}", "one of `M3`, `M4`, `M5`, `M19` in a block, or `M19` with `M3` or `M4`"),
 ];
 
-/// Holds each text against what is said of it.
+/// Holds each text against what is reported for it.
 fn refuses(rows: &[(&str, &[&str])]) {
     for (text, expected) in rows {
         let whole = |row: &&str| REPEATED.iter().fold((*row).to_owned(), |row, (name, part)| row.replace(name, part));

@@ -8,25 +8,25 @@ fn functions() {
         (
             "M3 M4 S5\nM30",
             &[
-                "1:4: error: found `M4` beside another M word of the spindle; allowed: {functions}; write `M4` in a block of its own",
+                "1:4: error: found `M4` with another M word of the spindle; allowed: {functions}; write `M4` in a block of its own",
             ],
         ),
         (
             "M3 S5 M5\nM30",
             &[
-                "1:7: error: found `M5` beside another M word of the spindle; allowed: {functions}; write `M5` in a block of its own",
+                "1:7: error: found `M5` with another M word of the spindle; allowed: {functions}; write `M5` in a block of its own",
             ],
         ),
         (
             "M19 M5 S.POS=1\nM30",
             &[
-                "1:5: error: found `M5` beside another M word of the spindle; allowed: {functions}; write `M5` in a block of its own",
+                "1:5: error: found `M5` with another M word of the spindle; allowed: {functions}; write `M5` in a block of its own",
             ],
         ),
         (
             "M19 M3 M4 S.POS=1\nM30",
             &[
-                "1:8: error: found `M4` beside another M word of the spindle; allowed: {functions}; write `M4` in a block of its own",
+                "1:8: error: found `M4` with another M word of the spindle; allowed: {functions}; write `M4` in a block of its own",
             ],
         ),
     ]);
@@ -52,25 +52,21 @@ fn angles() {
         (
             "S.POS=1\nM30",
             &[
-                "1:1: error: found `S.POS=1` beside no `M19`; allowed: `S.POS=` beside `M19`; write the block without `S.POS=1`",
+                "1:1: error: found `S.POS=1` without `M19`; allowed: `S.POS=` with `M19`; write the block without `S.POS=1`",
             ],
         ),
         (
             "M3 S5 S.POS=1\nM30",
-            &[
-                "1:7: error: found `S.POS=1` beside `M3`; allowed: `S.POS=` beside `M19`; write the block without `S.POS=1`",
-            ],
+            &["1:7: error: found `S.POS=1` with `M3`; allowed: `S.POS=` with `M19`; write the block without `S.POS=1`"],
         ),
         (
             "M5 S.POS=1\nM30",
-            &[
-                "1:4: error: found `S.POS=1` beside `M5`; allowed: `S.POS=` beside `M19`; write the block without `S.POS=1`",
-            ],
+            &["1:4: error: found `S.POS=1` with `M5`; allowed: `S.POS=` with `M19`; write the block without `S.POS=1`"],
         ),
         (
             "S5 S.POS=1\nM30",
             &[
-                "1:4: error: found `S.POS=1` beside no `M19`; allowed: `S.POS=` beside `M19`; write the block without `S.POS=1`",
+                "1:4: error: found `S.POS=1` without `M19`; allowed: `S.POS=` with `M19`; write the block without `S.POS=1`",
             ],
         ),
     ]);

@@ -1,4 +1,4 @@
-//! Refused: what is no word of the language, and what was meant by it.
+//! Refused: text that is not a word of the language, and what was meant by it.
 
 use crate::refused::refuses;
 

@@ -25,7 +25,7 @@ fn inner(real: RealKind) -> Block {
     block(Dialect::Plain, &text, "gain", real)
 }
 
-/// What is said of a body from line 15 on, behind the declarations `g : gain`, `h : unheard_of` in line 14.
+/// What is reported for a body from line 15 on, after the declarations `g : gain`, `h : unheard_of` in line 14.
 fn check(body: &str) -> String {
     let text = format!(
         "FUNCTION_BLOCK probe\nVAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\n    p : BOOL;\nEND_VAR\nVAR_OUTPUT\n    y : LREAL;\n\
@@ -41,10 +41,10 @@ fn calls() {
         ("g();\ng(n := -1);", ""),
         ("g(x);", "15:3: found an argument without a name; write `input := value`"),
         ("g(x := x, 1);", "15:11: found an argument without a name; write `input := value`"),
-        ("g(y => y);", "15:3: found `y => y`; write `input := value`, and an output behind the call"),
-        ("g(z := x);", "15:3: found `z`, which is no input of `gain`; write one of its inputs"),
-        ("g(y := x);", "15:3: found `y`, which is no input of `gain`; write one of its inputs"),
-        ("g(k := x);", "15:3: found `k`, which is no input of `gain`; write one of its inputs"),
+        ("g(y => y);", "15:3: found `y => y`; write `input := value`, and an output after the call"),
+        ("g(z := x);", "15:3: found `z`, which is not an input of `gain`; write one of its inputs"),
+        ("g(y := x);", "15:3: found `y`, which is not an input of `gain`; write one of its inputs"),
+        ("g(k := x);", "15:3: found `k`, which is not an input of `gain`; write one of its inputs"),
         ("g(x := x, X := x);", "15:11: found `X` a second time; write each input once"),
         ("g(x := i);", "15:8: found a DINT for a LREAL; write `DINT_TO_LREAL`, or a LREAL"),
         ("g(x := 1);", "15:8: found the integer `1` where a LREAL belongs; write `1.0`"),
@@ -67,9 +67,9 @@ fn calls() {
 #[test]
 fn outputs() {
     for (body, expected) in [
-        ("y := g.x;", "15:8: found `x`, which is no output of `gain`; write one of its outputs"),
-        ("y := g.k;", "15:8: found `k`, which is no output of `gain`; write one of its outputs"),
-        ("y := g.z;", "15:8: found `z`, which is no output of `gain`; write one of its outputs"),
+        ("y := g.x;", "15:8: found `x`, which is not an output of `gain`; write one of its outputs"),
+        ("y := g.k;", "15:8: found `k`, which is not an output of `gain`; write one of its outputs"),
+        ("y := g.z;", "15:8: found `z`, which is not an output of `gain`; write one of its outputs"),
         ("y := g;", "15:6: found the instance `g` by itself; write a variable, or one of its outputs"),
         (
             "y := g . y;",
@@ -101,11 +101,11 @@ fn declarations() {
         ("VAR\n    g : GAIN;\nEND_VAR", String::new()),
         (
             "VAR_INPUT\n    g : gain;\nEND_VAR",
-            "6:9: found an instance that is no variable of `VAR`; write the instance in `VAR`".to_owned(),
+            "6:9: found an instance that is not a variable of `VAR`; write the instance in `VAR`".to_owned(),
         ),
         (
             "VAR_OUTPUT\n    g : gain;\nEND_VAR",
-            "6:9: found an instance that is no variable of `VAR`; write the instance in `VAR`".to_owned(),
+            "6:9: found an instance that is not a variable of `VAR`; write the instance in `VAR`".to_owned(),
         ),
         (
             "VAR\n    g : gain := (x := 1.0);\nEND_VAR",
@@ -176,14 +176,14 @@ fn in_scl() {
         ("(x := #x", "(#x := #x", "18:4: found `#x`; write `x`"),
         (", n := #t", ", #n := #t", "18:13: found `#n`; write `n`"),
         ("(x := #x", "(x := x", "18:9: found `x`; write `#x`"),
-        ("(x := #x", "(y => #y", "18:4: found `y =>  y`; write `input := value`, and an output behind the call"),
+        ("(x := #x", "(y => #y", "18:4: found `y =>  y`; write `input := value`, and an output after the call"),
         ("#g.y", "g.y", "19:7: found `g.y`; write `#g.y`"),
         (
             "#g.y",
             "#g.#y",
             "19:8: found an output away from its instance; write the instance, `.` and the output without blanks",
         ),
-        ("#g.y", "#g.x", "19:10: found `x`, which is no output of `gain`; write one of its outputs"),
+        ("#g.y", "#g.x", "19:10: found `x`, which is not an output of `gain`; write one of its outputs"),
         ("#t := 1;\n", "", "17:19: found `t`, which has no value here on some way; write an assignment before it"),
         ("x := #x", "x := 1.0", ""),
         (
@@ -194,7 +194,7 @@ fn in_scl() {
         (
             "VAR\n    g : \"Gain\";\nEND_VAR\nVAR_TEMP\n",
             "VAR_TEMP\n    g : \"Gain\";\n",
-            "11:10: found an instance that is no variable of `VAR`; write the instance in `VAR`",
+            "11:10: found an instance that is not a variable of `VAR`; write the instance in `VAR`",
         ),
     ] {
         assert_eq!(check(from, to), expected, "{from} -> {to}");

@@ -1,4 +1,4 @@
-//! What is refused, rule by rule: a text, and all that is said of it.
+//! What is refused, rule by rule: a text, and all that is reported for it.
 
 mod at_once;
 mod case;
@@ -31,7 +31,7 @@ pub enum Part {
     Whole,
 }
 
-/// A rule, a text that breaks it, and what is said.
+/// A rule, a text that breaks it, and what is reported.
 pub struct Row {
     /// the rule
     pub rule: &'static str,
@@ -41,7 +41,7 @@ pub struct Row {
     pub real: RealKind,
     /// the text
     pub text: &'static str,
-    /// what is said
+    /// what is reported
     pub said: &'static [&'static str],
 }
 

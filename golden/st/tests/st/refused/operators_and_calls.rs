@@ -11,14 +11,14 @@ fn operators_and_calls() {
             part: Part::Body,
             real: RealKind::F64,
             text: "j := i MOD 0;",
-            said: &["14:12: found a divisor that is no positive literal; write an integer literal from 1 on"],
+            said: &["14:12: found a divisor that is not a positive literal; write an integer literal from 1 on"],
         },
         Row {
             rule: "a negative divisor",
             part: Part::Body,
             real: RealKind::F64,
             text: "j := i / -3;",
-            said: &["14:10: found a divisor that is no positive literal; write an integer literal from 1 on"],
+            said: &["14:10: found a divisor that is not a positive literal; write an integer literal from 1 on"],
         },
         Row {
             rule: "a variable as a divisor",
@@ -26,8 +26,8 @@ fn operators_and_calls() {
             real: RealKind::F64,
             text: "j := 7 MOD i;\nj := i / j;",
             said: &[
-                "14:12: found a divisor that is no positive literal; write an integer literal from 1 on",
-                "15:10: found a divisor that is no positive literal; write an integer literal from 1 on",
+                "14:12: found a divisor that is not a positive literal; write an integer literal from 1 on",
+                "15:10: found a divisor that is not a positive literal; write an integer literal from 1 on",
             ],
         },
         Row {
@@ -35,7 +35,7 @@ fn operators_and_calls() {
             part: Part::Body,
             real: RealKind::F64,
             text: "j := i / (3);",
-            said: &["14:10: found a divisor that is no positive literal; write an integer literal from 1 on"],
+            said: &["14:10: found a divisor that is not a positive literal; write an integer literal from 1 on"],
         },
         Row {
             rule: "a divisor that is no DINT",

@@ -45,7 +45,7 @@ fn single_precision() {
             ],
         },
         Row {
-            rule: "a product that is no number",
+            rule: "a product that is not finite",
             part: Part::Single,
             real: RealKind::F32,
             text: "y := 3.0E+38 * 3.0E+38;",
