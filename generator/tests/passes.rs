@@ -391,11 +391,42 @@ fn a_statement_on_real_does_one_operation() {
 }
 
 #[test]
+fn what_most_branches_leave_in_a_local_stands_before_them() {
+    let local_is = |value| assign(Var::Local(0), value);
+    let rest = |list| [list, vec![assign(Y, local(0))]].concat();
+    let inner = || choose(vec![local_is(real(0.0))], vec![local_is(X)]);
+    let step = rest(vec![if_(not(ON), vec![local_is(real(0.0))], vec![inner()])]);
+    let presumed = |step| legal("presumed", program(1, step)).step;
+    let shorter = vec![local_is(real(0.0)), if_(ON, vec![if_(not(ON), vec![local_is(X)], vec![])], vec![])];
+    assert_eq!(presumed(step), rest(shorter));
+    // 0 and -0 are two values, a state may change before the branch, and a way that assigns nothing is none of it.
+    for list in [
+        vec![choose(vec![local_is(real(0.0))], vec![local_is(real(-0.0))])],
+        vec![choose(vec![assign(S, X), local_is(Expr::Var(S))], vec![local_is(Expr::Var(S))])],
+    ] {
+        assert_eq!(presumed(rest(list.clone())), rest(list));
+    }
+    // A branch that explains itself keeps its statement.
+    let note = || Statement::Note("why".to_owned());
+    let explained = vec![choose(vec![note(), local_is(X)], vec![inner_of_two(X)])];
+    let first = presumed(rest(explained));
+    assert_eq!(first[0], local_is(X));
+    assert!(matches!(&first[1], Statement::If { then, .. } if *then == [note(), local_is(X)]));
+    // The program is one that a legal one may be, though not one that a pass may make.
+    let twice = Program { step: first, ..program(1, Vec::new()) };
+    assert!(verify(twice).is_err_and(|defect| defect.message.contains("assigned twice")));
+}
+
+/// Two branches, one of which leaves the value in the local.
+fn inner_of_two(value: Expr) -> Statement {
+    choose(vec![assign(Var::Local(0), value)], vec![assign(Var::Local(0), real(1.0))])
+}
+
+#[test]
 fn no_sign_stands_before_a_zero() {
     let within = Expr::Intrinsic(Intrinsic::Within, vec![X, real(0.0)]);
     let bounded = legal("bounded", program(0, vec![if_(within, vec![assign(Y, X)], vec![assign(Y, real(0.0))])]));
-    let above = binary(Binary::LessEqual, real(0.0), X);
-    let asked = binary(Binary::And, above, binary(Binary::LessEqual, X, real(0.0)));
+    let asked = binary(Binary::Equal, X, real(0.0));
     assert_eq!(bounded.step, [if_(asked, vec![assign(Y, X)], vec![assign(Y, real(0.0))])]);
     let negated = Expr::Unary(Unary::Negate, Box::new(real(0.0)));
     let Statement::Assign { value: Expr::Literal(Literal::F64(zero)), .. } =

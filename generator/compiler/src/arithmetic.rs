@@ -28,8 +28,6 @@ pub fn binary(operator: Binary, left: Literal, right: Literal) -> Literal {
     let value = match (left, right, operator) {
         (Literal::F64(a), Literal::F64(b), Binary::Divide) => Some(Literal::F64(a / b)),
         (Literal::F32(a), Literal::F32(b), Binary::Divide) => Some(Literal::F32(a / b)),
-        // Reals are compared by order only, as the typing pass says.
-        (Literal::F64(_) | Literal::F32(_), _, Binary::Equal | Binary::NotEqual) => None,
         (Literal::F64(a), Literal::F64(b), _) => compute(operator, a, b, Literal::F64, [f64::add, f64::sub, f64::mul]),
         (Literal::F32(a), Literal::F32(b), _) => compute(operator, a, b, Literal::F32, [f32::add, f32::sub, f32::mul]),
         (Literal::I32(a), Literal::I32(b), Binary::Divide) => a.checked_div(b).map(Literal::I32),

@@ -74,6 +74,56 @@ fn names_say_what_they_name() {
     }
 }
 
+/// The assignments in the statements of a file of Structured Text, without comments and breaks of lines.
+fn assignments(text: &str) -> Vec<String> {
+    let mut code = String::new();
+    let mut rest = text;
+    while let Some((before, (_, behind))) =
+        rest.split_once("(*").map(|(before, comment)| (before, comment.split_once("*)").unwrap()))
+    {
+        code.push_str(before);
+        rest = behind;
+    }
+    code.push_str(rest);
+    let is_name = |word: &str| word.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'_');
+    let mut found = Vec::new();
+    let mut lines = code.lines();
+    while let Some(line) = lines.next() {
+        let mut words = line.split_ascii_whitespace();
+        if !(words.next().is_some_and(is_name) && words.next() == Some(":=")) {
+            continue;
+        }
+        let mut statement = line.trim().to_owned();
+        while !statement.ends_with(';') {
+            statement.push_str(lines.next().unwrap().trim());
+        }
+        found.push(statement.split_ascii_whitespace().collect());
+    }
+    found
+}
+
+/// A state machine that says everything in every branch is not read by anybody.
+#[test]
+fn a_spindle_seldom_assigns_the_same_twice() {
+    let mut count = 0;
+    for case in CASES.iter() {
+        for (name, text) in case.with(&["_spindle_axis.st"]) {
+            let all = assignments(text);
+            let distinct: std::collections::BTreeSet<&String> = all.iter().collect();
+            assert!(distinct.len() > 100, "{}: {name}: {} assignments", case.name, distinct.len());
+            assert!(
+                all.len() * 100 <= distinct.len() * 135,
+                "{}: {name}: {} assignments, {} of them distinct",
+                case.name,
+                all.len(),
+                distinct.len()
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 5, "{count} spindles");
+}
+
 /// What is wrong with the comments of a piece.
 fn fault(piece: &str) -> Option<&str> {
     let mut rest = piece;

@@ -1,7 +1,7 @@
 //! Keeps a sign from standing before a 0: to some compilers it is a subtraction from 0.
 //!
 //! ```text
-//! |x| <= 0   ->   (0.0 <= x) AND (x <= 0.0)          y := -0.0   ->   y := -1.0 * 0.0
+//! |x| <= 0   ->   x = 0.0          y := -0.0   ->   y := -1.0 * 0.0
 //! ```
 
 use crate::pass::Defect;
@@ -27,9 +27,7 @@ fn change(mut program: Program, compared: &[Intrinsic]) -> Program {
 fn without_sign(part: &mut Expr, constants: &[Constant], compared: &[Intrinsic]) {
     match part {
         Expr::Intrinsic(intrinsic, operands) if compared.contains(intrinsic) && is_zero(&operands[1], constants) => {
-            let (x, limit) = (operands[0].clone(), operands[1].clone());
-            let above = Expr::binary(Binary::LessEqual, limit.clone(), x.clone());
-            *part = Expr::binary(Binary::And, above, Expr::binary(Binary::LessEqual, x, limit));
+            *part = Expr::binary(Binary::Equal, operands[0].clone(), operands[1].clone());
         }
         Expr::Unary(Unary::Negate, operand) if is_zero(operand, constants) => {
             *part = Expr::Literal(match operand.known(constants) {

@@ -11,6 +11,7 @@ mod nearest;
 mod negation;
 mod operands;
 mod own;
+mod presumed;
 mod settle;
 mod single;
 mod start;
@@ -37,6 +38,7 @@ pub const WITH_OUTPUTS: &[Stage] = &[
 /// What Structured Text needs where the digits of an LREAL may stand in an expression.
 pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
+    (presumed::NAME, presumed::run),
     ("started", start::run),
     ("read", stored::run),
     ("rounded", nearest::run),
@@ -51,6 +53,7 @@ pub const WITH_DIGITS: &[Stage] = &[
 pub const WITH_ENABLE: &[Stage] = &[
     ("enabled", enable::run),
     ("settled", settle::run),
+    (presumed::NAME, presumed::run),
     ("started", start::run),
     ("read", stored::run),
     ("rounded", nearest::run),
@@ -90,5 +93,7 @@ pub fn run<'p>(program: &'p Program, passes: &[Stage]) -> Result<Cow<'p, Program
     }
     let legal = passes.iter().try_fold(program.clone(), |program, (_, pass)| pass(program))?;
     settle::verify(&legal)?;
-    pass::verify(legal).map(Cow::Owned)
+    let assigns_again = passes.iter().any(|(name, _)| *name == presumed::NAME);
+    let verify = if assigns_again { pass::verify_assigned_again } else { pass::verify };
+    verify(legal).map(Cow::Owned)
 }

@@ -15,6 +15,7 @@ mod turn;
 mod typing;
 mod verify;
 
+pub(crate) use verify::assigned_again as verify_assigned_again;
 pub use verify::run as verify;
 
 use crate::program::Program;

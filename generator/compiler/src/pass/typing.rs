@@ -62,6 +62,9 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             if is_division && !is_from_one(right) {
                 return Err(defect(format!("{operator:?} of {found:?} by no number from 1 on in {expr:?}")));
             }
+            if *operator == Binary::Equal && is_zero(right, program) {
+                return Ok(Type::Bool);
+            }
             binary_type(*operator, found).ok_or_else(|| defect(format!("{operator:?} of {found:?} in {expr:?}")))
         }
         Expr::Intrinsic(intrinsic, operands) => {
@@ -86,6 +89,11 @@ fn is_from_one(divisor: &Expr) -> bool {
     }
 }
 
+/// Whether an operand is 0.0, of which a real number may well be asked whether it is it.
+fn is_zero(operand: &Expr, program: &Program) -> bool {
+    matches!(operand.known(&program.constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
+}
+
 fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
     match (operator, operand) {
         (Binary::Add | Binary::Subtract | Binary::Multiply, Type::Real | Type::I32 | Type::U32)
@@ -95,7 +103,7 @@ fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
         (Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual, ty) if ty != Type::Bool => {
             Some(Type::Bool)
         }
-        // Reals are compared by order: a block that asks whether two are equal is almost always wrong.
+        // Reals are compared by order, or with 0: a block that asks whether two are equal is almost always wrong.
         (Binary::Equal | Binary::NotEqual, ty) if ty != Type::Real => Some(Type::Bool),
         _ => None,
     }

@@ -10,6 +10,15 @@ use crate::program::{Expr, Program, Statement, Table, Var};
 /// # Errors
 /// The first broken promise.
 pub fn run(program: Program) -> Result<Program, Defect> {
+    check(program, false)
+}
+
+/// The same of a program whose locals a legalising pass lets be assigned again on a way.
+pub(crate) fn assigned_again(program: Program) -> Result<Program, Defect> {
+    check(program, true)
+}
+
+fn check(program: Program, again: bool) -> Result<Program, Defect> {
     for constant in &program.constants {
         if !arithmetic::is_finite(constant.value) {
             return Err(defect(format!("the constant {} is {:?}", constant.path, constant.value)));
@@ -17,8 +26,8 @@ pub fn run(program: Program) -> Result<Program, Defect> {
     }
     let program = typing::run(program)?;
     let mut written = Table::filled(&program, false);
-    statements(&program.init, &mut written.clone(), &program)?;
-    statements(&program.step, &mut written, &program)?;
+    statements(&program.init, &mut written.clone(), &program, again)?;
+    statements(&program.step, &mut written, &program, again)?;
     match program.outputs.iter().zip(&written.outputs).find(|(_, written)| !**written) {
         Some((output, _)) => Err(defect(format!("the output {} is not written on every way", output.path))),
         None => Ok(program),
@@ -26,7 +35,7 @@ pub fn run(program: Program) -> Result<Program, Defect> {
 }
 
 /// Follows a list of statements; `written` is what has a value on every way to the present point.
-fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) -> Result<(), Defect> {
+fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, again: bool) -> Result<(), Defect> {
     for statement in list {
         match statement {
             Statement::Note(_) => {}
@@ -35,16 +44,16 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program) 
             }
             Statement::Assign { target, value } => {
                 readable(value, written, program)?;
-                if std::mem::replace(&mut written[*target], true) && matches!(target, Var::Local(_)) {
+                if std::mem::replace(&mut written[*target], true) && matches!(target, Var::Local(_)) && !again {
                     return Err(defect(format!("{target:?} is assigned twice on one way")));
                 }
             }
-            Statement::Apart(body) => statements(body, written, program)?,
+            Statement::Apart(body) => statements(body, written, program, again)?,
             Statement::If { condition: asked, .. } | Statement::Choose { by: asked, .. } => {
                 readable(asked, written, program)?;
                 let mut branches = statement.branches().map(|list| {
                     let mut written = written.clone();
-                    statements(list, &mut written, program).map(|()| written)
+                    statements(list, &mut written, program, again).map(|()| written)
                 });
                 let first = branches.next().unwrap_or_else(|| Ok(written.clone()))?;
                 *written = branches.try_fold(first, |all, written| written.map(|written| both(all, &written)))?;

@@ -113,7 +113,7 @@ pub enum Origin {
 }
 
 /// The name of the number that a variant is: its enumeration's, then its own.
-pub(crate) fn variant_name(variant: Variant) -> String {
+pub fn variant_name(variant: Variant) -> String {
     let mut name = String::new();
     for letter in variant.of.name.chars().chain(variant.def().name.chars()) {
         if letter.is_ascii_uppercase() && !name.is_empty() {

@@ -1,6 +1,7 @@
 //! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with what all of them use.
 
 use super::dialect::Dialect;
+use super::enumeration::{Enumeration, enumerations};
 use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
 use super::{TcInRange, both, real_types};
@@ -10,7 +11,7 @@ use compiler::print::st;
 
 static CODESYS: Dialect = Dialect {
     language: &st::CODESYS,
-    prefix: "",
+    prefix: "FB_",
     quote: "",
     mark: "",
     arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns", "cycle_counter"],
@@ -29,6 +30,7 @@ struct CodesysFile<'a> {
 #[template(path = "codesys/shared.xml")]
 struct CodesysShared<'a> {
     name: &'a str,
+    enumerations: Vec<Enumeration>,
     /// one function for each real type
     functions: Vec<TcInRange<'a>>,
 }
@@ -51,6 +53,7 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
 
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let name = "axgen_shared";
-    let text = CodesysShared { name, functions: real_types(units).map(in_range).collect() };
+    let text =
+        CodesysShared { name, enumerations: enumerations(units), functions: real_types(units).map(in_range).collect() };
     vec![rendered(&format!("{name}.xml"), "", &text), rendered("IMPORT_CODESYS.md", "", &CodesysGuide)]
 }

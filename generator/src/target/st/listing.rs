@@ -65,6 +65,16 @@ impl Listing {
         format!("{0}{1}{0}", self.quote, set.name)
     }
 
+    /// Whether it has an input of this name.
+    pub(super) fn has_input(&self, name: &str) -> bool {
+        self.inputs.iter().any(|input| input.name == name)
+    }
+
+    /// Whether an input starts with anything but 0 or FALSE.
+    pub(super) fn starts_inputs(&self) -> bool {
+        self.inputs.iter().any(|input| !["", "0", "0.0", "FALSE"].contains(&&*input.value))
+    }
+
     /// Whether a variable is an instance of another block.
     pub(super) fn is_block(&self, member: &Member) -> bool {
         !["BOOL", "DINT", "UDINT", "REAL", "LREAL"].contains(&&*member.ty)

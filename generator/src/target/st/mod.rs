@@ -5,6 +5,7 @@
 
 pub(super) mod codesys;
 mod dialect;
+mod enumeration;
 pub(super) mod listing;
 mod self_test;
 pub(super) mod twincat;
@@ -12,6 +13,7 @@ pub(super) mod twincat;
 use super::{File, Header, Legal, Unit, block_name, own_self_test, rendered};
 use askama::Template;
 use dialect::{Dialect, SIEMENS, ST};
+use enumeration::{Enumeration, enumerations};
 use listing::{Listing, Origin, listing, origin};
 use portable::RealKind;
 
@@ -29,11 +31,12 @@ struct SclFile<'a> {
     block: Listing,
 }
 
-/// The numbers of the modes under their names.
+/// The numbers of a signal under their names.
 #[derive(Template)]
-#[template(path = "scl/mode.scl")]
-struct SclMode<'a> {
+#[template(path = "scl/enumeration.scl")]
+struct SclEnumeration<'a> {
     file: &'a str,
+    of: &'a Enumeration,
 }
 
 #[derive(Template)]
@@ -74,9 +77,14 @@ pub(super) fn scl(axis: &Header, block: &Legal<'_>) -> Vec<File> {
 }
 
 /// What all axes share there.
-pub(super) fn scl_shared(_: &[Unit<'_>]) -> Vec<File> {
-    let file = "axgen_mode.scl";
-    vec![rendered(file, "", &SclMode { file }), rendered("IMPORT_SCL.md", "", &SclGuide)]
+pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
+    let of_signal = |of: &Enumeration| {
+        let file = &format!("axgen_{}.scl", of.signal);
+        rendered(file, "", &SclEnumeration { file, of })
+    };
+    let mut files: Vec<File> = enumerations(units).iter().map(of_signal).collect();
+    files.push(rendered("IMPORT_SCL.md", "", &SclGuide));
+    files
 }
 
 /// The file of a block, and that of its self-test.

@@ -84,6 +84,10 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
         Expr::Unary(Unary::Negate, _) => (Any, "-{0}", [Primary; 2]),
         Expr::Unary(Unary::Not, _) => (Any, "NOT {0}", [Primary; 2]),
         Expr::Intrinsic(intrinsic, _) => match (intrinsic, real) {
+            // No sign before a 0.
+            (Intrinsic::InRange | Intrinsic::Within, _) if operation.is_about_zero() => {
+                (And, "{0} = {1}", [Sum, Primary])
+            }
             (Intrinsic::InRange | Intrinsic::Within, _) => (And, "(-{1} <= {0})\nAND ({0} <= {1})", [Sum, Primary]),
             (Intrinsic::FromU32, RealKind::F64) => (Primary, "UDINT_TO_LREAL({0})", [Any; 2]),
             (Intrinsic::FromU32, RealKind::F32) => (Primary, "UDINT_TO_REAL({0})", [Any; 2]),

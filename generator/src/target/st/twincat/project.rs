@@ -1,15 +1,18 @@
-//! What all axes of a set share in TwinCAT: the function, the type of the modes, the test program, the project's entries, the guide.
+//! What all axes of a set share in TwinCAT: the function, the enumerations, the test program, the project's entries, the guide.
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite};
+use crate::target::st::enumeration::{Enumeration, enumerations};
 use crate::target::st::{listing::set_name, real_types, self_test};
 use crate::target::{self, File, Unit};
 use askama::Template;
 
-/// The enumeration of the modes, with the reference's numbers.
+/// An enumeration, with the reference's numbers.
 #[derive(Template)]
-#[template(path = "twincat/mode.TcDUT")]
-struct TcEnum {
+#[template(path = "twincat/enumeration.TcDUT")]
+struct TcEnum<'a> {
     id: String,
+    name: &'a str,
+    of: &'a Enumeration,
 }
 
 /// The program that runs all suites.
@@ -40,8 +43,11 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let mut blocks: Vec<String> = units.iter().flat_map(names).collect();
     // By name, so that an axis can move in the set.
     blocks.sort();
-    let modes = "E_axgen_mode";
-    let mut files = vec![rendered(DUTS, &format!("{modes}.TcDUT"), &TcEnum { id: guid("DUT", modes) })];
+    let enumeration = |of: &Enumeration| {
+        let name = &format!("E_axgen_{}", of.signal);
+        rendered(DUTS, &format!("{name}.TcDUT"), &TcEnum { id: guid("DUT", name), name, of })
+    };
+    let mut files: Vec<File> = enumerations(units).iter().map(enumeration).collect();
     for real in real_types(units) {
         let function = in_range(real);
         files.push(rendered(POUS, &format!("{}.TcPOU", function.name), &function));

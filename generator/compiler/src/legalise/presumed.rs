@@ -1,0 +1,123 @@
+//! Gives a local the value that most branches leave in it before the branches, which then need not name it: Structured Text is read
+//! by people, and says once what mostly holds.
+//!
+//! ```text
+//! if a { x := 1 } else if b { x := 0 } else { x := 0 }   ->   x := 0; if a { x := 1 }
+//! ```
+//!
+//! A local is assigned again on some ways then. Nothing has read it before, so that no value changes.
+
+use crate::pass::Defect;
+use crate::program::{Expr, Program, Statement, Var};
+use portable::{Binary, Unary};
+
+/// The name of the pass: the last verification knows by it that a local may be assigned again.
+pub(super) const NAME: &str = "presumed";
+
+pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
+    let mut done = vec![false; program.locals.len()];
+    in_list(&mut program.step, &mut done);
+    Ok(program)
+}
+
+fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
+    let old = std::mem::take(list);
+    for statement in old {
+        let presumed = presumed(&statement, done);
+        let mut rest = vec![statement];
+        for (local, value) in presumed {
+            done[local] = true;
+            leave_out(&mut rest, Var::Local(local), &value);
+            list.push(Statement::Assign { target: Var::Local(local), value });
+        }
+        rest.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| in_list(inner, done));
+        list.append(&mut rest);
+    }
+}
+
+/// The locals that every way through a statement assigns, with the value that at least two of its branches leave in them.
+fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
+    if !matches!(statement, Statement::If { .. }) {
+        return Vec::new();
+    }
+    let mut found: Vec<(usize, Vec<(&Expr, usize)>)> = Vec::new();
+    statement.assignments(&mut |target, value| {
+        let Var::Local(local) = target else { return };
+        if done[local] || !is_fixed(value) {
+            return;
+        }
+        let known = found.iter().position(|(other, _)| *other == local).unwrap_or_else(|| {
+            found.push((local, Vec::new()));
+            found.len() - 1
+        });
+        let values = &mut found[known].1;
+        match values.iter_mut().find(|(other, _)| *other == value) {
+            Some((_, times)) => *times += 1,
+            None => values.push((value, 1)),
+        }
+    });
+    let mut chosen = Vec::new();
+    for (local, values) in found {
+        let is_known = |value: &Expr| !matches!(value, Expr::Var(var) if statement.writes(*var));
+        let most = values.iter().filter(|(value, times)| *times > 1 && is_known(value));
+        // Of several values the first one: `max_by_key` alone would take the last.
+        let most = most.rev().max_by_key(|(_, times)| *times);
+        if let Some((value, _)) = most
+            && always(statement, Var::Local(local))
+        {
+            chosen.push((local, (*value).clone()));
+        }
+    }
+    chosen
+}
+
+/// Whether no statement can change the value, once it is there.
+fn is_fixed(value: &Expr) -> bool {
+    matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
+}
+
+/// Whether every way through a statement assigns the local.
+fn always(statement: &Statement, local: Var) -> bool {
+    match statement {
+        Statement::Assign { target, .. } => *target == local,
+        Statement::Note(_) => false,
+        Statement::If { .. } | Statement::Choose { .. } | Statement::Apart(_) => {
+            statement.branches().all(|list| list.iter().any(|inner| always(inner, local)))
+        }
+    }
+}
+
+/// Takes the assignments of this value out of a list and of what is inside it. A branch that explains itself keeps a statement: one of
+/// comments alone is none in Structured Text.
+fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
+    list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, local, value));
+    let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
+    let is_it = |statement: &Statement| matches!(statement, Statement::Assign { target, value: other } if *target == local && other == value);
+    if list.iter().any(is_it) && (list.len() == 1 || others(list) > 1) {
+        list.retain(|statement| !is_it(statement));
+    }
+    let old = std::mem::take(list);
+    list.extend(old.into_iter().filter_map(without_nothing));
+}
+
+/// A statement without a branch that is empty before one that is not; none, where both are.
+fn without_nothing(statement: Statement) -> Option<Statement> {
+    let Statement::If { condition, then, otherwise } = statement else { return Some(statement) };
+    let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
+    match (is_nothing(&then), is_nothing(&otherwise)) {
+        (true, true) => None,
+        (true, false) => Some(Statement::If { condition: opposite(condition), then: otherwise, otherwise: Vec::new() }),
+        (false, true) => Some(Statement::If { condition, then, otherwise: Vec::new() }),
+        (false, false) => Some(Statement::If { condition, then, otherwise }),
+    }
+}
+
+/// That a condition does not hold; a question for equality, or a negation, is turned.
+fn opposite(condition: Expr) -> Expr {
+    match condition {
+        Expr::Unary(Unary::Not, operand) => *operand,
+        Expr::Binary(Binary::Equal, left, right) => Expr::Binary(Binary::NotEqual, left, right),
+        Expr::Binary(Binary::NotEqual, left, right) => Expr::Binary(Binary::Equal, left, right),
+        other => Expr::not(other),
+    }
+}

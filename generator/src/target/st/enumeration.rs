@@ -1,0 +1,74 @@
+//! Numbers of signals under their names, for callers: enumerations in TwinCAT and CODESYS, data blocks in SCL. The signals themselves are
+//! DINTs.
+
+use super::Unit;
+use compiler::program::variant_name;
+use portable::{Portable, Ty};
+use reference::ipc;
+use reference::spindle::{Job, SpindleState};
+
+/// The numbers of one signal.
+pub(super) struct Enumeration {
+    /// behind `E_axgen_`: what the signal is called
+    pub(super) signal: String,
+    /// whose values these are
+    pub(super) note: &'static str,
+    pub(super) values: Vec<Value>,
+}
+
+/// One of the numbers.
+pub(super) struct Value {
+    pub(super) name: String,
+    pub(super) number: i32,
+    /// what it means
+    pub(super) doc: &'static str,
+}
+
+/// Those that the blocks of a set have: the modes in any case, and what a spindle puts out.
+pub(super) fn enumerations(units: &[Unit<'_>]) -> Vec<Enumeration> {
+    let mut all = vec![modes()];
+    if units.iter().flat_map(|unit| &unit.blocks).any(|block| block.starts_with("spindle")) {
+        all.extend([
+            of::<SpindleState>("Values of the output spindle_state: what controls the spindle."),
+            of::<Job>("Values of the output job: what the interpolator has to do."),
+        ]);
+    }
+    all
+}
+
+fn modes() -> Enumeration {
+    let value = |name: &str, number, doc| Value { name: name.to_owned(), number, doc };
+    Enumeration {
+        signal: "mode".to_owned(),
+        note: "Values of the input mode (P-AXIS-00758).",
+        values: vec![
+            value("MODE_OFF", ipc::mode_off(), "the block is off"),
+            value("MODE_ON", ipc::mode_on(), "the block acts"),
+            value("MODE_DRYRUN", ipc::mode_dryrun(), "the block calculates and does not act"),
+        ],
+    }
+}
+
+/// An enumeration of the reference.
+fn of<E: Portable>(note: &'static str) -> Enumeration {
+    let Ty::Enum { def } = E::TY else { panic!("enumeration: {:?} is none", E::TY) };
+    let mut values = Vec::new();
+    for (index, variant) in (0..).zip(def.variants) {
+        let name = variant_name(portable::Variant { of: def, index }).to_ascii_uppercase();
+        let number = i32::try_from(index).unwrap_or(i32::MAX);
+        values.push(Value { name, number, doc: variant.doc });
+    }
+    Enumeration { signal: snake_case(def.name), note, values }
+}
+
+/// `SpindleState` as `spindle_state`.
+fn snake_case(name: &str) -> String {
+    let mut words = String::new();
+    for letter in name.chars() {
+        if letter.is_ascii_uppercase() && !words.is_empty() {
+            words.push('_');
+        }
+        words.push(letter.to_ascii_lowercase());
+    }
+    words
+}
