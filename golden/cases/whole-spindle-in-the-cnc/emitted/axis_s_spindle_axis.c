@@ -6,12 +6,12 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   b1d26428c40647f7ac8bedfcaa6450a9
- * checksum    a239caf36fe7881a83991ae72d595849
+ * checksum    a4854c25c5ab8acd1e47b073e2cdbb83
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
 
-/* The numbers below hold for IEEE 754 arithmetic that rounds every operation once. */
+/* The constants below require IEEE 754 arithmetic in which every operation is rounded once. */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) \
     || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || defined(__NO_SIGNED_ZEROS__)
 #error "this block needs exact arithmetic: compile it without -ffast-math and its parts"
@@ -28,14 +28,14 @@
 #else
 #pragma STDC FP_CONTRACT OFF
 #endif
-/* Functions call no library: without this clang stores several zeros by a call of memset. */
+/* No library calls: without this pragma clang calls memset to store several zeros. */
 #if defined(__clang__)
 #if __has_attribute(no_builtin)
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
 
-/* |value|, without a library */
+/* |value|, without a library call */
 static double axis_s_spindle_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
@@ -45,7 +45,7 @@ static double axis_s_spindle_axis_magnitude(double value)
 #endif
 }
 
-/* whether value is exactly 0: that is meant where a compiler is asked to warn of it */
+/* whether value is exactly 0; the exact comparison is intended, so the warning is disabled */
 #if defined(__GNUC__)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
@@ -58,8 +58,8 @@ static bool axis_s_spindle_axis_is_zero(double value)
 #pragma GCC diagnostic pop
 #endif
 
-/* the nearest integer, half away from zero; the number added is the largest below 1/2, so that every number is rounded
- * rightly; without a library */
+/* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
+ * so that every value is rounded correctly */
 static int32_t axis_s_spindle_axis_nearest(double value)
 {
 #if defined(__GNUC__)
@@ -69,7 +69,7 @@ static int32_t axis_s_spindle_axis_nearest(double value)
 #endif
 }
 
-/* cycle time 1000 us, the coefficients hold for no other */
+/* cycle time 1000 us; the coefficients are valid only for this cycle time */
 /* cycle time that all coefficients were designed for [ns] */
 static const uint32_t axis_s_spindle_axis_spindle_cycle_time_ns = 1000000u;
 
@@ -80,7 +80,7 @@ static const double axis_s_spindle_axis_axis_feedforward_weight_per_percent = 0.
 /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755)
  * BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
  * factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz
- * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 there and 1 at 53 Hz */
+ * section 1 of 1: centre frequency 53 Hz, quality factor 9.81529, gain 1 at its centre and 1 at 53 Hz */
 /* numerator, b0 = -b2: y = s1 - b2 x, s2 = b2 x - a2 y */
 static const double axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 = -0.016379233277825974;
 /* denominator: s1 = s2 - a1 y */
@@ -88,7 +88,7 @@ static const double axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 = -
 /* denominator: s2 = b2 x - a2 y */
 static const double axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 = 0.967241533444348;
 
-/* -weight, against the vibration; at 53 Hz the stage adds 2 times its source at 180 deg */
+/* -weight, against the vibration; at 53 Hz the stage output is 2 times its input, phase 180 deg */
 /* -weight: negative, because the stage moves the motor against the vibration */
 static const double axis_s_spindle_axis_axis_ipc_stage0_gain = -2.0;
 
@@ -96,16 +96,16 @@ static const double axis_s_spindle_axis_axis_ipc_stage0_gain = -2.0;
 static const double axis_s_spindle_axis_axis_ipc_limit = 450000.0; /* largest |v_add| */
 static const double axis_s_spindle_axis_axis_ipc_lower_limit = -450000.0; /* -limit */
 
-/* 2 times the largest sum that |v| <= P-AXIS-00212 leads to, and at least 2 times the limit */
-/* largest magnitude of a sum of stages that is not a fault */
+/* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+/* largest magnitude of the sum of the stages; a larger sum is a fault */
 static const double axis_s_spindle_axis_axis_ipc_sum_limit = 45847476.101453274;
 
-/* P-AXIS-00212 * 2^-60: a sum below it is exactly 0 */
-/* a sum of at most this magnitude is exactly 0: an axis at rest puts out exactly 0 */
+/* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
+/* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
 static const double axis_s_spindle_axis_axis_ipc_rest = 7.806255641895632e-12;
 
-/* OFF to ON takes 0.1 s (key fade), in cycles */
-static const uint32_t axis_s_spindle_axis_axis_ipc_fade_cycles = 100u; /* cycles that the fade takes from 0 to 1 */
+/* fade from OFF to ON: 0.1 s (key fade) */
+static const uint32_t axis_s_spindle_axis_axis_ipc_fade_cycles = 100u; /* length of the fade from 0 to 1 [cycles] */
 
 /* position control in the CNC: Kv = 100/s (P-AXIS-00099) */
 static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gain of the position controller Kv [1/s] */
@@ -124,27 +124,29 @@ static const double axis_s_spindle_axis_manipulated_range_lower_limit = -2147483
 /* largest number that is rounded to the largest value */
 static const double axis_s_spindle_axis_manipulated_range_upper_limit = 2147483647.4999998;
 
-/* the same for every axis */
-/* largest magnitude of a sample in range, beyond any velocity: NaN and infinity are out of range */
+/* constants that do not depend on the axis */
+/* largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range */
 static const double axis_s_spindle_axis_sample_limit = 1000000000000000.0;
-/* the usual cycle of POSITION may be next: no flipped bit makes one of these codes another */
+/* the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit
+ * is detected */
 static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
-/* largest magnitude of a position in range: its number of turns is an integer of 32 bits */
+/* largest magnitude of a position in range: its number of turns fits in 32 bits */
 static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
-/* largest position lag of the loop in the CNC: beyond half a turn it would act the other way [0.001 deg] */
+/* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
+ * [0.001 deg] */
 static const double axis_s_spindle_axis_lag_limit = 170000.0;
-/* largest magnitude of an angle whose turns are counted: half a turn beyond the position limit, and more */
+/* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
 static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
-static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle is next */
-static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle of VELOCITY may be next */
+static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle (fast path) is next */
+static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
 
 void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
-    /* volatile: each member is written as it stands here, so that no compiler calls memset */
+    /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_s_spindle_axis_state *const state = fresh;
     state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
     state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
@@ -219,7 +221,7 @@ void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-/* any cycle that is not a usual one; in a function of its own, so that a usual cycle saves no registers */
+/* all cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers */
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
@@ -228,7 +230,7 @@ static void axis_s_spindle_axis_any_cycle(
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)
 {
-    /* cycle time 1000 us, the coefficients hold for no other */
+    /* cycle time 1000 us; the coefficients are valid only for this cycle time */
     static const double spindle_cycle_time = 0.001; /* cycle time T [s] */
 
     /* Von = 200 rpm (P-AXIS-00767) */
@@ -239,7 +241,7 @@ static void axis_s_spindle_axis_any_cycle(
     static const double spindle_v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
 
     /* 1 rpm (key spindle.window) */
-    /* by which |v_actual| is above |v_spindle| at most where position control is taken up [0.001 deg/s] */
+    /* largest excess of |v_actual| over |v_spindle| at which position control is taken up [0.001 deg/s] */
     static const double spindle_window = 6000.0;
     /* Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s] */
     static const double spindle_v_taken_up = 306000.0;
@@ -251,23 +253,25 @@ static void axis_s_spindle_axis_any_cycle(
     /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
     static const double spindle_lead_time = 0.011;
 
-    /* weight 1 of the feedforward (P-AXIS-00228/00229), / 100 / Kv */
-    static const double spindle_lead_time_per_percent = 0.0001; /* by which each percent of the feedforward does [s] */
+    /* weight of the feedforward 1 (P-AXIS-00228/00229) / 100 / Kv */
+    static const double spindle_lead_time_per_percent = 0.0001; /* decrease of the lead per percent of the feedforward [s] */
 
     /* 1 deg (key spindle.takeover_window) */
-    /* largest step of the position command where the interpolator takes over [0.001 deg] */
+    /* largest step of the position command when the interpolator takes over [0.001 deg] */
     static const double spindle_takeover_window = 1000.0;
-    static const uint32_t spindle_start_cycles = 102u; /* cycles within which it does so when it has come on: two more */
+    /* cycles within which the drive displays a new mode after it is switched on: two more than otherwise */
+    static const uint32_t spindle_start_cycles = 102u;
 
     /* 1.08s; from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
     static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
 
-    /* OFF to ON takes 0.1 s (key fade), in cycles */
+    /* fade from OFF to ON: 0.1 s (key fade) */
     static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
-    /* the same for every axis */
-    static const uint32_t largest_count = 4000000000u; /* cycles that a state is counted for: more than any time that it may take */
-    static const double lead_limit = 1000000000.0; /* largest lead of the position command, more than any spindle needs [0.001 deg] */
+    /* constants that do not depend on the axis */
+    static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
+    /* largest lead of the position command, above the need of any spindle [0.001 deg] */
+    static const double lead_limit = 1000000000.0;
 
     if (state->spindle_missing > 4u) {
         state->spindle_missing = 4u;
@@ -469,7 +473,7 @@ static void axis_s_spindle_axis_any_cycle(
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
             state->spindle_returns = true;
         } else {
-            /* nothing else is to be done */
+            /* no action */
         }
     }
     const bool spindle_is_wrong =
@@ -502,7 +506,7 @@ static void axis_s_spindle_axis_any_cycle(
                 state->spindle_v = 0.0;
             }
         } else {
-            /* nothing else is to be done */
+            /* no action */
         }
     }
     const int32_t spindle_spindle_state = state->spindle_control;
@@ -557,7 +561,7 @@ static void axis_s_spindle_axis_any_cycle(
             } else if (state->spindle_seen_slow < 3u) {
                 state->spindle_seen_slow = state->spindle_seen_slow + 1u;
             } else {
-                /* nothing else is to be done */
+                /* no action */
             }
         } else {
             state->spindle_seen_samples = 0u;
@@ -590,7 +594,7 @@ static void axis_s_spindle_axis_any_cycle(
                 } else if (state->spindle_v < spindle_v_low) {
                     state->spindle_v = spindle_v_low;
                 } else {
-                    /* nothing else is to be done */
+                    /* no action */
                 }
             }
         } else {
@@ -617,7 +621,7 @@ static void axis_s_spindle_axis_any_cycle(
             if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
                 spindle_ahead = inputs->x_actual + spindle_way;
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 spindle_ahead = inputs->x_actual;
             }
             double spindle_within_turn;
@@ -638,14 +642,14 @@ static void axis_s_spindle_axis_any_cycle(
                     spindle_within_turn = spindle_above;
                 }
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 spindle_within_turn = 0.0;
             }
             state->spindle_x = spindle_within_turn;
         } else if (inputs->drive_on) {
             state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
         } else {
-            /* nothing else is to be done */
+            /* no action */
         }
         if (!spindle_seen_is_known && inputs->drive_on) {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
@@ -692,7 +696,7 @@ static void axis_s_spindle_axis_any_cycle(
                         spindle_shorter =
                             spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
                     } else {
-                        /* only what something else has overwritten comes here */
+                        /* reached only if the block's memory was corrupted */
                         spindle_shorter = 0.0;
                     }
                     spindle_is_too_far = !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
@@ -819,7 +823,7 @@ static void axis_s_spindle_axis_any_cycle(
                             state->spindle_v = spindle_v_position_control_on_negative;
                         }
                     } else {
-                        /* nothing else is to be done */
+                        /* no action */
                     }
                     state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
                     if (spindle_can_leave) {
@@ -916,7 +920,7 @@ static void axis_s_spindle_axis_any_cycle(
             if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
                 spindle_ahead_next = inputs->x_actual + spindle_way_next;
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 spindle_ahead_next = inputs->x_actual;
             }
             double spindle_within_turn_next;
@@ -938,7 +942,7 @@ static void axis_s_spindle_axis_any_cycle(
                     spindle_within_turn_next = spindle_above_next;
                 }
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 spindle_within_turn_next = 0.0;
             }
             state->spindle_x_start = spindle_within_turn_next;
@@ -971,7 +975,7 @@ static void axis_s_spindle_axis_any_cycle(
                 state->spindle_v = 0.0;
             }
         } else {
-            /* nothing else is to be done */
+            /* no action */
         }
         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
     }
@@ -994,7 +998,7 @@ static void axis_s_spindle_axis_any_cycle(
             spindle_within_turn_last = spindle_above_last;
         }
     } else {
-        /* only what something else has overwritten comes here */
+        /* reached only if the block's memory was corrupted */
         spindle_within_turn_last = 0.0;
     }
     state->spindle_x = spindle_within_turn_last;
@@ -1077,7 +1081,7 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_jobs = spindle_jobs_next;
         }
     } else {
-        /* nothing else is to be done */
+        /* no action */
     }
     const int32_t spindle_job = state->spindle_present_kind;
     const double spindle_job_speed = state->spindle_present_speed;
@@ -1126,7 +1130,7 @@ static void axis_s_spindle_axis_any_cycle(
                 const int32_t whole_turns_next = axis_s_spindle_axis_nearest(lag_last * axis_s_spindle_axis_per_turn);
                 lag_then = lag_last - (double)whole_turns_next * axis_s_spindle_axis_full_turn;
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 lag_then = 0.0;
             }
             gives_up_next = !(axis_s_spindle_axis_magnitude(lag_then) <= axis_s_spindle_axis_lag_limit);
@@ -1262,8 +1266,8 @@ static void axis_s_spindle_axis_any_cycle(
                         axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
                     }
                 } else {
-                    /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                     * then everything starts anew */
+                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                     * block restarts */
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                     axis_ipc_v_limited = 0.0;
                 }
@@ -1319,7 +1323,7 @@ static void axis_s_spindle_axis_any_cycle(
                 axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             axis_position_control_limited_next = true;
         }
@@ -1375,7 +1379,7 @@ static void axis_s_spindle_axis_any_cycle(
             outputs->limited = open_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }
@@ -1433,7 +1437,7 @@ void axis_s_spindle_axis_step(
                 const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
                 lag_next = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
-                /* only what something else has overwritten comes here */
+                /* reached only if the block's memory was corrupted */
                 lag_next = 0.0;
             }
             gives_up = !(axis_s_spindle_axis_magnitude(lag_next) <= axis_s_spindle_axis_lag_limit);
@@ -1487,8 +1491,8 @@ void axis_s_spindle_axis_step(
                     axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_lower_limit;
                 }
             } else {
-                /* a state has been overwritten, or a sample is no velocity of this axis: a fault in the next cycle,
-                 * then everything starts anew */
+                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
+                 * block restarts */
                 state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                 axis_ipc_v_add_calculated = 0.0;
             }
@@ -1512,7 +1516,7 @@ void axis_s_spindle_axis_step(
                 axis_position_control_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             axis_position_control_limited = true;
         }
@@ -1577,7 +1581,7 @@ void axis_s_spindle_axis_step(
             outputs->limited = open_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
-            /* only what is no number comes here, which no sample in range leads to: nothing is put out */
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }

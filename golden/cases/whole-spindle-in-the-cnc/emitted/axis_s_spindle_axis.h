@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   b1d26428c40647f7ac8bedfcaa6450a9
- * checksum    32291dd2cf7bf98b8bef8a672eb1f2e8
+ * checksum    1aacfe825f4c55f7d62eb81e73e96de1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -19,30 +19,30 @@
 extern "C" {
 #endif
 
-/* What code can compare with what it expects, at its start or in an #if. */
-/* the cycle time that the block is designed for [ns] */
+/* Constants that the caller can check, at start-up or in an #if. */
+/* cycle time that the block was designed for [ns] */
 #define AXIS_S_SPINDLE_AXIS_CYCLE_TIME_NS 1000000u
-/* the bits of its real type */
+/* size of the real type [bit] */
 #define AXIS_S_SPINDLE_AXIS_REAL_BITS 64
 /* the largest |v_add| [0.001 deg/s] */
 #define AXIS_S_SPINDLE_AXIS_LIMIT 450000.0
-/* the digest of its parameters, as in the head of this file */
+/* digest of the parameters, as in the head of this file */
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_0 0xbc62a8c6u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_1 0xd749e751u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
-/* the digest of its structure: the same where two blocks differ in the values of coefficients only */
+/* digest of the structure: equal for blocks that differ only in the values of their coefficients */
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xb1d26428u
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xc40647f7u
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xac8bedfcu
 #define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xaa6450a9u
-/* the bytes of its structs where a bool has one and each member is aligned to its own size */
+/* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
 #define AXIS_S_SPINDLE_AXIS_STATE_SIZE 256u
 
-/* With another number of bits in double the block would compute other numbers, and the structs would be laid out differently.
- * Nothing else is asserted: the alignment of members is the ABI's own affair. */
+/* The results and the layout of the structs depend on a double with 64 bits. Nothing else is asserted: the ABI defines the
+ * alignment of members. */
 #if defined(__cplusplus) && __cplusplus >= 201103L
 static_assert(sizeof(double) == sizeof(uint64_t), "double must have 64 bits");
 #elif defined(__STDC_VERSION__) && __STDC_VERSION__ >= 201112L
@@ -83,7 +83,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME = 1,
     AXIS_S_SPINDLE_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* a state of the block is impossible, or the sum of its stages is above sum_limit; everything starts anew */
+    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
     AXIS_S_SPINDLE_AXIS_ERROR_STATE = 3,
     AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
@@ -106,7 +106,7 @@ enum {
     AXIS_S_SPINDLE_AXIS_ERROR_LAG = 48
 };
 
-/* Written by the caller. axis_s_spindle_axis_inputs_init fills in what is said to be the start. */
+/* Written by the caller. axis_s_spindle_axis_inputs_init writes the start values. */
 typedef struct {
     double x_command; /* command position of the interpolator [0.001 deg]; start 0.0 */
     double x_actual; /* actual position [0.001 deg]; start 0.0 */
@@ -119,15 +119,16 @@ typedef struct {
     bool m4; /* request: turn in negative direction; counts when it becomes TRUE; start false */
     bool m5; /* request: stop; counts when it becomes TRUE; start false */
     bool m19; /* request: stop at s_position, in negative direction if m4 is TRUE; counts when it becomes TRUE; start false */
-    bool putax; /* request S[PUTAX]: give the axis away; counts when it becomes TRUE; start false */
+    bool putax; /* request S[PUTAX]: release the axis; counts when it becomes TRUE; start false */
     bool g74; /* request: homing; counts when it becomes TRUE; start false */
-    bool job_done; /* the interpolator has ended the job: M19, S[PUTAX] or G74; start false */
+    bool job_done; /* the interpolator has completed the job: M19, S[PUTAX] or G74; start false */
     bool drive_on; /* TRUE: the drive is on and has no fault; start false */
     int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
     bool reset; /* CNC reset, a level: the spindle goes back to position control and stops; start false */
-    uint32_t task_cycle_ns; /* the caller's cycle [ns], 0: unchecked; another value than designed for is a fault; start 0u */
+    /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
+    uint32_t task_cycle_ns;
 } axis_s_spindle_axis_inputs;
 
 /* Written by axis_s_spindle_axis_step. */
@@ -141,108 +142,109 @@ typedef struct {
     double v_command;
     double v_feedforward; /* conventional feedforward [0.001 deg/s] */
     double v_add; /* additive velocity of improved position control [0.001 deg/s] */
-    /* the same after the limit (P-AXIS-00757) and before the fade; 0 in OFF [0.001 deg/s] */
-    double v_add_calculated;
+    double v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [0.001 deg/s] */
     int32_t spindle_state; /* 0 POSITION, 1 TO_VELOCITY, 2 VELOCITY, 3 BRAKE, 4 TO_POSITION */
     /* what the interpolator has to do: 0 STOP (M5), 1 TURN (M3, M4), 2 ORIENT (M19), 3 RELEASE (S[PUTAX]), 4 HOME
      * (G74) */
     int32_t job;
-    uint32_t job_number; /* counts the jobs: another number is another job */
-    uint32_t waiting; /* requests that wait */
+    uint32_t job_number; /* counts the jobs: a changed number means a new job */
+    uint32_t waiting; /* number of waiting requests */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* of several parts the last one's, or one of the changeover, which may stay until reset: 0 none, 1 cycle_time, 2
-     * mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31 requests, 32
-     * direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46 takeover, 48 lag */
+    /* reason of the fault; of several faults that of the last part; a fault of the changeover may stay until reset:
+     * 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual,
+     * 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46
+     * takeover, 48 lag */
     uint32_t error_id;
     /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
      * position may be monitored */
     bool loop_closed;
-    bool limited; /* the limit of v_add or a process-data type cuts an output off in this cycle */
-    bool fault; /* a part of the block cannot act in this cycle, or the spindle is stopped; the id says why */
+    /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
+    bool limited;
+    /* a part of the block cannot act in this cycle, or the spindle is stopped; the error id gives the reason */
+    bool fault;
 } axis_s_spindle_axis_outputs;
 
-/* Kept from cycle to cycle; only the functions below look inside. */
+/* Memory of the block from cycle to cycle. Only the functions below may access the members. */
 typedef struct {
-    int32_t spindle_control; /* what controls the spindle */
-    int32_t spindle_control_copy; /* the same again: what has been overwritten differs */
+    int32_t spindle_control; /* state of the changeover */
+    int32_t spindle_control_copy; /* second copy of the state of the changeover, to detect corruption */
     uint32_t spindle_cycles; /* cycles in TO_VELOCITY, BRAKE or TO_POSITION, this one included */
-    uint32_t spindle_settled; /* cycles in which v_actual has been settled */
-    uint32_t spindle_missing; /* cycles in which a sample has been missing */
-    uint32_t spindle_lasting_error; /* an error that stays until reset */
-    uint32_t spindle_seen_samples; /* cycles in a row with a sample, up to 3 */
-    uint32_t spindle_seen_slow; /* cycles in a row in which it was slow enough for position control, up to 3 */
-    double spindle_seen_v_last; /* the last sample [0.001 deg/s] */
-    double spindle_seen_v_before; /* the one before [0.001 deg/s] */
-    double spindle_seen_v; /* the median of the last three [0.001 deg/s] */
-    bool spindle_returns; /* whether a reset leads back to position control */
+    uint32_t spindle_settled; /* consecutive cycles in which v_actual has been settled */
+    uint32_t spindle_missing; /* consecutive cycles in which a sample has been missing */
+    uint32_t spindle_lasting_error; /* error id that stays until reset, 0 none */
+    uint32_t spindle_seen_samples; /* consecutive cycles with a valid sample of v_actual, up to 3 */
+    /* consecutive cycles in which v_actual was low enough for position control, up to 3 */
+    uint32_t spindle_seen_slow;
+    double spindle_seen_v_last; /* v_actual of the previous cycle [0.001 deg/s] */
+    double spindle_seen_v_before; /* v_actual of the cycle before the previous one [0.001 deg/s] */
+    double spindle_seen_v; /* median of the last three samples of v_actual [0.001 deg/s] */
+    bool spindle_returns; /* TRUE: a reset leads back to position control */
     /* whether the block moves the spindle: position control is taken up at x_start; else the commands follow the
      * spindle */
     bool spindle_is_moving;
-    bool spindle_takes_over; /* whether the interpolator has to go on from x */
+    bool spindle_takes_over; /* TRUE: the interpolator must continue from the position command x */
     double spindle_x; /* the position command [0.001 deg] */
-    double spindle_x_start; /* where position control is taken up [0.001 deg] */
+    double spindle_x_start; /* position at which position control is taken up [0.001 deg] */
     double spindle_v; /* the velocity command [0.001 deg/s] */
-    int32_t spindle_present_kind; /* what to do */
-    double spindle_present_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
-    double spindle_present_position; /* where to [0.001 deg] */
+    int32_t spindle_present_kind; /* kind of the request or job */
+    double spindle_present_speed; /* speed, below 0 in negative direction [0.001 deg/s] */
+    double spindle_present_position; /* target position [0.001 deg] */
     bool spindle_turns_fast; /* whether the job is a TURN faster than Von */
-    uint32_t spindle_jobs; /* how many jobs there were */
-    uint32_t spindle_queued; /* how many requests wait */
-    int32_t spindle_request0_kind; /* what to do */
-    double spindle_request0_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
-    double spindle_request0_position; /* where to [0.001 deg] */
-    int32_t spindle_request1_kind; /* what to do */
-    double spindle_request1_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
-    double spindle_request1_position; /* where to [0.001 deg] */
-    int32_t spindle_request2_kind; /* what to do */
-    double spindle_request2_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
-    double spindle_request2_position; /* where to [0.001 deg] */
-    int32_t spindle_request3_kind; /* what to do */
-    double spindle_request3_speed; /* how fast, below 0 in negative direction [0.001 deg/s] */
-    double spindle_request3_position; /* where to [0.001 deg] */
-    bool spindle_before_m3; /* turn in positive direction */
-    bool spindle_before_m4; /* turn in negative direction */
-    bool spindle_before_m5; /* stop */
-    bool spindle_before_m19; /* stop at a position */
-    bool spindle_before_putax; /* give the axis away */
-    bool spindle_before_g74; /* homing */
-    bool spindle_before_any; /* whether one of them was */
-    /* whether the state is POSITION or VELOCITY and stays so until something asks for another: the next cycle may be
-     * a usual one */
+    uint32_t spindle_jobs; /* number of jobs so far */
+    uint32_t spindle_queued; /* number of waiting requests */
+    int32_t spindle_request0_kind; /* kind of the request or job */
+    double spindle_request0_speed; /* speed, below 0 in negative direction [0.001 deg/s] */
+    double spindle_request0_position; /* target position [0.001 deg] */
+    int32_t spindle_request1_kind; /* kind of the request or job */
+    double spindle_request1_speed; /* speed, below 0 in negative direction [0.001 deg/s] */
+    double spindle_request1_position; /* target position [0.001 deg] */
+    int32_t spindle_request2_kind; /* kind of the request or job */
+    double spindle_request2_speed; /* speed, below 0 in negative direction [0.001 deg/s] */
+    double spindle_request2_position; /* target position [0.001 deg] */
+    int32_t spindle_request3_kind; /* kind of the request or job */
+    double spindle_request3_speed; /* speed, below 0 in negative direction [0.001 deg/s] */
+    double spindle_request3_position; /* target position [0.001 deg] */
+    bool spindle_before_m3; /* request m3 of the previous cycle */
+    bool spindle_before_m4; /* request m4 of the previous cycle */
+    bool spindle_before_m5; /* request m5 of the previous cycle */
+    bool spindle_before_m19; /* request m19 of the previous cycle */
+    bool spindle_before_putax; /* request putax of the previous cycle */
+    bool spindle_before_g74; /* request g74 of the previous cycle */
+    bool spindle_before_any; /* whether any request of the previous cycle was TRUE */
+    /* code of the usual cycle (fast path) that may be next: POSITION or VELOCITY without any request */
     uint32_t spindle_usual;
-    bool axis_ipc_preset; /* whether the sections have been preset to the steady state of an input */
-    /* position of the fade [cycles]: 0 where nothing is added, fade_cycles where all of it is, beyond it where a
-     * state was overwritten */
+    bool axis_ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
+    /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t axis_ipc_fade;
-    double axis_ipc_stage0_filter0_section0_s1; /* what the next output takes over */
-    double axis_ipc_stage0_filter0_section0_s2; /* what `s1` takes over */
+    double axis_ipc_stage0_filter0_section0_s1; /* filter state s1: part of the next output */
+    double axis_ipc_stage0_filter0_section0_s2; /* filter state s2: part of the next s1 */
 } axis_s_spindle_axis_state;
 
-/* Tasks and interrupts: a function works on the structs that it gets and on nothing else. It has no global variable, calls
- * no library, and takes little stack. Calls with different states may interrupt each other. Of one state only one
- * function may be at work: neither step nor init may be interrupted by a call for the same state.
- * step writes each output once, with its final value, but one output after another. Another task or interrupt that reads
- * several of them copies them while step cannot run (its interrupt is off), or reads copies that the task of step
- * puts into two buffers in turn, behind a counter. */
+/* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
+ * library and needs little stack. Calls with different states may interrupt each other. Calls with the same state must
+ * not: neither step nor init may be interrupted by a call for the same state.
+ * step writes each output once, with its final value, but not all outputs at the same instant. Another task or interrupt
+ * that needs several consistent outputs copies them while step cannot run (its interrupt is disabled), or reads copies
+ * that the task of step writes to two buffers alternately, with a counter that shows the valid one. */
 
-/* Once before the first cycle: every member of the state gets its start. */
+/* Call once before the first cycle: sets every member of the state to its start value. */
 void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh);
 
-/* Gives every input the value that it has until the caller writes it. */
+/* Sets every input to its start value. */
 void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs);
 
-/* Once per position-controller cycle. The three structs do not overlap. */
+/* Call once per position-controller cycle. The three structs must not overlap. */
 void axis_s_spindle_axis_step(
     axis_s_spindle_axis_state *state,
     const axis_s_spindle_axis_inputs *inputs,
     axis_s_spindle_axis_outputs *outputs);
 
-/* In a file of its own, axis_s_spindle_axis_self_test.c: a build that does not call it leaves it out.
- * Compares a run of 53 samples, outputs and state, with the bits of the reference: 0 if all are the same, else the
- * number of the first sample that differs, or 1 if the build fuses a product with a sum or takes constants for single
- * precision. Run it once at start-up, on the machine, both files with the same compiler options: it finds a build that
- * fuses or reorders floating-point operations, too, or that takes a NaN for a number. */
+/* Defined in axis_s_spindle_axis_self_test.c; a build that does not call it can omit that file.
+ * Runs 53 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
+ * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
+ * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
 uint32_t axis_s_spindle_axis_self_test(void);
 
 #ifdef __cplusplus
