@@ -4,7 +4,7 @@
 use super::Said;
 use super::base85::{self, At};
 use crate::codes;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Report};
 use roxmltree::{Document, Node};
 use stability::Complex64;
 
@@ -51,32 +51,35 @@ impl<'a, 'i> Elements<'a, 'i> {
     }
 
     /// The one child with this name.
-    pub(super) fn child(&self, of: Node<'a, 'i>, element: &str, name: &str) -> Result<Node<'a, 'i>, Diagnostic> {
+    pub(super) fn child(&self, of: Node<'a, 'i>, element: &str, name: &str) -> Result<Node<'a, 'i>, Report> {
         let mut found = named(of, element, name);
         match (found.next(), found.next()) {
             (Some(node), None) => Ok(node),
-            (None, _) => Err(self.lacks(of, format!("no element `{element}` with the name `{name}`"))),
-            (_, Some(second)) => Err(self.lacks(second, format!("`{name}` a second time"))),
+            (None, _) => Err(self.lacks(of, format!("no element `{element}` with the name `{name}`")).into()),
+            (_, Some(second)) => Err(self.lacks(second, format!("`{name}` a second time")).into()),
         }
     }
 
-    pub(super) fn text(&self, of: Node<'a, 'i>, element: &str, name: &str) -> Result<&'a str, Diagnostic> {
+    pub(super) fn text(&self, of: Node<'a, 'i>, element: &str, name: &str) -> Result<&'a str, Report> {
         Ok(self.child(of, element, name)?.text().unwrap_or_default().trim())
     }
 
     /// The spectrum of a `SigNodeCrossSpectrumInfo`.
-    pub(super) fn spectrum(&self, info: Node<'a, 'i>) -> Result<Spectrum, Diagnostic> {
+    pub(super) fn spectrum(&self, info: Node<'a, 'i>) -> Result<Spectrum, Report> {
         let count = self.text(info, "unsigned_int", "m_uNumSpectraInAvg")?;
         let Some(averages) = count.parse::<u32>().ok().filter(|count| *count > 0) else {
             let found = format!("m_uNumSpectraInAvg is `{}`", count.escape_default());
-            return Err(self.wrong(codes::RESPONSE_CELL, info, found).allowed("1 or more"));
+            return Err(self.wrong(codes::RESPONSE_CELL, info, found).allowed("1 or more").into());
         };
         let spectrum = self.child(info, "CrossSpectrum", "m_avgCrossSpec")?;
         let hz = self.array(spectrum, "m_FrequencyVector", "double", 1)?;
         let values = self.array(spectrum, "m_ValueVector", "ComplexNumber", 2)?;
         if values.len() != 2 * hz.len() {
             let found = format!("{} values for {} frequencies", values.len() / 2, hz.len());
-            return Err(self.wrong(codes::RESPONSE_CELLS, spectrum, found).allowed("a value for each frequency"));
+            return Err(self
+                .wrong(codes::RESPONSE_CELLS, spectrum, found)
+                .allowed("a value for each frequency")
+                .into());
         }
         let values = values.as_chunks::<2>().0.iter().map(|[re, im]| Complex64::new(re.1, im.1)).collect();
         let line = self.document.text_pos_at(spectrum.range().start).row as usize;
@@ -84,13 +87,13 @@ impl<'a, 'i> Elements<'a, 'i> {
     }
 
     /// The finite numbers of an array, so many for each of its values.
-    fn array(&self, of: Node<'a, 'i>, name: &str, kind: &str, parts: usize) -> Result<Vec<At>, Diagnostic> {
+    fn array(&self, of: Node<'a, 'i>, name: &str, kind: &str, parts: usize) -> Result<Vec<At>, Report> {
         let array = self.child(of, "NumericArray", name)?;
         let written = ["elementtype", "format"].map(|name| array.attribute(name).unwrap_or_default());
         if written != [kind, "base85"] {
             let found =
                 format!("{name} has {}", written.map(|word| format!("`{}`", word.escape_default())).join(" as "));
-            return Err(self.lacks(array, found).allowed(format!("`{kind}` as `base85`")));
+            return Err(self.lacks(array, found).allowed(format!("`{kind}` as `base85`")).into());
         }
         let raw = self.child(array, "raw", "m_pNumberArray")?;
         let first = self.document.text_pos_at(raw.range().start).row as usize;
@@ -101,13 +104,13 @@ impl<'a, 'i> Elements<'a, 'i> {
         let numbers =
             base85::doubles(raw.text().unwrap_or_default(), first).map_err(|(line, found)| cell(line, found))?;
         if let Some((line, number)) = numbers.iter().find(|(_, number)| !number.is_finite()) {
-            return Err(cell(*line, format!("{number} is not a finite number")));
+            return Err(cell(*line, format!("{number} is not a finite number")).into());
         }
         let length = self.text(array, "unsigned_int", "m_length")?;
         if length.parse::<usize>().ok().and_then(|length| length.checked_mul(parts)) != Some(numbers.len()) {
             let found = format!("{name} has {} numbers, its m_length is {}", numbers.len(), length.escape_default());
             let allowed = format!("{parts} for each of its values");
-            return Err(self.wrong(codes::RESPONSE_CELLS, array, found).allowed(allowed));
+            return Err(self.wrong(codes::RESPONSE_CELLS, array, found).allowed(allowed).into());
         }
         Ok(numbers)
     }

@@ -128,11 +128,7 @@ pub fn is_without_names(bytes: &[u8]) -> bool {
 pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band]) -> Result<Measured, Report> {
     let mut said = Said { file, report: Report::default() };
     let text = text::decode(bytes);
-    let reading = if sinumerik::is_xml(&text) {
-        sinumerik::read(&text, &said).map_err(Report::from)?
-    } else {
-        of_table(&text, &mut said)?
-    };
+    let reading = if sinumerik::is_xml(&text) { sinumerik::read(&text, &said)? } else { of_table(&text, &mut said)? };
     let Reading { lines, columns, without_errors } = reading;
     let lines = order::check(lines, columns.frequency.place, cycle_time, &mut said);
     let lines = said.usable(lines)?;

@@ -16,7 +16,7 @@ use super::numbers::{Columns, Line, Used, Value};
 use super::order::hz;
 use super::{Reading, Said};
 use crate::codes;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, Report};
 use crate::xml;
 use portable::Extreme;
 use roxmltree::Node;
@@ -36,7 +36,7 @@ pub(super) fn is_xml(text: &str) -> bool {
     text.trim_start().starts_with('<')
 }
 
-pub(super) fn read(text: &str, said: &Said<'_>) -> Result<Reading<'static>, Diagnostic> {
+pub(super) fn read(text: &str, said: &Said<'_>) -> Result<Reading<'static>, Report> {
     let document = xml::parse(text.trim_start()).map_err(|xml::Refused { found, place }| {
         let place = place.map_or([0, 0], |(line, column)| [line, column]);
         said.error(codes::RESPONSE_TABLE, place, found).allowed(WHAT).instead(EXPORT)
@@ -44,7 +44,7 @@ pub(super) fn read(text: &str, said: &Said<'_>) -> Result<Reading<'static>, Diag
     let elements = Elements { document: &document, said };
     let root = document.root_element();
     if !root.has_tag_name("ResponseTestCustom") {
-        return Err(another(&elements, root));
+        return Err(another(&elements, root).into());
     }
     let [input, output] = pair(&elements, root)?;
     let auto = |of: &Signal<'_, '_>| {
@@ -86,13 +86,13 @@ fn without_spectra(elements: &Elements<'_, '_>, node: Node<'_, '_>) -> Diagnosti
 }
 
 /// The input and the output of the one response that the measurement names.
-fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Signal<'a, 'i>; 2], Diagnostic> {
+fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Signal<'a, 'i>; 2], Report> {
     let list = elements.child(root, "LinkedList", "m_listPrimaryFreqRespSigNodeData")?;
     let pairs: Vec<Node<'a, 'i>> = list.children().filter(Node::is_element).collect();
     let [pair] = pairs[..] else {
         let found = format!("{} pairs of an input and an output", pairs.len());
         let said = elements.wrong(codes::TWO_COLUMNS, list, found).allowed("one pair");
-        return Err(said.instead("a measurement of one response, to the velocity of the motor"));
+        return Err(said.instead("a measurement of one response, to the velocity of the motor").into());
     };
     let nodes = elements.child(root, "LinkedList", "m_MeasurementSignalNodeList")?;
     let nodes: Vec<Node<'a, 'i>> = nodes.children().filter(Node::is_element).collect();
@@ -102,13 +102,15 @@ fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Sign
         let is_it = |node: &Node<'a, 'i>| text_of(*node, "integer", "m_iUniqueInstanceId") == Some(instance);
         let of: Vec<Node<'a, 'i>> = nodes.iter().copied().filter(is_it).collect();
         let [node] = of[..] else {
-            return Err(elements.lacks(pair, format!("{name}: {} signals with this number", of.len())));
+            return Err(Report::from(elements.lacks(pair, format!("{name}: {} signals with this number", of.len()))));
         };
         let [Some(kind), Some(axis)] = id(node) else {
-            return Err(elements.lacks(node, "a signal without m_uNodeId and m_uAxis"));
+            return Err(Report::from(elements.lacks(node, "a signal without m_uNodeId and m_uAxis")));
         };
         if nodes.iter().filter(|other| id(**other) == id(node)).count() > 1 {
-            return Err(elements.lacks(node, "two signals of one m_uNodeId and m_uAxis: their spectra look alike"));
+            return Err(Report::from(
+                elements.lacks(node, "two signals of one m_uNodeId and m_uAxis: their spectra look alike"),
+            ));
         }
         as_measured(elements, node)?;
         Ok(Signal { node, id: [kind, axis] })
@@ -117,7 +119,7 @@ fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Sign
 }
 
 /// Whether the measurement states nothing that changes a signal: if its spectra contain that is unknown.
-fn as_measured<'a, 'i>(elements: &Elements<'a, 'i>, node: Node<'a, 'i>) -> Result<(), Diagnostic> {
+fn as_measured<'a, 'i>(elements: &Elements<'a, 'i>, node: Node<'a, 'i>) -> Result<(), Report> {
     let distortion = elements.child(node, "TransferFunction", "m_MeasurementLinearDistortion")?;
     let changed = |found: String, neutral: f64| {
         let said = elements.wrong(
@@ -125,7 +127,7 @@ fn as_measured<'a, 'i>(elements: &Elements<'a, 'i>, node: Node<'a, 'i>) -> Resul
             distortion,
             format!("{found}: whether the spectra contain it is unknown"),
         );
-        Err(said.allowed(format!("{neutral}")).instead("the curve as a table: f [Hz];re;im;coherence"))
+        Err(said.allowed(format!("{neutral}")).instead("the curve as a table: f [Hz];re;im;coherence").into())
     };
     for (name, neutral) in [("m_GainValue_real", 1.0), ("m_GainValue_imag", 0.0), ("m_TimeDelay", 0.0)] {
         let text = elements.text(distortion, "float", name)?;
@@ -147,7 +149,7 @@ fn cross<'a, 'i>(
     elements: &Elements<'a, 'i>,
     input: &Signal<'a, 'i>,
     output: &Signal<'a, 'i>,
-) -> Result<Spectrum, Diagnostic> {
+) -> Result<Spectrum, Report> {
     let of = |from: &Signal<'a, 'i>, to: &Signal<'a, 'i>| {
         let list = elements.child(from.node, "LinkedList", "m_crossSpecInfoList").ok()?;
         let id = |node: &Node<'a, 'i>| ["m_uSignodeId", "m_uAxisId"].map(|name| text_of(*node, "unsigned_int", name));
@@ -160,14 +162,14 @@ fn cross<'a, 'i>(
             spectrum.values.iter_mut().for_each(|value| *value = value.conj());
             Ok(spectrum)
         }
-        (None, None) => Err(without_spectra(elements, output.node)),
+        (None, None) => Err(without_spectra(elements, output.node).into()),
     }
 }
 
 /// The lines of the response; that at 0 Hz, a mean value, is none.
-fn lines(powers: &[Spectrum; 2], cross: &Spectrum, said: &Said<'_>) -> Result<Vec<Line>, Diagnostic> {
+fn lines(powers: &[Spectrum; 2], cross: &Spectrum, said: &Said<'_>) -> Result<Vec<Line>, Report> {
     let wrong = |code, line, found: String, allowed: &str| {
-        Err(said.error(code, [line, 0], found).allowed(allowed).instead(EXPORT))
+        Err(said.error(code, [line, 0], found).allowed(allowed).instead(EXPORT).into())
     };
     let key = |of: &Spectrum| (of.averages.to_bits(), of.hz.iter().map(|(_, hz)| hz.to_bits()).collect::<Vec<_>>());
     if let Some(other) = powers.iter().find(|other| key(other) != key(cross)) {

@@ -109,7 +109,7 @@ fn a_spindle_seldom_assigns_the_same_twice() {
     for case in CASES.iter() {
         for (name, text) in case.with(&["_spindle_axis.st"]) {
             let all = assignments(text);
-            let distinct: std::collections::BTreeSet<&String> = all.iter().collect();
+            let distinct: BTreeSet<&String> = all.iter().collect();
             assert!(distinct.len() > 100, "{}: {name}: {} assignments", case.name, distinct.len());
             assert!(
                 all.len() * 100 <= distinct.len() * 135,
