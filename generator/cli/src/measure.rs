@@ -23,7 +23,8 @@ const INTERVALS: std::ops::RangeInclusive<f64> = 1e-6..=0.1;
 
 /// A sequence of `--excitation`: `11`, `11x2`, `default`.
 pub fn excitation(text: &str) -> Result<Excitation, String> {
-    let allowed = || "BITS or BITSxCLOCK is allowed, 7 to 15 bits and a clock of 1 to 1000 cycles: 11x2; or default".to_owned();
+    let allowed =
+        || "BITS or BITSxCLOCK is allowed, 7 to 15 bits and a clock of 1 to 1000 cycles: 11x2; or default".to_owned();
     if text == "default" {
         return Ok(Excitation::Stated { bits: None, clock: None });
     }
@@ -72,12 +73,7 @@ pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exi
 }
 
 /// Reads a recording and measures it. A name of the map may stand for a column of the other recording.
-fn measured(
-    file: &Path,
-    of: &Arguments,
-    excitation: Excitation,
-    other: Option<&Measured>,
-) -> Result<Measured, Exit> {
+fn measured(file: &Path, of: &Arguments, excitation: Excitation, other: Option<&Measured>) -> Result<Measured, Exit> {
     let text = given::text(file)?;
     let wanted: Vec<&str> = of.map.iter().map(|(name, _)| name.as_str()).collect();
     let table = Table::read(&text, &wanted).without(&of.map);
@@ -112,7 +108,8 @@ fn said(all: &[(&Path, &Measured)]) -> Report {
     for (file, measured) in all {
         for verdict in &measured.verdicts {
             let said = if verdict.refuses { Diagnostic::error } else { Diagnostic::warning };
-            report.push(said(verdict.code, Place::whole(name_of(file)), verdict.found.clone()).instead(verdict.instead));
+            report
+                .push(said(verdict.code, Place::whole(name_of(file)), verdict.found.clone()).instead(verdict.instead));
         }
     }
     report
@@ -135,12 +132,12 @@ fn as_json(all: &[(&Path, &Measured)]) -> Value {
         let time = offset.time;
         json!({ "of": offset.of, "to": offset.to, "s": time.map(|time| time.seconds), "error_s": time.map(|time| time.error) })
     });
-    let segments = all.iter().take(1).flat_map(|(_, measured)| &measured.segments).map(|segment| {
-        json!({ "kind": text::word(segment.kind), "from": segment.samples.start, "to": segment.samples.end })
-    });
-    let verdicts = each().flat_map(|measured| &measured.verdicts).map(|verdict| {
-        json!({ "code": verdict.code, "text": format!("{}; {}", verdict.found, verdict.instead) })
-    });
+    let segments = all.iter().take(1).flat_map(|(_, measured)| &measured.segments).map(
+        |segment| json!({ "kind": text::word(segment.kind), "from": segment.samples.start, "to": segment.samples.end }),
+    );
+    let verdicts = each()
+        .flat_map(|measured| &measured.verdicts)
+        .map(|verdict| json!({ "code": verdict.code, "text": format!("{}; {}", verdict.found, verdict.instead) }));
     let dead_time = excited(all).and_then(|excited| excited.dead_time);
     json!({
         "channels": channels,

@@ -1,7 +1,13 @@
-//! `axgen measure`: recordings of the simulated demonstration plant, as a move and excited, against the figures of an independent simulation; and
-//! recordings with a defect each.
+//! `axgen measure`: recordings of the simulated demonstration plant, moved and excited, against the figures of an independent
+//! simulation; and recordings with a defect each.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "numbers of samples"
+)]
 
 use machine::closed_loop::{Position, UM};
 use machine::measure::fourier;
@@ -29,7 +35,7 @@ const A_LOAD: usize = 6;
 /// Columns, as the task of the position controller records them: um/s, mm, m/s^2.
 type Columns = [Vec<f64>; 7];
 
-/// The demonstration plant in its position loop, with a planned position [m] and velocity, and what is added to its command [m/s].
+/// The demonstration plant in its position loop, by a planned position [m] and velocity, and what is added to its command [m/s].
 fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
     let mut machine = DEMONSTRATION.at_rest();
     let mut actual = Measured::default();
@@ -37,7 +43,8 @@ fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
     for ((x, v), excite) in x.iter().zip(v).zip(excite) {
         let signals = Position::DEMONSTRATION.signals(*x, *v, &actual);
         let v_cmd = signals.v_command / UM + excite;
-        let row = [x * 1e3, actual.x * 1e3, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
+        let [x, x_actual] = [*x, actual.x].map(|x| x * 1e3);
+        let row = [x, x_actual, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
         columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
         actual = machine.step(v_cmd);
     }

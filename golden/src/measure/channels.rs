@@ -66,7 +66,7 @@ pub struct Timing {
     pub begins: Option<i128>,
 }
 
-/// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` says which column is which signal, where the names do not.
+/// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` names the signal of a column with another name.
 ///
 /// # Errors
 /// All mistakes: unknown and repeated columns, short rows, cells that are not finite numbers.
@@ -152,8 +152,11 @@ fn rows<'t>(
                 _ => {
                     let found = || format!("`{}` for {}", content.escape_default(), signal.name);
                     wrong.get_or_insert_with(|| {
-                        Mistake::new(row.place(cell), found(), allowed(Type::Real, RealKind::F64))
-                            .instead(instead(&content, Type::Real, RealKind::F64))
+                        Mistake::new(row.place(cell), found(), allowed(Type::Real, RealKind::F64)).instead(instead(
+                            &content,
+                            Type::Real,
+                            RealKind::F64,
+                        ))
                     });
                 }
             }

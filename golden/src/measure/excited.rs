@@ -186,8 +186,8 @@ fn is_of(changes: &[f64], sequence: &Sequence) -> bool {
     changes.len() == period && (0..period).any(|shift| at(shift) >= REPEATS * both.sqrt())
 }
 
-/// The dead time of lines. Those that are too uncertain, at the end where a clock holds, keep the last magnitude: so near to half the sampling
-/// frequency a magnitude turns the phases below by little.
+/// The dead time of lines. Those that are too uncertain, near half the sampling frequency where a clock holds, keep the last
+/// magnitude: there a magnitude turns the phases below by little.
 fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
     let mut lines = raw.smoothed(cycle);
     let mut last = 1.0;
@@ -205,16 +205,19 @@ fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
 
 /// Whether the task of the block can have recorded both channels.
 fn dead_time_is_possible(time: Option<Time>, cycle: f64, verdicts: &mut Vec<Verdict>) -> bool {
-    let state = "state it: both channels are recorded by the task that runs the block, in the cycle in which it uses them";
+    let state =
+        "state it: both channels are recorded by the task that runs the block, in the cycle in which it uses them";
     let Some(time) = time else {
-        let found = "the dead time is not known, so that nothing shows whether v_cmd and v_motor were recorded together";
+        let found =
+            "the dead time is not known, so that nothing shows whether v_cmd and v_motor were recorded together";
         verdicts.push(Verdict::note(codes::WHOLE_CYCLES, found, state));
         return true;
     };
     let ms = time.seconds * 1e3;
     match Channels::of(time.seconds, cycle) {
         Channels::Whole(cycles) => {
-            let found = format!("dead time {ms:.3} ms, {cycles} cycles: a channel that is whole cycles late looks the same");
+            let found =
+                format!("dead time {ms:.3} ms, {cycles} cycles: a channel that is whole cycles late looks the same");
             verdicts.push(Verdict::note(codes::WHOLE_CYCLES, found, state));
             true
         }

@@ -1,5 +1,5 @@
-//! What a recording shows of an axis: how it was sampled, its units, its vibrations, the response of an excitation; and what it cannot show.
-//! The mathematics is that of the crate `identification`. No block, no file.
+//! What a recording shows of an axis: sampling, units, vibrations, the response of an excitation; and what it cannot show. The
+//! mathematics is that of the crate `identification`. No block, no file.
 //!
 //! ```text
 //! verdict     what a recording cannot show
@@ -90,8 +90,8 @@ impl Measured {
     }
 }
 
-/// Measures channels. A cycle time [s] is the interval of channels whose file does not say it; `other` is what a recording of the same machine, with
-/// an excitation, shows.
+/// Measures channels. A cycle time [s] is the interval where the file does not say it; `other` is what an excited recording of
+/// the same machine shows.
 #[must_use]
 pub fn measure(
     mut channels: Vec<Channel>,
@@ -135,7 +135,8 @@ pub fn measure(
 
 /// Whether each channel has an interval and no gap.
 fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
-    let list = |of: &dyn Fn(&&Channel) -> bool| channels.iter().filter(of).map(|c| c.signal).collect::<Vec<_>>().join(", ");
+    let list =
+        |of: &dyn Fn(&&Channel) -> bool| channels.iter().filter(of).map(|c| c.signal).collect::<Vec<_>>().join(", ");
     let without = list(&|channel| channel.timing.interval.is_none());
     if !without.is_empty() {
         let instead = "record the time too, or give --cycle-time";
@@ -144,7 +145,8 @@ fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
     let lost = channels.iter().filter(|channel| channel.timing.missing > 0);
     if let Some(first) = lost.clone().next() {
         let before = first.timing.first_gap.map_or_else(String::new, |line| format!(", first before line {line}"));
-        let found = format!("{} samples are missing of {}{before}", first.timing.missing, list(&|c| c.timing.missing > 0));
+        let found =
+            format!("{} samples are missing of {}{before}", first.timing.missing, list(&|c| c.timing.missing > 0));
         let instead = "record again with fewer channels or a larger buffer, or cut the file at the gap";
         verdicts.push(Verdict::refusal(codes::SAMPLES_LOST, found, instead));
     }

@@ -1,4 +1,4 @@
-//! The picture of what was measured: channels over time, spectra and the response over frequency. How a picture is drawn is in `svg`.
+//! The picture of what was measured: channels over time, spectra and the response over frequency. `svg` draws it.
 
 use super::{Measured, Record};
 use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
@@ -36,8 +36,7 @@ pub fn svg(measured: &Measured) -> Option<String> {
     let has_spectra = !frequency.panels.is_empty();
     let parts = [Some(Part::Over(time)), has_spectra.then_some(Part::Over(frequency))];
     let setup = measured.verdicts.iter().map(|verdict| format!("{}: {}", verdict.code, verdict.found)).collect();
-    let picture =
-        Picture { title: "measured".to_owned(), setup, parts: parts.into_iter().flatten().collect() };
+    let picture = Picture { title: "measured".to_owned(), setup, parts: parts.into_iter().flatten().collect() };
     Some(picture.svg())
 }
 

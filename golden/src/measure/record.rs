@@ -8,8 +8,8 @@ use identification::segments::{self, Segment};
 use portable::Extreme;
 use std::borrow::Cow;
 
-/// Times over which the command is smoothed twice [s]: a planned position has only its digits to smooth, a controller's output the vibration that it
-/// feeds back.
+/// Times over which the command is smoothed twice [s]: of a planned position only its digits need it, of a controller's output
+/// the vibration that it feeds back.
 const OF_POSITION: f64 = 0.01;
 const OF_VELOCITY: f64 = 0.1;
 /// Intervals that are equal, as a part; samples that are together, and uneven ones, as a part of an interval.
@@ -17,7 +17,8 @@ const SAME_INTERVAL: f64 = 1e-3;
 const TOGETHER: f64 = 0.25;
 /// A command below that many rms values of what smoothing takes from it does not move the axis.
 const MOVES: f64 = 3.0;
-/// A channel that is clipped stays at its largest value for that many samples, that often, and comes there by that part of its range in a sample.
+/// A clipped channel stays at its largest value for this number of samples, this often, and comes there by this part of its
+/// range in a sample.
 const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
 
 /// All channels of one interval, from the latest first sample to the earliest last one.
@@ -99,6 +100,22 @@ impl Record {
         self.get("following_error").map(Cow::Borrowed).or_else(difference)
     }
 
+    /// The unit of a signal, and of the following error, which may be that of its parts.
+    #[must_use]
+    pub fn unit(&self, signal: &str) -> Option<Unit> {
+        let known = self.channel(signal).and_then(|channel| channel.unit);
+        known.or_else(|| self.channel("x_command").filter(|_| signal == "following_error")?.unit)
+    }
+
+    /// The unit of the command, as a velocity.
+    #[must_use]
+    pub fn command_unit(&self) -> Option<String> {
+        match self.channel("x_command") {
+            Some(x) => x.unit.map(|unit| format!("{}/s", unit.name)),
+            None => ["v_command", "v_cmd"].iter().find_map(|name| self.unit(name)).map(|unit| unit.name.to_owned()),
+        }
+    }
+
     /// The commanded velocity, smooth, in the unit of its channel (of a position: by s); whether it moves the axis.
     pub(super) fn command(&self) -> Option<(Vec<f64>, bool)> {
         let (raw, time) = match self.get("x_command") {
@@ -128,9 +145,9 @@ impl Record {
                 (Quantity::Velocity, "v_add" | "v_excite") => of_velocity,
                 (Quantity::Velocity, _) => Unit::of_velocity(largest),
                 (Quantity::Position, "following_error") => Unit::of_error(largest),
-                (Quantity::Position, _) => of_velocity.zip(speed.as_deref()).and_then(|(unit, speed)| {
-                    Unit::of_position(slope(speed, &rate(&channel.values, cycle))?, unit)
-                }),
+                (Quantity::Position, _) => of_velocity
+                    .zip(speed.as_deref())
+                    .and_then(|(unit, speed)| Unit::of_position(slope(speed, &rate(&channel.values, cycle))?, unit)),
                 (Quantity::Acceleration, _) => Unit::of_acceleration(largest),
             };
         }
@@ -187,9 +204,9 @@ fn clipped(values: &[f64]) -> Option<usize> {
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::larger);
     for end in [low, high] {
         let is_run = |n: &usize| {
-            let stays = values[*n..n + length].iter().all(|value| *value == end);
+            let stays = values[*n..n + length].iter().all(|value| value.to_bits() == end.to_bits());
             let comes = libm::fabs(values[n - 1] - values[n - 2]) > sudden * (high - low);
-            stays && values[n - 1] != end && comes
+            stays && values[n - 1].to_bits() != end.to_bits() && comes
         };
         let mut runs = (2..values.len().saturating_sub(length)).filter(is_run);
         let first = runs.next();

@@ -1,4 +1,4 @@
-//! What channels that follow each other in a known way show: how much later one is, and the gain of the position controller. No response.
+//! What channels with a known relation show: how much later one is, and the gain of the position controller. No response.
 
 use super::record::{Record, rate};
 use super::verdict::Verdict;
@@ -55,19 +55,19 @@ pub(super) fn offsets(record: &Record, verdicts: &mut Vec<Verdict>) -> Vec<Offse
     found
 }
 
-/// Kv [1/s] by `v_command = Kv e + k v_planned`, least squares; none: the channels or their units are not known, or do not show it.
+/// Kv [1/s] by `v_command = Kv e + k v_planned`, least squares; none: channels or units are not known, or do not show it.
 pub(super) fn position_gain(record: &Record) -> Option<f64> {
     let (command, x) = record.channel("v_command").zip(record.channel("x_command"))?;
-    let size = |unit: Option<super::unit::Unit>| unit.map(|unit| unit.size);
-    let error_unit = match record.channel("following_error") {
-        Some(error) => size(error.unit)?,
-        None => size(x.unit)?,
-    };
-    let (v_unit, x_unit) = (size(command.unit)?, size(x.unit)?);
+    let (v_unit, x_unit, error_unit) = (command.unit?.size, x.unit?.size, record.unit("following_error")?.size);
     let error = record.following_error()?;
     let planned = rate(&x.values, record.cycle);
-    let rows =
-        || command.values.iter().zip(error.iter().zip(&planned)).map(|(y, (e, v))| [y * v_unit, e * error_unit, v * x_unit]);
+    let rows = || {
+        command
+            .values
+            .iter()
+            .zip(error.iter().zip(&planned))
+            .map(|(y, (e, v))| [y * v_unit, e * error_unit, v * x_unit])
+    };
     let sum = |of: fn([f64; 3]) -> f64| rows().map(of).sum::<f64>();
     let [ee, ev, vv] = [sum(|[_, e, _]| e * e), sum(|[_, e, v]| e * v), sum(|[_, _, v]| v * v)];
     let [ye, yv, yy] = [sum(|[y, e, _]| y * e), sum(|[y, _, v]| y * v), sum(|[y, ..]| y * y)];

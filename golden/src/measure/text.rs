@@ -69,7 +69,8 @@ fn of_segments(measured: &Measured) -> String {
         return format!("segments: {all}\n");
     };
     let speeds: Vec<String> = speeds.iter().map(|(speed, _)| format!("{speed:.4}")).collect();
-    format!("segments: {all}; constant speed {} (unit of the command)\n", speeds.join(", "))
+    let unit = record.command_unit().unwrap_or_else(|| "in the unit of the command".to_owned());
+    format!("segments: {all}; constant speed {} {unit}\n", speeds.join(", "))
 }
 
 /// As a machine-readable report calls it.
@@ -91,7 +92,7 @@ fn of_offset(offset: &Offset) -> String {
 }
 
 fn of_vibration(measured: &Measured, vibration: &Vibration) -> String {
-    let unit = measured.record.as_ref().and_then(|record| record.channel(vibration.channel)?.unit);
+    let unit = measured.record.as_ref().and_then(|record| record.unit(vibration.channel));
     let unit = unit.map_or_else(String::new, |unit| format!(" {}", unit.name));
     let when = match vibration.when {
         When::Driving => "while driving",
@@ -102,10 +103,8 @@ fn of_vibration(measured: &Measured, vibration: &Vibration) -> String {
         When::Excited => format!("|P| {:.3}", vibration.amplitude),
         When::Driving | When::Ramps => format!("amplitude {:.4}{unit}", vibration.amplitude),
     };
-    let mut text = format!(
-        "  {:.2} +-{:.2} Hz  {} {when}, {amplitude}",
-        vibration.hz, vibration.hz_error, vibration.channel
-    );
+    let mut text =
+        format!("  {:.2} +-{:.2} Hz  {} {when}, {amplitude}", vibration.hz, vibration.hz_error, vibration.channel);
     if let Some([damping, error]) = vibration.damping {
         let _ = write!(text, ", damping {damping:.4} +-{error:.4}");
     }
@@ -149,7 +148,8 @@ fn of_excited(measured: &Measured, excited: &Excited) -> String {
     relative.sort_by(f64::total_cmp);
     if let Some(middle) = relative.get(relative.len() / 2) {
         let [db, degrees] = in_db_and_degrees(*middle);
-        let _ = writeln!(text, "standard error of the response, in the middle of all lines: {db:.2} dB, {degrees:.2} deg");
+        let _ =
+            writeln!(text, "standard error of the response, in the middle of all lines: {db:.2} dB, {degrees:.2} deg");
     }
     if let (Some(time), Some(record)) = (excited.dead_time, &measured.record) {
         let cycles = time.seconds / record.cycle;

@@ -15,7 +15,7 @@ use std::ops::Range;
 
 /// What vibrations are looked for in.
 const LOOKED_AT: [&str; 4] = ["a_load", "v_direct", "v_motor", "following_error"];
-/// Peaks of a spectrum that count: how many, and which part of the strongest one's amplitude; how exact, in 1/(length of the window).
+/// Peaks of a spectrum that count: how many, which part of the strongest one's amplitude, how exact in 1/(length of the window).
 const MOST: usize = 3;
 const WEAKEST: f64 = 0.1;
 const LEAST_EXACT: f64 = 0.1;
@@ -95,15 +95,17 @@ pub(super) fn signals(record: &Record) -> Vec<(&'static str, Cow<'_, [f64]>)> {
     LOOKED_AT.into_iter().filter_map(of).collect()
 }
 
-/// The vibrations of moves.
+/// The vibrations of moves, with the gain of the position controller Kv [1/s], if it is known.
 pub(super) fn of_moves(record: &Record, windows: &Windows, kv: Option<f64>) -> Vec<Vibration> {
     let mut all = Vec::new();
     for (channel, signal) in signals(record) {
         let mut found = driving(channel, &signal, windows, record.cycle);
         let forced: Vec<f64> = found.iter().map(|vibration| vibration.hz).collect();
-        let position_gain = kv.filter(|_| channel == "following_error");
-        let companions = Companions { position_gain, forced: &forced };
-        found.extend(ramps(channel, &signal, &windows.ramps, record.cycle, companions));
+        // The position loop settles in what belongs to the motor; in the following error that hides all else without Kv.
+        let companions = Companions { position_gain: kv.filter(|_| channel != "a_load"), forced: &forced };
+        if channel != "following_error" || kv.is_some() {
+            found.extend(ramps(channel, &signal, &windows.ramps, record.cycle, companions));
+        }
         all.extend(found);
     }
     all
@@ -203,7 +205,7 @@ fn of_decay(line: Vibration, decay: &Decay, when: When) -> Vibration {
     }
 }
 
-/// The poles of the response that an excitation shows: of the load by the motor's command where there is a sensor.
+/// The poles of the response that an excitation shows.
 pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
     let lines = &excited.lines;
     let size: Vec<f64> = lines.response.iter().map(|p| p.norm_sqr().sqrt()).collect();
