@@ -93,7 +93,7 @@ fn write(all: &[(&Path, &Measured)], of: &Arguments, [of_response, of_picture]: 
         }
         _ => None,
     };
-    let drawn = of.picture.as_deref().zip(all.first().and_then(|(_, measured)| picture::svg(measured)));
+    let drawn = of.picture.as_deref().zip(all.first().and_then(|(_, measured)| picture::svg(measured, excited(all))));
     let picture = drawn.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture)).transpose()?;
     one_file::commit([response, picture].into_iter().flatten())
 }

@@ -77,7 +77,7 @@ static EXCITED: LazyLock<Columns> = LazyLock::new(|| excited(4, 0.02));
 /// Columns as CSV with a time.
 fn csv(columns: &Columns, of: &[usize]) -> String {
     let mut text = format!("time [s],{}\n", of.iter().map(|at| NAMES[*at]).collect::<Vec<_>>().join(","));
-    for n in 0..columns[of[0]].len() {
+    for (n, _) in columns[of[0]].iter().enumerate() {
         write!(text, "{:.3}", n as f64 * CYCLE).unwrap();
         of.iter().for_each(|at| write!(text, ",{:.6}", columns[*at][n]).unwrap());
         text.push('\n');
@@ -343,8 +343,8 @@ fn excitations_with_a_defect() {
     assert_said("at rest", &of(&excited(4, 0.0)), &[], "AX504", 1);
     assert_said("three periods", &of(&excited(3, 0.02)), &[], "AX502", 1);
     let mut noise = Noise(3);
-    let mut noisy = EXCITED.clone();
-    noisy[V_MOTOR].iter_mut().for_each(|v| *v += 5000.0 * noise.next());
+    let mut noisy = excited(4, 0.1);
+    noisy[V_MOTOR].iter_mut().for_each(|v| *v += 8000.0 * noise.next());
     assert_said("noise", &of(&noisy), &[], "AX512", 0);
 }
 

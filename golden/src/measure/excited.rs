@@ -19,8 +19,11 @@ const SAME_SIGNS: f64 = 0.99;
 /// Two periods of changes are equal above that correlation; of neighbours of one excitation it is that part of the largest.
 const REPEATS: f64 = 0.5;
 const OF_LARGEST: f64 = 0.98;
-/// An error that large says nothing of a magnitude when the dead time is looked for.
+/// A relative error that large says nothing of a magnitude when the dead time is looked for: known only where at most such a part of
+/// the lines up to this part of half the sampling frequency is so vague.
 const VAGUE: f64 = 0.25;
+const MOST_VAGUE: f64 = 0.1;
+const NEEDED: f64 = 0.8;
 
 /// What an excitation shows.
 #[derive(Clone, Debug)]
@@ -190,6 +193,10 @@ fn is_of(changes: &[f64], sequence: &Sequence) -> bool {
 /// magnitude: there a magnitude turns the phases below by little.
 fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
     let mut lines = raw.smoothed(cycle);
+    let is_vague = |k: &usize| lines.error[*k] > VAGUE * lines.response[*k].norm_sqr().sqrt();
+    let needed = lines.hz.partition_point(|hz| *hz < NEEDED * 0.5 / cycle);
+    let vague = (0..needed).filter(is_vague).count();
+    (vague as f64 <= MOST_VAGUE * needed as f64).then_some(())?;
     let mut last = 1.0;
     for k in 0..lines.hz.len() {
         let size = lines.response[k].norm_sqr().sqrt();

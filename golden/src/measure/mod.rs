@@ -107,7 +107,11 @@ pub fn measure(
     if !is_sampled(&measured.channels, verdicts) {
         return measured;
     }
-    let Some(mut record) = Record::new(measured.channels.clone(), verdicts) else { return measured };
+    let Some(mut record) = Record::new(measured.channels.clone(), verdicts) else {
+        let instead = "record a move, and export all of its samples";
+        verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));
+        return measured;
+    };
     let fits = record.find_units(verdicts);
     record.find_clipping(verdicts);
     for channel in &mut measured.channels {

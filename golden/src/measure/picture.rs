@@ -1,6 +1,6 @@
 //! The picture of what was measured: channels over time, spectra and the response over frequency. `svg` draws it.
 
-use super::{Measured, Record};
+use super::{Excited, Measured, Record};
 use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
 use identification::peaks::Spectrum;
 use std::ops::Range;
@@ -12,9 +12,9 @@ const BAND: [f64; 2] = [2.0, 250.0];
 /// A phase that changes by more between two points has passed 180 degrees.
 const JUMP: f64 = 180.0;
 
-/// The picture; none: there is nothing over time.
+/// The picture of a recording, with the response of this one or of another one; none: there is nothing over time.
 #[must_use]
-pub fn svg(measured: &Measured) -> Option<String> {
+pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
     let record = measured.record.as_ref()?;
     let time = Over {
         across: Across::Time { until: record.samples() as f64 * record.cycle },
@@ -23,7 +23,7 @@ pub fn svg(measured: &Measured) -> Option<String> {
     };
     let to = if BAND[1] < 0.5 / record.cycle { BAND[1] } else { 0.5 / record.cycle };
     let mut panels = spectra(measured, record, [BAND[0], to]);
-    panels.extend(response(measured, [BAND[0], to]));
+    panels.extend(excited.into_iter().flat_map(|excited| response(excited, [BAND[0], to])));
     let mut events: Vec<(f64, String)> = measured
         .vibrations
         .iter()
@@ -78,8 +78,7 @@ fn spectra(measured: &Measured, record: &Record, band: [f64; 2]) -> Vec<Panel> {
     if curves.is_empty() { Vec::new() } else { vec![Panel::curves(format!("{} [{unit}]", channel.signal), curves)] }
 }
 
-fn response(measured: &Measured, band: [f64; 2]) -> Vec<Panel> {
-    let Some(excited) = &measured.excited else { return Vec::new() };
+fn response(excited: &Excited, band: [f64; 2]) -> Vec<Panel> {
     let lines = &excited.lines;
     let points = || {
         let all = lines.hz.iter().copied().zip(lines.response.iter().copied());
