@@ -1,7 +1,7 @@
 //! The one list of diagnostics: code, title, what it means and what to do.
 //!
-//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings. A code
-//! keeps its meaning for ever.
+//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings, AX5
+//! recordings that are measured. A code keeps its meaning for ever.
 
 #[derive(Debug)]
 pub struct Code {
@@ -575,7 +575,7 @@ codes! {
          that counts something else is left out the same way.";
     SAMPLES_LOST = "AX481", "a recording in which samples are missing",
         "The column of times does not go on by one cycle from row to row. The block's state after a gap is unknown, so that \
-         nothing after it can be compared. Record again, or cut the file before the gap.";
+         nothing after it can be compared. Record again, or cut the file before the gap. Nor is a spectrum taken across a gap.";
     PROVES_NOTHING = "AX482", "a recording that proves nothing",
         "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with \
          mode ON, from a cycle on in which the block is at rest, with the outputs that the move changes.";
@@ -593,4 +593,57 @@ codes! {
         "The file axgen.manifest says which set generated which files of the folder. A line of it is not an entry: mostly a \
          merge has left its marks. Keep the entries of both versions, in any order. Without the file the next run lists its own \
          files again, but removes nothing that was generated before.";
+
+    NO_INTERVAL = "AX500", "a recording without a sampling interval",
+        "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \
+         controller. Without it no frequency is known. Record the time too, or give --cycle-time with the interval of the rows.";
+    TWO_RATES = "AX501", "channels that were not sampled together",
+        "The channels have different sampling intervals, or were sampled at different moments within a cycle, or at uneven \
+         times. Each would show a vibration with another phase, and a response between them would be wrong. Record all channels \
+         in one task with its cycle, or leave the others out with --map NAME=-.";
+    MEASURED_TOO_SHORT = "AX502", "a recording that is too short to be measured",
+        "A vibration needs 0.55 s at constant speed, or 0.55 s after a ramp's end. A response needs 4 whole periods of \
+         the excitation after the one in which the axis settles, 8 by default.";
+    MEASURED_AT_REST = "AX503", "a recording in which nothing moves",
+        "At rest nothing excites the vibrations of a move, and friction holds the axis. Record ramps with the usual acceleration, \
+         at least 1.5 s at constant speed between them, and 1.2 s of rest after the last one.";
+    MOTOR_REVERSES = "AX504", "an excited motor that changes its direction",
+        "Friction changes its sign with the velocity of the motor and acts as an excitation of its own. It repeats with the \
+         excitation, so that the coherence stays high while the response is wrong by several dB. Excite while the axis moves at \
+         constant speed, 2.5 times the amplitude or faster.";
+    CLIPPED = "AX505", "a channel that is clipped",
+        "The channel stays at its largest value, to the last digit, and comes there and leaves from there suddenly: the sensor or \
+         the recorder was at its limit. Clipping makes lines that the machine does not have. Choose a larger range.";
+    UNITS_DIFFER = "AX506", "velocities that do not fit each other",
+        "The motor follows the commanded velocity at low frequencies, so that both have the same size and sign. A factor of \
+         1000 is mm/s in the place of um/s, -1 a motor that counts in the other direction. The block takes both in um/s (rotary \
+         axes: 0.001 deg/s) in the direction of the command.";
+    NOT_OF_THE_TASK = "AX507", "channels of which one is from elsewhere",
+        "Between the cycle that writes the commanded velocity and the cycle that reads its effect lies a whole number of cycles, \
+         at least one, if the task of the block records both. The dead time of this recording is not one. A channel was recorded \
+         in the drive or in another task. A response with a wrong dead time makes an unstable set look stable.";
+    WHOLE_CYCLES = "AX508", "a dead time whose cycles cannot be checked",
+        "One cycle more of delay and a channel that is recorded one cycle late give the same recording to the bit. Make sure that \
+         the task that runs the block recorded both channels, in the cycle in which it used them; an unseen cycle of delay makes a \
+         stated Ms of 1.7 truly 2.5.";
+    CHANNEL_LATE = "AX509", "a channel that is later than another one",
+        "Two channels that follow each other in a known way, as a position and its velocity, are apart in time. One of them is \
+         filtered, or recorded by another task. Record both in the task of the block.";
+    NOT_EXCITED = "AX510", "a recording without the excitation",
+        "No periods of the sequence are found in v_excite, or else in v_cmd. Give --excitation BITSxCLOCK as the recording was \
+         made, record v_excite too, and record all of the excitation.";
+    STAGES_ACTED = "AX511", "a recording with active stages",
+        "v_add is not 0: the recording shows what the stages leave of the vibrations. Record with all stages OFF or DRYRUN.";
+    UNCERTAIN_LINES = "AX512", "a response that is uncertain",
+        "Two standard errors are half of the response or more in these bands. A stage with f0 there cannot be proposed. Measure \
+         more periods, or with a larger amplitude.";
+    DOUBTFUL_PEAK = "AX513", "a vibration that is in doubt",
+        "A second peak has 0.3 of the power of the first one or more, so that which of them matters is not known; or the peak is \
+         at the edge of the spectrum, where its maximum may lie beyond. Record longer, or with a sensor at the tool.";
+    SIDE_UNKNOWN = "AX514", "a vibration whose side is not known",
+        "Stages damp what enters at the motor. What enters at the load looks the same to the motor. A sensor at the load shows \
+         the side, if a_load and v_motor are recorded in a move and in an excitation (--excited FILE).";
+    NO_CHANNEL = "AX515", "a recording without the channels that are needed",
+        "Segments need a command: x_command, v_command or v_cmd. Vibrations need a_load, v_direct, v_motor or a following error. A \
+         response needs v_cmd (or v_command) and v_motor. --map SCOPE=SIGNAL names the column of each.";
 }

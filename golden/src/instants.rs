@@ -69,6 +69,20 @@ impl<'t> Instants<'t> {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
 
+    /// The times since the first one [s]. A unit that is not stated is the one in which the usual step is the cycle of a controller, 31 us to
+    /// 30 ms; none: no times, or there is no such unit.
+    pub(crate) fn seconds(&self) -> Option<Vec<f64>> {
+        let step = self.step().filter(|_| !self.is_text)?;
+        let is_cycle = |unit: &i64| (31e3..=30e6).contains(&nanoseconds(step, *unit));
+        let unit = self.stated_unit().or_else(|| UNSAID.iter().map(|(unit, _)| *unit).find(is_cycle))?;
+        Some(self.since.iter().map(|time| nanoseconds(*time, unit) / 1e9).collect())
+    }
+
+    /// The line of each time.
+    pub(crate) fn lines(&self) -> &[usize] {
+        &self.lines
+    }
+
     /// When the first sample was taken [ns].
     pub(crate) fn first(&self) -> Option<i128> {
         let unit = self.stated_unit()?;

@@ -15,6 +15,7 @@
 //! scenario   the inputs that an NC program makes, in a loop with a machine, and its picture
 //! analysis   the picture of an analysis; svg: how pictures are drawn
 //! simulate   improved position control in the loop of an axis, with and without it: figures, pictures, CSV
+//! measure    what a recording shows of an axis: sampling, vibrations, its response
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
@@ -32,6 +33,7 @@ pub mod evidence;
 pub mod exercise;
 pub mod explain;
 mod instants;
+pub mod measure;
 pub mod mistake;
 pub mod recording;
 pub mod samples;

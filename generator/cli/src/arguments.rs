@@ -1,6 +1,7 @@
 //! The command line: what it takes, in the words of its help. Nothing is done here.
 
 use crate::emit;
+use crate::measure;
 use crate::messages::Format;
 use crate::results::Files;
 use crate::run;
@@ -9,6 +10,7 @@ use crate::simulate;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use golden::measure::Excitation;
 use std::path::PathBuf;
 
 /// Vibration damping for PLCs and drives: generates function blocks from axis parameters and verifies them bit by bit.
@@ -155,6 +157,13 @@ pub enum Command {
         drive: DriveArguments,
         #[command(flatten)]
         to: Simulated,
+    },
+    /// Measures a recording of an axis: sampling, vibrations, and with an excitation the response of the drive
+    Measure {
+        /// CSV file of a recorder, `-`: standard input
+        recording: PathBuf,
+        #[command(flatten)]
+        of: Measured,
     },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
@@ -370,6 +379,36 @@ pub struct Simulated {
     /// SVG file for the picture
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
+    /// Replace any files of these names, not only earlier outputs of this command
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// How a recording is measured, and where the results go.
+#[derive(Args)]
+pub struct Measured {
+    /// A second recording of the same machine, made with an excitation: the response, and the side that vibrations are from
+    #[arg(long, value_name = "FILE")]
+    pub excited: Option<PathBuf>,
+    /// The excited recording's sequence: bits of the register, and cycles of a clock, such as 11x2; `default`: that of the cycle
+    /// [default: as v_excite shows it]
+    #[arg(long, value_name = "BITS[xCLOCK]", value_parser = measure::excitation)]
+    pub excitation: Option<Excitation>,
+    /// Interval of the rows, for a recording without times: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
+    #[arg(long, value_name = "TIME", value_parser = measure::interval)]
+    pub cycle_time: Option<f64>,
+    /// Which column of the CSV file is which signal, where the names differ; `SCOPE=-` leaves a column out
+    #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
+    pub map: Vec<(String, String)>,
+    /// CSV file for the response, which `drive.response` reads
+    #[arg(long, value_name = "FILE")]
+    pub response: Option<PathBuf>,
+    /// SVG file for the picture
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Print it for machines: JSON
+    #[arg(long)]
+    pub json: bool,
     /// Replace any files of these names, not only earlier outputs of this command
     #[arg(long)]
     pub force: bool,

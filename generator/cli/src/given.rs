@@ -65,7 +65,7 @@ pub fn read(request: &Request, designed: &Designed, block: &Block, format: Forma
 }
 
 /// What was read, or all that is wrong: with the file, and with what the map names.
-fn checked<T>(read: Result<T, Vec<Mistake>>, unknown: &[Mistake], file: &Path) -> Result<T, Exit> {
+pub fn checked<T>(read: Result<T, Vec<Mistake>>, unknown: &[Mistake], file: &Path) -> Result<T, Exit> {
     match read {
         Ok(read) if unknown.is_empty() => Ok(read),
         Ok(_) => Err(wrong(file, unknown)),
@@ -74,7 +74,7 @@ fn checked<T>(read: Result<T, Vec<Mistake>>, unknown: &[Mistake], file: &Path) -
 }
 
 /// The mistakes of a file of samples.
-fn wrong(file: &Path, mistakes: &[Mistake]) -> Exit {
+pub fn wrong(file: &Path, mistakes: &[Mistake]) -> Exit {
     let whole = Place::whole(name_of(file));
     let mut report = Report::default();
     for Mistake { code, line, column, found, allowed, instead } in mistakes {
@@ -85,7 +85,8 @@ fn wrong(file: &Path, mistakes: &[Mistake]) -> Exit {
     Exit::Input(report.shortened())
 }
 
-fn text(path: &Path) -> Result<String, Exit> {
+/// The text of a file of samples.
+pub fn text(path: &Path) -> Result<String, Exit> {
     let bytes = match is_standard(path) {
         true => config::load_from(io::stdin(), Vec::new(), LARGEST_SAMPLES),
         false => config::load_up_to(path, LARGEST_SAMPLES),

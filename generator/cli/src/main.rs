@@ -23,6 +23,7 @@ mod init;
 mod input;
 mod into_folder;
 mod leftovers;
+mod measure;
 mod messages;
 mod one_file;
 mod output;
@@ -106,6 +107,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         }
         Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
+        Command::Measure { recording, of } => measure::run(&recording, &of, format),
         Command::Scenario { set, program, axis, block, drive, program_axis, cycles, stimulus, picture, force } => {
             let options = scenario::options(program_axis, cycles);
             let request = scenario::Request { axis, block, drive, program, options, stimulus, picture, force };

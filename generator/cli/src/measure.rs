@@ -1,0 +1,184 @@
+//! `axgen measure`: what a recording shows of an axis, as a report, as JSON, as a picture, and its response as CSV.
+
+use crate::arguments::Measured as Arguments;
+use crate::exit::Exit;
+use crate::given::{self, name_of};
+use crate::messages::{self, Format};
+use crate::one_file::{self, Rule};
+use crate::output;
+use generator::codes;
+use generator::diagnostics::{Diagnostic, Place, Report};
+use golden::measure::{self, Excitation, Excited, Measured, Vibration, When, picture, text};
+use golden::signals;
+use golden::svg;
+use golden::table::Table;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Bits of a sequence, and the longest clock [cycles].
+const BITS: std::ops::RangeInclusive<u32> = 7..=15;
+const LONGEST_CLOCK: u32 = 1000;
+/// Limits of an interval [s].
+const INTERVALS: std::ops::RangeInclusive<f64> = 1e-6..=0.1;
+
+/// A sequence of `--excitation`: `11`, `11x2`, `default`.
+pub fn excitation(text: &str) -> Result<Excitation, String> {
+    let allowed =
+        || "BITS or BITSxCLOCK is allowed, 7 to 15 bits and a clock of 1 to 1000 cycles: 11x2; or default".to_owned();
+    if text == "default" {
+        return Ok(Excitation::Stated { bits: None, clock: None });
+    }
+    let (bits, clock) = text.split_once('x').map_or((text, None), |(bits, clock)| (bits, Some(clock)));
+    let bits = bits.parse().ok().filter(|bits| BITS.contains(bits)).ok_or_else(allowed)?;
+    let is_clock = |clock: &u32| (1..=LONGEST_CLOCK).contains(clock);
+    let clock = clock.map(|clock| clock.parse().ok().filter(is_clock).ok_or_else(allowed)).transpose()?;
+    Ok(Excitation::Stated { bits: Some(bits), clock })
+}
+
+/// A time of `--cycle-time`: `1ms`, `62.5us`.
+pub fn interval(text: &str) -> Result<f64, String> {
+    const UNITS: [(&str, f64); 4] = [("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("s", 1.0)];
+    let of = |(unit, size): &(&str, f64)| Some(text.strip_suffix(unit)?.trim().parse::<f64>().ok()? * size);
+    let time = UNITS.iter().find_map(of).filter(|time| INTERVALS.contains(time));
+    time.ok_or_else(|| "a time from 1us to 100ms is allowed: 1ms, 62.5us".to_owned())
+}
+
+/// Runs the command.
+pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exit> {
+    let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
+    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
+    let rules = [Rule::own(of.force, &is_response), Rule::own(of.force, &is_picture)];
+    one_file::told_apart(&of.response.iter().chain(&of.picture).map(PathBuf::as_path).collect::<Vec<_>>())?;
+    for (out, rule) in [of.response.as_deref(), of.picture.as_deref()].into_iter().zip(rules) {
+        let Some(out) = out else { continue };
+        one_file::kept_apart(out, [Some(recording), of.excited.as_deref()].into_iter().flatten())?;
+        rule.allows(out)?;
+    }
+    let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
+    let excited = of.excited.as_deref().map(|file| measured(file, of, stated, None)).transpose()?;
+    let own = if excited.is_some() { Excitation::AsRecorded } else { of.excitation.unwrap_or(Excitation::AsRecorded) };
+    let found = measured(recording, of, own, excited.as_ref())?;
+    let all: Vec<(&Path, &Measured)> =
+        std::iter::once((recording, &found)).chain(of.excited.as_deref().zip(excited.as_ref())).collect();
+    write(&all, of, rules)?;
+    if of.json {
+        output::line(format!("{:#}", as_json(&all)))?;
+    } else {
+        for (_, measured) in &all {
+            output::print(text::report(measured))?;
+        }
+        output::say(&messages::text(&said(&all), format));
+    }
+    Ok(if all.iter().any(|(_, measured)| measured.refuses()) { Exit::Different } else { Exit::Done })
+}
+
+/// Reads a recording and measures it. A name of the map may stand for a column of the other recording.
+fn measured(file: &Path, of: &Arguments, excitation: Excitation, other: Option<&Measured>) -> Result<Measured, Exit> {
+    let text = given::text(file)?;
+    let wanted: Vec<&str> = of.map.iter().map(|(name, _)| name.as_str()).collect();
+    let table = Table::read(&text, &wanted).without(&of.map);
+    let unknown = if of.excited.is_some() { Vec::new() } else { signals::unknown(&of.map, &[&table]) };
+    let channels = given::checked(measure::read(&table, &of.map), &unknown, file)?;
+    Ok(measure::measure(channels, of.cycle_time, excitation, other))
+}
+
+/// Writes the files that were asked for, all or none.
+fn write(all: &[(&Path, &Measured)], of: &Arguments, [of_response, of_picture]: [Rule<'_>; 2]) -> Result<(), Exit> {
+    let refuses = all.iter().any(|(_, measured)| measured.refuses());
+    let response = match (of.response.as_deref(), excited(all)) {
+        (Some(path), Some(excited)) => Some(one_file::stage(path, text::response(excited).as_bytes(), of_response)?),
+        (Some(_), None) if !refuses => {
+            let found = "the recording has no excitation: record v_excite, or give --excitation or --excited";
+            return Err(Exit::input(codes::USAGE, "--response", found));
+        }
+        _ => None,
+    };
+    let drawn = of.picture.as_deref().zip(all.first().and_then(|(_, measured)| picture::svg(measured, excited(all))));
+    let picture = drawn.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture)).transpose()?;
+    one_file::commit([response, picture].into_iter().flatten())
+}
+
+fn excited<'m>(all: &[(&Path, &'m Measured)]) -> Option<&'m Excited> {
+    all.iter().find_map(|(_, measured)| measured.excited.as_ref())
+}
+
+/// The verdicts as messages about the recordings: an error, if something is not measured.
+fn said(all: &[(&Path, &Measured)]) -> Report {
+    let mut report = Report::default();
+    for (file, measured) in all {
+        for verdict in &measured.verdicts {
+            let said = if verdict.refuses { Diagnostic::error } else { Diagnostic::warning };
+            report
+                .push(said(verdict.code, Place::whole(name_of(file)), verdict.found.clone()).instead(verdict.instead));
+        }
+    }
+    report
+}
+
+fn as_json(all: &[(&Path, &Measured)]) -> Value {
+    let each = || all.iter().map(|(_, measured)| *measured);
+    let channels: Vec<Value> = (all.iter().take(1).flat_map(|(_, measured)| &measured.channels))
+        .map(|channel| {
+            json!({
+                "name": channel.signal,
+                "interval_s": channel.timing.interval,
+                "jitter_s": channel.timing.jitter,
+                "missing": channel.timing.missing,
+                "unit": channel.unit.map(|unit| unit.name),
+            })
+        })
+        .collect();
+    let offsets = each().flat_map(|measured| &measured.offsets).map(|offset| {
+        let time = offset.time;
+        json!({ "of": offset.of, "to": offset.to, "s": time.map(|time| time.seconds), "error_s": time.map(|time| time.error) })
+    });
+    let segments = all.iter().take(1).flat_map(|(_, measured)| &measured.segments).map(
+        |segment| json!({ "kind": text::word(segment.kind), "from": segment.samples.start, "to": segment.samples.end }),
+    );
+    let verdicts = each()
+        .flat_map(|measured| &measured.verdicts)
+        .map(|verdict| json!({ "code": verdict.code, "text": format!("{}; {}", verdict.found, verdict.instead) }));
+    let dead_time = excited(all).and_then(|excited| excited.dead_time);
+    json!({
+        "channels": channels,
+        "segments": segments.collect::<Vec<_>>(),
+        "dead_time_s": dead_time.map(|time| time.seconds),
+        "dead_time_error_s": dead_time.map(|time| time.error),
+        "offsets": offsets.collect::<Vec<_>>(),
+        "vibrations": each().flat_map(|measured| &measured.vibrations).map(vibration_json).collect::<Vec<_>>(),
+        "response": excited(all).map(response_json),
+        "verdicts": verdicts.collect::<Vec<_>>(),
+    })
+}
+
+fn vibration_json(vibration: &Vibration) -> Value {
+    let when = match vibration.when {
+        When::Driving => "driving",
+        When::Ramps => "ramps",
+        When::Excited => "excited",
+    };
+    json!({
+        "channel": vibration.channel,
+        "hz": vibration.hz,
+        "hz_error": vibration.hz_error,
+        "damping": vibration.damping.map(|[damping, _]| damping),
+        "damping_error": vibration.damping.map(|[_, error]| error),
+        "amplitude": vibration.amplitude,
+        "when": when,
+        "forced": vibration.is_forced,
+        "competes": vibration.competes,
+        "edge": vibration.is_at_edge,
+        "order": vibration.order,
+        "source": vibration.source.map(text::side_word),
+    })
+}
+
+fn response_json(excited: &Excited) -> Value {
+    let lines = &excited.lines;
+    json!({
+        "hz": lines.hz,
+        "re": lines.response.iter().map(|p| p.re).collect::<Vec<_>>(),
+        "im": lines.response.iter().map(|p| p.im).collect::<Vec<_>>(),
+        "se": lines.error,
+    })
+}

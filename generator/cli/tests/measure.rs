@@ -1,0 +1,365 @@
+//! `axgen measure`: recordings of the simulated demonstration plant, moved and excited, against the figures of an independent
+//! simulation; and recordings with a defect each.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_possible_wrap,
+    clippy::cast_sign_loss,
+    reason = "numbers of samples"
+)]
+
+use machine::closed_loop::{Position, UM};
+use machine::measure::fourier;
+use machine::plant::DEMONSTRATION;
+use machine::sequence::Sequence;
+use machine::{Machine, Measured};
+use serde_json::Value;
+use std::f64::consts::{PI, TAU};
+use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+const CYCLE: f64 = 1e-3;
+const NAMES: [&str; 7] = ["x_command [mm]", "x_actual [mm]", "v_command", "v_motor", "v_cmd", "v_excite", "a_load"];
+const X_COMMAND: usize = 0;
+const X_ACTUAL: usize = 1;
+const V_COMMAND: usize = 2;
+const V_MOTOR: usize = 3;
+const V_CMD: usize = 4;
+const V_EXCITE: usize = 5;
+const A_LOAD: usize = 6;
+
+/// Columns, as the task of the position controller records them: um/s, mm, m/s^2.
+type Columns = [Vec<f64>; 7];
+
+/// The demonstration plant in its position loop, by a planned position [m] and velocity, and what is added to its command [m/s].
+fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
+    let mut machine = DEMONSTRATION.at_rest();
+    let mut actual = Measured::default();
+    let mut columns = Columns::default();
+    for ((x, v), excite) in x.iter().zip(v).zip(excite) {
+        let signals = Position::DEMONSTRATION.signals(*x, *v, &actual);
+        let v_cmd = signals.v_command / UM + excite;
+        let [x, x_actual] = [*x, actual.x].map(|x| x * 1e3);
+        let row = [x, x_actual, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
+        columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
+        actual = machine.step(v_cmd);
+    }
+    columns
+}
+
+static MOVES: LazyLock<Columns> = LazyLock::new(|| {
+    let planned = Sequence::DEMONSTRATION.planned(CYCLE);
+    recorded(&planned.x, &planned.v, &vec![0.0; planned.x.len()])
+});
+
+/// Excited with 5 mm/s while it moves at a speed, 0.5 s after the start: a register of 11 bits, clocks of 2 cycles.
+fn excited(periods: usize, speed: f64) -> Columns {
+    let (mut register, mut signs) = (0x7ff_u32, Vec::new());
+    for _ in 0..2047 {
+        let sign = if register >> 10 & 1 == 1 { 1.0 } else { -1.0 };
+        signs.extend([sign; 2]);
+        register = (register << 1 | (register >> 10 ^ register >> 8) & 1) & 0x7ff;
+    }
+    let full = (periods + 1) * 4094;
+    let part = |n: usize| n.min(100).min(full + 100 - n) as f64 / 100.0;
+    let excite = (0..full + 100).map(|n| 5e-3 * part(n) * signs[n % 4094]);
+    let excite: Vec<f64> = std::iter::repeat_n(0.0, 500).chain(excite).chain([0.0; 100]).collect();
+    let x: Vec<f64> = (1..=excite.len()).map(|n| n as f64 * speed * CYCLE).collect();
+    recorded(&x, &vec![speed; x.len()], &excite)
+}
+
+static EXCITED: LazyLock<Columns> = LazyLock::new(|| excited(4, 0.02));
+
+/// Columns as CSV with a time.
+fn csv(columns: &Columns, of: &[usize]) -> String {
+    let mut text = format!("time [s],{}\n", of.iter().map(|at| NAMES[*at]).collect::<Vec<_>>().join(","));
+    for (n, _) in columns[of[0]].iter().enumerate() {
+        write!(text, "{:.3}", n as f64 * CYCLE).unwrap();
+        of.iter().for_each(|at| write!(text, ",{:.6}", columns[*at][n]).unwrap());
+        text.push('\n');
+    }
+    text
+}
+
+const OF_MOVES: [usize; 5] = [X_COMMAND, X_ACTUAL, V_COMMAND, V_MOTOR, A_LOAD];
+const OF_EXCITED: [usize; 4] = [V_CMD, V_MOTOR, V_EXCITE, A_LOAD];
+
+/// What a command gave.
+struct Run {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+impl Run {
+    fn json(&self) -> Value {
+        serde_json::from_str(&self.out).unwrap_or_else(|_| panic!("{}{}", self.out, self.err))
+    }
+}
+
+fn axgen(folder: &TempDir, arguments: &[&str]) -> Run {
+    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder.path()).args(arguments).output().unwrap();
+    let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    Run { code: output.status.code().unwrap(), out, err }
+}
+
+/// Measures a text.
+fn measure(text: &str, more: &[&str]) -> Run {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("r.csv"), text).unwrap();
+    axgen(&folder, &[&["measure", "r.csv"], more].concat())
+}
+
+fn vibration<'v>(json: &'v Value, channel: &str, when: &str, near: f64) -> &'v Value {
+    let is_it = |of: &&Value| {
+        of["channel"] == channel && of["when"] == when && (of["hz"].as_f64().unwrap() - near).abs() < 0.05 * near
+    };
+    let all = json["vibrations"].as_array().unwrap();
+    all.iter().find(is_it).unwrap_or_else(|| panic!("no {near} Hz of {channel}, {when}: {:#}", json["vibrations"]))
+}
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} of {value:#}"))
+}
+
+#[test]
+fn the_moves_of_the_demonstration_plant() {
+    let text = csv(&MOVES, &OF_MOVES);
+    let run = measure(&text, &["--json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert_eq!(run.out, measure(&text, &["--json"]).out, "the same bytes twice");
+    let json = run.json();
+    for (at, unit) in [("x_command", "mm"), ("v_motor", "um/s"), ("a_load", "m/s^2")] {
+        let channel = json["channels"].as_array().unwrap().iter().find(|channel| channel["name"] == at).unwrap();
+        assert_eq!((number(channel, "interval_s"), channel["unit"].as_str().unwrap()), (1e-3, unit), "{channel}");
+    }
+    let kinds: Vec<&str> = json["segments"].as_array().unwrap().iter().map(|of| of["kind"].as_str().unwrap()).collect();
+    let once = ["rest", "accelerating", "driving", "accelerating"];
+    assert_eq!(kinds, [&once[..], &once[..], &["rest"]].concat());
+    let forced = vibration(&json, "a_load", "driving", 53.0);
+    assert!((number(forced, "hz") - 53.0).abs() < 0.05 && (number(forced, "amplitude") / 0.811 - 1.0).abs() < 0.02);
+    assert!(forced["forced"] == true && forced["damping"].is_null() && forced["source"].is_null(), "{forced}");
+    for (channel, hz, damping) in [("a_load", 0.02, 0.02), ("following_error", 0.05, 0.1)] {
+        let mode = vibration(&json, channel, "ramps", 10.97);
+        assert!((number(mode, "hz") - 10.97).abs() < hz && mode["forced"] == false, "{mode}");
+        assert!((number(mode, "damping") / 0.0409 - 1.0).abs() < damping, "{mode}");
+    }
+    let offset = &json["offsets"][0];
+    assert!(number(offset, "s").abs() < 0.3e-3 && offset["of"] == "x_actual", "{offset}");
+    assert!(json["response"].is_null() && json["dead_time_s"].is_null());
+    let report = measure(&text, &[]);
+    assert!(report.out.contains("Hz  a_load after ramps") && report.err.contains("warning[AX514]"), "{}", report.out);
+}
+
+/// P of the demonstration plant from its answer to an impulse of the command, as a file without errors.
+fn exact() -> String {
+    let mut machine = DEMONSTRATION.without_mesh().at_rest();
+    let answer = (0..8192).map(|n| machine.step(if n == 0 { 1.0 } else { 0.0 }).v_motor);
+    let impulse: Vec<f64> = std::iter::once(0.0).chain(answer).collect();
+    let mut text = "f [Hz],re,im\n".to_owned();
+    for k in 1..1024_u32 {
+        let hz = f64::from(k) * 0.2442;
+        let [re, im] = fourier(&impulse, TAU * hz * CYCLE);
+        writeln!(text, "{hz},{re},{im}").unwrap();
+    }
+    text
+}
+
+#[test]
+fn the_response_of_the_demonstration_plant() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/rack-and-pinion.lis");
+    let mut noisy = EXCITED.clone();
+    let mut noise = Noise(7);
+    noisy[V_MOTOR].iter_mut().for_each(|v| *v += 300.0 * noise.next());
+    fs::write(folder.path().join("excited.csv"), csv(&noisy, &OF_EXCITED)).unwrap();
+    fs::write(folder.path().join("moves.csv"), csv(&MOVES, &OF_MOVES)).unwrap();
+    fs::write(folder.path().join("exact.csv"), exact()).unwrap();
+    let run = axgen(&folder, &["measure", "excited.csv", "--response", "p.csv", "--picture", "p.svg", "--json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    let json = run.json();
+    assert!((number(&json, "dead_time_s") - 3e-3).abs() < 0.1e-3, "{}", json["dead_time_s"]);
+    assert_eq!(json["verdicts"][0]["code"], "AX508");
+    let lines = |key: &str| -> Vec<f64> {
+        json["response"][key].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
+    };
+    let [hz, re, im, se] = ["hz", "re", "im", "se"].map(lines);
+    for (at, size, degrees) in [(11.0, 0.8567, -26.54), (20.0, 1.0691, -29.74), (100.0, 0.9890, -105.07)] {
+        let k = hz.iter().position(|hz| *hz >= at - 0.13).unwrap();
+        assert!((re[k].hypot(im[k]) / size - 1.0).abs() < 0.05 && se[k] < 0.05, "{at} Hz: {} {}", re[k], im[k]);
+        assert!((im[k].atan2(re[k]).to_degrees() - degrees).abs() < 3.0, "{at} Hz: {} {}", re[k], im[k]);
+    }
+    roxmltree::Document::parse(&fs::read_to_string(folder.path().join("p.svg")).unwrap()).unwrap();
+    let ms = |response: &str| {
+        let run = axgen(&folder, &["analyze", list, "--cycle-time", "1ms", "--response", response, "--json"]);
+        assert_eq!(run.code, 0, "{}", run.err);
+        let json = run.json();
+        number(&json[0]["drives"][0], "ms")
+    };
+    let [measured, exact] = ["p.csv", "exact.csv"].map(ms);
+    assert!((measured / exact - 1.0).abs() < 0.05, "{measured}, exact {exact}");
+    // The second run replaces its own files, and nothing else.
+    assert_eq!(axgen(&folder, &["measure", "excited.csv", "--response", "p.csv", "--picture", "p.svg"]).code, 0);
+    assert_eq!(axgen(&folder, &["measure", "excited.csv", "--response", "exact.csv"]).code, 2);
+    assert_eq!(axgen(&folder, &["measure", "excited.csv", "--response", "excited.csv"]).code, 2);
+    // The teeth act on the motor.
+    let run = axgen(&folder, &["measure", "moves.csv", "--excited", "excited.csv", "--json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    let json = run.json();
+    assert_eq!(vibration(&json, "a_load", "driving", 53.0)["source"], "motor");
+    assert!(json["response"]["hz"].as_array().unwrap().len() > 900);
+}
+
+/// Without `v_excite` the command shows where the periods are.
+#[test]
+fn an_excitation_that_was_not_recorded() {
+    let text = csv(&EXCITED, &[V_CMD, V_MOTOR]);
+    let with = measure(&csv(&EXCITED, &OF_EXCITED), &["--json"]).json();
+    let without = measure(&text, &["--excitation", "11x2", "--json"]).json();
+    let at = |json: &Value| {
+        let k = json["response"]["hz"].as_array().unwrap().iter().position(|hz| hz.as_f64().unwrap() >= 11.0).unwrap();
+        ["re", "im"].map(|key| json["response"][key][k].as_f64().unwrap())
+    };
+    let ([a, b], [c, d]) = (at(&with), at(&without));
+    assert!((a - c).hypot(b - d) < 0.01, "{a} {b}, {c} {d}");
+    assert!(measure(&text, &["--excitation", "default", "--json"]).json()["response"].is_object());
+    assert_eq!(measure(&text, &["--excitation", "10x2"]).code, 1);
+}
+
+/// White noise with an rms value of 1: a linear congruence, twelve of its values each.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let mut even = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| even()).sum::<f64>() - 6.0
+    }
+}
+
+/// The same column, some samples later, between two samples too.
+fn later(values: &[f64], samples: f64) -> Vec<f64> {
+    let at = |n: usize| {
+        let place = n as f64 - samples;
+        let near = place.round() as isize;
+        let term = |k: isize| {
+            let (x, value) = (place - k as f64, values[k.clamp(0, values.len() as isize - 1) as usize]);
+            let sinc = if x == 0.0 { 1.0 } else { (PI * x).sin() / (PI * x) };
+            value * sinc * (0.5 + 0.5 * (PI * x / 33.0).cos())
+        };
+        (near - 32..=near + 32).map(term).sum::<f64>()
+    };
+    (0..values.len()).map(at).collect()
+}
+
+/// A recording with one channel changed.
+fn changed(columns: &Columns, at: usize, change: impl Fn(&[f64]) -> Vec<f64>) -> Columns {
+    let mut columns = columns.clone();
+    columns[at] = change(&columns[at]);
+    columns
+}
+
+/// A command, its recording, the code that it gives, and its exit code.
+fn assert_said(what: &str, text: &str, more: &[&str], expected: &str, code: i32) -> Run {
+    let run = measure(text, more);
+    assert!(run.err.contains(&format!("[{expected}]")), "{what}: {}{}", run.out, run.err);
+    assert_eq!(run.code, code, "{what}: {}{}", run.out, run.err);
+    run
+}
+
+#[test]
+fn moves_with_a_defect() {
+    let moves = csv(&MOVES, &OF_MOVES);
+    let lines: Vec<&str> = moves.lines().collect();
+    let rows = |keep: &dyn Fn(usize) -> bool| -> String {
+        (0..lines.len()).filter(|n| *n == 0 || keep(*n)).map(|n| format!("{}\n", lines[n])).collect()
+    };
+    let of = |at, change: &dyn Fn(&[f64]) -> Vec<f64>| csv(&changed(&MOVES, at, change), &OF_MOVES);
+    let scaled = |factor: f64| move |values: &[f64]| values.iter().map(|v| v * factor).collect::<Vec<f64>>();
+    assert_said("at rest", &rows(&|n| n < 250), &[], "AX503", 1);
+    assert_said("too short", &rows(&|n| n < 600), &[], "AX502", 1);
+    let gap = assert_said("gap", &rows(&|n| !(900..910).contains(&n)), &[], "AX481", 1);
+    assert!(gap.err.contains("10 samples are missing") && gap.err.contains("before line 901"), "{}", gap.err);
+    let timeless: String = moves.lines().map(|line| format!("{}\n", line.split_once(',').unwrap().1)).collect();
+    assert_said("no time", &timeless, &[], "AX500", 1);
+    assert_eq!(measure(&timeless, &["--cycle-time", "1ms", "--json"]).out, measure(&moves, &["--json"]).out);
+    let uneven = |(n, line): (usize, &&str)| match line.split_once(',') {
+        Some((_, rest)) if n > 0 && n % 2 == 0 => format!("{:.4},{rest}\n", n as f64 * CYCLE - 0.0006),
+        _ => format!("{line}\n"),
+    };
+    assert_said("uneven", &lines.iter().enumerate().map(uneven).collect::<String>(), &[], "AX501", 1);
+    assert_said("mm/s", &of(V_MOTOR, &scaled(1e-3)), &[], "AX506", 1);
+    assert_said("other sign", &of(V_MOTOR, &scaled(-1.0)), &[], "AX506", 1);
+    let clipped = |values: &[f64]| values.iter().map(|v| v.clamp(-0.7, 0.7)).collect();
+    assert_said("clipped", &of(A_LOAD, &clipped), &[], "AX505", 0);
+    let late = assert_said("late", &of(X_ACTUAL, &|values| later(values, 3.0)), &[], "AX509", 0);
+    assert!(late.out.contains("ms later than v_motor"), "{}", late.out);
+    let beat = |values: &[f64]| -> Vec<f64> {
+        values.iter().enumerate().map(|(n, v)| v + 0.7 * (TAU * 71.0 * n as f64 * CYCLE).sin()).collect()
+    };
+    assert_said("competes", &of(A_LOAD, &beat), &[], "AX513", 0);
+    assert_said("no command", &csv(&MOVES, &[V_MOTOR, A_LOAD]), &[], "AX515", 1);
+    let acted = csv(&changed(&MOVES, V_EXCITE, |values| vec![5.0; values.len()]), &[V_COMMAND, V_EXCITE, V_MOTOR]);
+    assert_said("stages", &acted.replace("v_excite", "v_add"), &[], "AX511", 0);
+    assert_said("no excitation", &moves, &["--excitation", "default"], "AX510", 1);
+    assert_said("nothing to write", &moves, &["--response", "p.csv"], "AX011", 2);
+    assert_said("unknown column", &moves.replace("a_load", "sensor"), &[], "AX015", 2);
+    let named = moves.replace("a_load", "sensor");
+    assert_eq!(measure(&named, &["--map", "sensor=a_load", "--json"]).out, measure(&moves, &["--json"]).out);
+    let german = moves.replace(',', ";").replace('.', ",");
+    assert_eq!(measure(&german, &["--json"]).out, measure(&moves, &["--json"]).out);
+    for wrong in [["--excitation", "6"], ["--excitation", "11x0"], ["--cycle-time", "1"]] {
+        assert_eq!(measure(&moves, &wrong).code, 2, "{wrong:?}");
+    }
+}
+
+/// Two channels of a scope with their own times.
+#[test]
+fn channels_of_two_rates() {
+    let mut text = "Name\tr\nName\tv_command\tName\tv_motor\nSampleTime[ms]\t1\tSampleTime[ms]\t2\n".to_owned();
+    for n in 0..MOVES[0].len() {
+        let [a, b] = [MOVES[V_COMMAND][n], MOVES[V_MOTOR][n]];
+        writeln!(text, "{n}\t{a}\t{}", if n % 2 == 0 { format!("{n}\t{b}") } else { "\t".to_owned() }).unwrap();
+    }
+    assert_said("two rates", &text, &[], "AX501", 1);
+}
+
+#[test]
+fn excitations_with_a_defect() {
+    let of = |columns: &Columns| csv(columns, &OF_EXCITED);
+    // A channel that is a whole cycle late cannot be seen: that is said, with its dead time.
+    let late = |samples: f64| of(&changed(&EXCITED, V_MOTOR, |values| later(values, samples)));
+    let whole = assert_said("a whole cycle", &late(1.0), &[], "AX508", 0);
+    assert!(whole.err.contains("4 cycles") && whole.err.contains("looks the same"), "{}", whole.err);
+    assert_said("between cycles", &late(0.4), &[], "AX507", 1);
+    assert_said("below a cycle", &late(-2.5), &[], "AX507", 1);
+    assert!(measure(&late(0.4), &["--json"]).json()["response"].is_null());
+    assert_said("at rest", &of(&excited(4, 0.0)), &[], "AX504", 1);
+    assert_said("three periods", &of(&excited(3, 0.02)), &[], "AX502", 1);
+    let mut noise = Noise(3);
+    let mut noisy = excited(4, 0.1);
+    noisy[V_MOTOR].iter_mut().for_each(|v| *v += 8000.0 * noise.next());
+    assert_said("noise", &of(&noisy), &[], "AX512", 0);
+}
+
+/// Two speeds: what follows the speed is an order.
+#[test]
+fn an_order_shows_at_two_speeds() {
+    let [fast, slow] = [Sequence::DEMONSTRATION, Sequence { speed: 0.4, ..Sequence::DEMONSTRATION }]
+        .map(|sequence| sequence.planned(CYCLE));
+    let end = *fast.x.last().unwrap();
+    let x: Vec<f64> = fast.x.iter().copied().chain(slow.x.iter().map(|x| x + end)).collect();
+    let v = [fast.v, slow.v].concat();
+    let json = measure(&csv(&recorded(&x, &v, &vec![0.0; x.len()]), &OF_MOVES), &["--json"]).json();
+    for hz in [53.0, 40.0] {
+        let line = vibration(&json, "a_load", "driving", hz);
+        // One tooth of 10 mm: 100 in a metre, 0.1 in a millimetre.
+        assert!((number(line, "order") - 0.1).abs() < 0.001, "{line}");
+    }
+}

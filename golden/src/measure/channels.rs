@@ -1,0 +1,200 @@
+//! The columns of a table as channels: their values as numbers, and when they were taken. Nothing of an axis is computed.
+
+use super::unit::{Quantity, Unit};
+use crate::instants::Instants;
+use crate::mistake::Mistake;
+use crate::samples::{Shape, Signal};
+use crate::signals::{self, Map};
+use crate::table::{Column, Table};
+use crate::value::{allowed, instead, parse};
+use compiler::program::Type;
+use portable::{Literal, RealKind};
+
+/// The signals that are measured.
+pub const SIGNALS: [(&str, Quantity); 10] = [
+    ("v_command", Quantity::Velocity),
+    ("v_cmd", Quantity::Velocity),
+    ("v_motor", Quantity::Velocity),
+    ("v_direct", Quantity::Velocity),
+    ("v_add", Quantity::Velocity),
+    ("v_excite", Quantity::Velocity),
+    ("x_command", Quantity::Position),
+    ("x_actual", Quantity::Position),
+    ("following_error", Quantity::Position),
+    ("a_load", Quantity::Acceleration),
+];
+/// Signals of blocks that a recording may have too.
+const OTHERS: [&str; 9] = [
+    "mode",
+    "position_controlled",
+    "reset",
+    "task_cycle_ns",
+    "v_add_calculated",
+    "limited",
+    "fault",
+    "error_id",
+    "x_drive",
+];
+/// A step of that many intervals is a gap.
+const GAP: f64 = 1.5;
+
+/// One channel.
+#[derive(Clone, Debug)]
+pub struct Channel {
+    /// the signal that it is
+    pub signal: &'static str,
+    pub quantity: Quantity,
+    /// none: it is not known
+    pub unit: Option<Unit>,
+    /// whether the name of the column states it
+    pub is_stated: bool,
+    pub values: Vec<f64>,
+    pub timing: Timing,
+}
+
+/// When the samples of a channel were taken.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Timing {
+    /// the sampling interval [s]; none: nothing says it
+    pub interval: Option<f64>,
+    /// how far a step is from it at most, gaps apart [s]
+    pub jitter: f64,
+    /// missing samples, and the line before which the first ones are missing
+    pub missing: usize,
+    pub first_gap: Option<usize>,
+    /// when the first sample was taken [ns]; none: only rows are known
+    pub begins: Option<i128>,
+}
+
+/// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` names the signal of a column with another name.
+///
+/// # Errors
+/// All mistakes: unknown and repeated columns, short rows, cells that are not finite numbers.
+pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> {
+    let shape = Shape { real: RealKind::F64, signals: SIGNALS.iter().map(|(name, _)| real(name)).collect() };
+    let found = signals::of_columns(table, &shape, &OTHERS, &with_units(table, map))?;
+    let chosen: Vec<(&Column<'_>, usize)> =
+        table.columns.iter().zip(&found).filter_map(|(column, signal)| Some((column, (*signal)?))).collect();
+    let mut times: Vec<Instants<'_>> = Vec::new();
+    for (column, _) in &chosen {
+        if let Some(time) = column.time.filter(|time| times.iter().all(|known| known.column != *time)) {
+            times.push(Instants::of(time));
+        }
+    }
+    let mut values: Vec<Vec<f64>> = vec![Vec::with_capacity(table.rows.len()); chosen.len()];
+    let mut mistakes = rows(table, &chosen, &mut values, &mut times);
+    if !mistakes.is_empty() {
+        mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
+        return Err(mistakes);
+    }
+    let timings: Vec<Timing> = times.iter().map(timing).collect();
+    let channel = |((column, signal), values): (&(&Column<'_>, usize), Vec<f64>)| {
+        let of = |time| times.iter().position(|known| known.column == time);
+        let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
+        let (signal, quantity) = SIGNALS[*signal];
+        let unit = bracket(column.called()).and_then(|(_, unit)| Unit::named(quantity, unit));
+        Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing }
+    };
+    let mut channels: Vec<Channel> = chosen.iter().zip(values).map(channel).collect();
+    channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
+    Ok(channels)
+}
+
+fn real(name: &str) -> Signal {
+    Signal { name: name.to_owned(), ty: Type::Real, start: Literal::F64(0.0) }
+}
+
+/// A name and the unit in brackets after it.
+fn bracket(name: &str) -> Option<(&str, &str)> {
+    let (name, unit) = name.split_once('[').or_else(|| name.split_once('('))?;
+    Some((name.trim(), unit.trim_end_matches([']', ')']).trim()))
+}
+
+/// The map, and the columns whose names are those of signals but for a unit.
+fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
+    let is_mapped = |name: &str| map.iter().any(|(mapped, _)| mapped == name);
+    let of = |column: &Column<'_>| {
+        let (name, _) = bracket(column.name)?;
+        let is_signal = SIGNALS.iter().any(|(signal, _)| *signal == name);
+        (is_signal && !is_mapped(column.name)).then(|| (column.name.to_owned(), name.to_owned()))
+    };
+    map.iter().cloned().chain(table.columns.iter().filter_map(of)).collect()
+}
+
+/// Reads all rows once; gives what is wrong, the first of each kind.
+fn rows<'t>(
+    table: &Table<'t>,
+    chosen: &[(&Column<'_>, usize)],
+    values: &mut [Vec<f64>],
+    times: &mut [Instants<'t>],
+) -> Vec<Mistake> {
+    let mut cells = Vec::new();
+    let (mut wrong_row, mut wrong_cells) = (None, vec![None; chosen.len()]);
+    for row in &table.rows {
+        if let Err([found, right]) = table.cells(row, &mut cells) {
+            wrong_row.get_or_insert_with(|| {
+                Mistake::new([row.line, 1], format!("{found} cells"), format!("{right} cells, one for each column"))
+            });
+            continue;
+        }
+        for times in &mut *times {
+            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
+        }
+        for (((column, signal), values), wrong) in chosen.iter().zip(&mut *values).zip(&mut wrong_cells) {
+            let cell = cells.get(column.cell).copied().unwrap_or_default();
+            if cell.is_empty() && table.is_export {
+                continue;
+            }
+            let content = table.number(cell);
+            let signal = real(SIGNALS[*signal].0);
+            match parse(&content, &signal, RealKind::F64) {
+                Some(Literal::F64(value)) if value.is_finite() => values.push(value),
+                _ => {
+                    let found = || format!("`{}` for {}", content.escape_default(), signal.name);
+                    wrong.get_or_insert_with(|| {
+                        Mistake::new(row.place(cell), found(), allowed(Type::Real, RealKind::F64)).instead(instead(
+                            &content,
+                            Type::Real,
+                            RealKind::F64,
+                        ))
+                    });
+                }
+            }
+        }
+    }
+    wrong_row.into_iter().chain(wrong_cells.into_iter().flatten()).collect()
+}
+
+/// Of a column of times.
+fn timing(times: &Instants<'_>) -> Timing {
+    let Some(seconds) = times.seconds() else { return Timing::default() };
+    let steps = || seconds.windows(2).map(|pair| pair[1] - pair[0]);
+    let mut sorted: Vec<f64> = steps().collect();
+    sorted.sort_by(f64::total_cmp);
+    let Some(usual) = sorted.get(sorted.len() / 2).copied().filter(|usual| *usual > 0.0) else {
+        return Timing::default();
+    };
+    let is_gap = |step: &f64| *step >= GAP * usual;
+    let (mut sum, mut count, mut missing) = (0.0, 0.0, 0.0);
+    for step in steps() {
+        let cycles = if is_gap(&step) { libm::round(step / usual) } else { 1.0 };
+        (sum, count, missing) = (sum + step, count + cycles, missing + cycles - 1.0);
+    }
+    // Times are written with few digits: their mean step is more exact than any of them.
+    let interval = libm::round(sum / count * 1e9) / 1e9;
+    let jitter = steps().filter(|step| !is_gap(step)).fold(0.0, |jitter: f64, step| {
+        let apart = libm::round(libm::fabs(step - interval) * 1e9) / 1e9;
+        if apart > jitter { apart } else { jitter }
+    });
+    let first_gap = steps().position(|step| is_gap(&step)).and_then(|at| times.lines().get(at + 1).copied());
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
+    let missing = missing as usize;
+    Timing { interval: Some(interval), jitter, missing, first_gap, begins: times.first() }
+}
+
+/// Of a column without times: what the head of an export says.
+fn stated_timing(column: &Column<'_>) -> Timing {
+    let stated = column.sample_time.and_then(|(text, _)| text.replace(',', ".").parse::<f64>().ok());
+    let interval = stated.filter(|ms| ms.is_finite() && *ms > 0.0).map(|ms| ms / 1e3);
+    Timing { interval, ..Timing::default() }
+}

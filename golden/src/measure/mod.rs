@@ -1,0 +1,196 @@
+//! What a recording shows of an axis: sampling, units, vibrations, the response of an excitation; and what it cannot show. The
+//! mathematics is that of the crate `identification`. No block, no file.
+//!
+//! ```text
+//! verdict     what a recording cannot show
+//! unit        units, stated or plausible
+//! channels    columns -> channels: values and times
+//! record      channels of one time; the command, segments, clipping
+//! relations   offsets of channels; the gain of the position controller
+//! excited     the response of an excitation
+//! vibrations  lines, decays, poles; the side that they are from
+//! text        the report, and the response as CSV; picture: both over time and frequency
+//! ```
+
+mod channels;
+mod excited;
+pub mod picture;
+mod record;
+mod relations;
+pub mod text;
+mod unit;
+mod verdict;
+mod vibrations;
+
+pub use channels::{Channel, Timing, read};
+pub use excited::Excited;
+pub use record::Record;
+pub use relations::Offset;
+pub use unit::{Quantity, Unit};
+pub use verdict::Verdict;
+pub use vibrations::{Vibration, When, Windows};
+
+use generator::codes;
+use identification::excitation::Sequence;
+use identification::segments::{Kind, Segment};
+
+/// Whether a recording holds an excitation.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Excitation {
+    /// if `v_excite` is not 0
+    AsRecorded,
+    /// yes; bits and clock that are not stated are those of `v_excite`, else the default ones of the cycle
+    Stated { bits: Option<u32>, clock: Option<u32> },
+}
+
+impl Excitation {
+    /// The sequence, if anything of it is stated.
+    fn sequence(self, cycle: f64) -> Option<Sequence> {
+        let Self::Stated { bits, clock } = self else { return None };
+        let default = Sequence::for_cycle(cycle);
+        bits.or(clock)?;
+        Sequence::new(bits.unwrap_or(default.bits()), clock.unwrap_or(default.clock()))
+    }
+}
+
+/// What a recording shows.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// all that were recorded, as they were sampled
+    pub channels: Vec<Channel>,
+    /// none: they cannot be put together
+    pub record: Option<Record>,
+    /// of the command
+    pub segments: Vec<Segment>,
+    pub windows: Windows,
+    pub offsets: Vec<Offset>,
+    pub vibrations: Vec<Vibration>,
+    pub excited: Option<Excited>,
+    pub verdicts: Vec<Verdict>,
+}
+
+impl Measured {
+    /// Whether something that was asked for is not measured.
+    #[must_use]
+    pub fn refuses(&self) -> bool {
+        self.verdicts.iter().any(|verdict| verdict.refuses)
+    }
+
+    fn of(channels: Vec<Channel>) -> Self {
+        Self {
+            channels,
+            record: None,
+            segments: Vec::new(),
+            windows: Windows::default(),
+            offsets: Vec::new(),
+            vibrations: Vec::new(),
+            excited: None,
+            verdicts: Vec::new(),
+        }
+    }
+}
+
+/// Measures channels. A cycle time [s] is the interval where the file does not say it; `other` is what an excited recording of
+/// the same machine shows.
+#[must_use]
+pub fn measure(
+    mut channels: Vec<Channel>,
+    cycle_time: Option<f64>,
+    excitation: Excitation,
+    other: Option<&Measured>,
+) -> Measured {
+    for timing in channels.iter_mut().map(|channel| &mut channel.timing) {
+        timing.interval = timing.interval.or(cycle_time);
+    }
+    let mut measured = Measured::of(channels);
+    let verdicts = &mut measured.verdicts;
+    if !is_sampled(&measured.channels, verdicts) {
+        return measured;
+    }
+    let Some(mut record) = Record::new(measured.channels.clone(), verdicts) else {
+        let instead = "record a move, and export all of its samples";
+        verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));
+        return measured;
+    };
+    let fits = record.find_units(verdicts);
+    record.find_clipping(verdicts);
+    for channel in &mut measured.channels {
+        channel.unit = record.channel(channel.signal).map_or(channel.unit, |known| known.unit);
+    }
+    if record.get("v_add").is_some_and(|v_add| v_add.iter().any(|value| *value != 0.0)) {
+        let instead = "record with all stages OFF or DRYRUN";
+        verdicts.push(Verdict::note(codes::STAGES_ACTED, "v_add is not 0: stages acted", instead));
+    }
+    measured.offsets = relations::offsets(&record, verdicts);
+    let is_excited = match excitation {
+        Excitation::AsRecorded => record.get("v_excite").is_some_and(|values| values.iter().any(|value| *value != 0.0)),
+        Excitation::Stated { .. } => true,
+    };
+    if is_excited {
+        let given = excitation.sequence(record.cycle);
+        measured.excited = excited::measure(&record, given, fits, verdicts);
+        measured.vibrations = measured.excited.as_ref().map(vibrations::of_response).unwrap_or_default();
+    } else {
+        of_moves(&mut measured, &record, other.and_then(|other| other.excited.as_ref()));
+    }
+    measured.record = Some(record);
+    measured
+}
+
+/// Whether each channel has an interval and no gap.
+fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
+    let list =
+        |of: &dyn Fn(&&Channel) -> bool| channels.iter().filter(of).map(|c| c.signal).collect::<Vec<_>>().join(", ");
+    let without = list(&|channel| channel.timing.interval.is_none());
+    if !without.is_empty() {
+        let instead = "record the time too, or give --cycle-time";
+        verdicts.push(Verdict::refusal(codes::NO_INTERVAL, format!("no sampling interval: {without}"), instead));
+    }
+    let lost = channels.iter().filter(|channel| channel.timing.missing > 0);
+    if let Some(first) = lost.clone().next() {
+        let before = first.timing.first_gap.map_or_else(String::new, |line| format!(", first before line {line}"));
+        let found =
+            format!("{} samples are missing of {}{before}", first.timing.missing, list(&|c| c.timing.missing > 0));
+        let instead = "record again with fewer channels or a larger buffer, or cut the file at the gap";
+        verdicts.push(Verdict::refusal(codes::SAMPLES_LOST, found, instead));
+    }
+    if channels.is_empty() {
+        let instead = "record v_command, v_motor and a_load, or name them with --map SCOPE=SIGNAL";
+        verdicts.push(Verdict::refusal(codes::NO_CHANNEL, "no channel that is measured", instead));
+    }
+    without.is_empty() && lost.count() == 0 && !channels.is_empty()
+}
+
+/// What moves without an excitation show.
+fn of_moves(measured: &mut Measured, record: &Record, excited: Option<&Excited>) {
+    let verdicts = &mut measured.verdicts;
+    let instead = "record x_command or v_command with a_load or v_motor, or name them with --map SCOPE=SIGNAL";
+    let Some((command, moves)) = record.command().filter(|_| !vibrations::signals(record).is_empty()) else {
+        let found = "segments need a command, and vibrations a channel that shows them";
+        verdicts.push(Verdict::refusal(codes::NO_CHANNEL, found, instead));
+        return;
+    };
+    if !moves {
+        let instead = "record ramps, at least 1.5 s at constant speed, and 1.2 s after the last ramp";
+        verdicts.push(Verdict::refusal(codes::MEASURED_AT_REST, "the command does not move the axis", instead));
+        return;
+    }
+    measured.segments = record.segments(&command);
+    measured.windows = Windows::of(&measured.segments, &command, record.cycle);
+    let Windows { driving, ramps } = &measured.windows;
+    if driving.is_empty() && ramps.is_empty() {
+        let count = |kind| measured.segments.iter().filter(|segment| segment.kind == kind).count();
+        let found = format!(
+            "{:.2} s with {} ramps: nowhere 0.55 s at constant speed or at rest after a ramp",
+            record.samples() as f64 * record.cycle,
+            count(Kind::Accelerating)
+        );
+        let instead = "record at least 1.5 s at constant speed, and 1.2 s after the last ramp";
+        verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, found, instead));
+        return;
+    }
+    let kv = relations::position_gain(record);
+    measured.vibrations = vibrations::of_moves(record, &measured.windows, kv);
+    vibrations::find_doubts(&measured.vibrations, verdicts);
+    vibrations::find_sides(&mut measured.vibrations, record, excited, verdicts);
+}

@@ -1,0 +1,249 @@
+//! Channels as samples of one time, and what follows from them: the command, the following error, segments. No spectrum.
+
+use super::channels::{Channel, Timing};
+use super::unit::{Quantity, Unit, is_near};
+use super::verdict::Verdict;
+use generator::codes;
+use identification::segments::{self, Segment};
+use portable::Extreme;
+use std::borrow::Cow;
+
+/// Times over which the command is smoothed twice [s]: of a planned position only its digits need it, of a controller's output
+/// the vibration that it feeds back.
+const OF_POSITION: f64 = 0.01;
+const OF_VELOCITY: f64 = 0.1;
+/// Intervals that are equal, as a part; samples that are together, and uneven ones, as a part of an interval.
+const SAME_INTERVAL: f64 = 1e-3;
+const TOGETHER: f64 = 0.25;
+/// A command below that many rms values of what smoothing takes from it does not move the axis.
+const MOVES: f64 = 3.0;
+/// A clipped channel stays at its largest value for this number of samples, this often, and comes there by this part of its
+/// range in a sample.
+const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
+
+/// All channels of one interval, from the latest first sample to the earliest last one.
+#[derive(Clone, Debug)]
+pub struct Record {
+    /// T [s]
+    pub cycle: f64,
+    channels: Vec<Channel>,
+}
+
+impl Record {
+    /// Puts channels together; none of them has gaps. The verdicts are about those that are left out.
+    pub(super) fn new(mut channels: Vec<Channel>, verdicts: &mut Vec<Verdict>) -> Option<Self> {
+        let of = |names: &[&str]| channels.iter().find(|channel| names.contains(&channel.signal));
+        let cycle = of(&["v_motor"]).or(channels.first())?.timing.interval?;
+        let is_same = |timing: &Timing| timing.interval.is_some_and(|t| libm::fabs(t / cycle - 1.0) < SAME_INTERVAL);
+        let (latest, mut apart) = (channels.iter().filter_map(|channel| channel.timing.begins).max(), Vec::new());
+        for channel in &mut channels {
+            let begins = channel.timing.begins.or(latest);
+            #[expect(clippy::cast_precision_loss, reason = "the time between two channels of one file")]
+            let late = latest.zip(begins).map_or(0.0, |(latest, begins)| (latest - begins) as f64 / 1e9 / cycle);
+            let is_even = channel.timing.jitter <= TOGETHER * cycle;
+            if !is_same(&channel.timing) || libm::fabs(late - libm::round(late)) > TOGETHER || !is_even {
+                apart.push(format!("{} every {} ms", channel.signal, shown(channel.timing.interval)));
+                channel.values.clear();
+                continue;
+            }
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
+            let first = (libm::round(late) as usize).min(channel.values.len());
+            channel.values.drain(..first);
+        }
+        if !apart.is_empty() {
+            let found =
+                format!("not sampled evenly, together and every {} ms: {}", shown(Some(cycle)), apart.join(", "));
+            let instead = "record all channels in one task, or leave these out with --map NAME=-";
+            verdicts.push(Verdict::refusal(codes::TWO_RATES, found, instead));
+        }
+        channels.retain(|channel| !channel.values.is_empty());
+        let length = channels.iter().map(|channel| channel.values.len()).min()?;
+        channels.iter_mut().for_each(|channel| channel.values.truncate(length));
+        Some(Self { cycle, channels })
+    }
+
+    pub(super) fn channel(&self, signal: &str) -> Option<&Channel> {
+        self.channels.iter().find(|channel| channel.signal == signal)
+    }
+
+    /// The samples of a signal.
+    #[must_use]
+    pub fn get(&self, signal: &str) -> Option<&[f64]> {
+        self.channel(signal).map(|channel| channel.values.as_slice())
+    }
+
+    /// Samples of each channel.
+    #[must_use]
+    pub fn samples(&self) -> usize {
+        self.channels.first().map_or(0, |channel| channel.values.len())
+    }
+
+    /// What is commanded to the drive: `v_cmd`, or the sum of what it is made of.
+    #[must_use]
+    pub fn v_cmd(&self) -> Option<Cow<'_, [f64]>> {
+        if let Some(v_cmd) = self.get("v_cmd") {
+            return Some(Cow::Borrowed(v_cmd));
+        }
+        let mut sum = self.get("v_command")?.to_vec();
+        for part in ["v_add", "v_excite"].into_iter().filter_map(|name| self.get(name)) {
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        Some(Cow::Owned(sum))
+    }
+
+    /// Command less position of the motor.
+    pub(super) fn following_error(&self) -> Option<Cow<'_, [f64]>> {
+        let difference = || {
+            let (command, actual) = self.get("x_command").zip(self.get("x_actual"))?;
+            Some(Cow::Owned(command.iter().zip(actual).map(|(command, actual)| command - actual).collect()))
+        };
+        self.get("following_error").map(Cow::Borrowed).or_else(difference)
+    }
+
+    /// The unit of a signal, and of the following error, which may be that of its parts.
+    #[must_use]
+    pub fn unit(&self, signal: &str) -> Option<Unit> {
+        let known = self.channel(signal).and_then(|channel| channel.unit);
+        known.or_else(|| self.channel("x_command").filter(|_| signal == "following_error")?.unit)
+    }
+
+    /// The unit of the command, as a velocity.
+    #[must_use]
+    pub fn command_unit(&self) -> Option<String> {
+        match self.channel("x_command") {
+            Some(x) => x.unit.map(|unit| format!("{}/s", unit.name)),
+            None => ["v_command", "v_cmd"].iter().find_map(|name| self.unit(name)).map(|unit| unit.name.to_owned()),
+        }
+    }
+
+    /// The commanded velocity, smooth, in the unit of its channel (of a position: by s); whether it moves the axis.
+    pub(super) fn command(&self) -> Option<(Vec<f64>, bool)> {
+        let (raw, time) = match self.get("x_command") {
+            Some(x) => (rate(x, self.cycle), OF_POSITION),
+            None => (["v_command", "v_cmd"].iter().find_map(|name| self.get(name))?.to_vec(), OF_VELOCITY),
+        };
+        let smooth = smoothed(&smoothed(&raw, time / self.cycle), time / self.cycle);
+        let rest: f64 = raw.iter().zip(&smooth).map(|(raw, smooth)| (raw - smooth) * (raw - smooth)).sum();
+        let moves = peak(&smooth) > MOVES * (rest / raw.len() as f64).sqrt();
+        Some((smooth, moves))
+    }
+
+    /// Rest, driving, ramps.
+    pub(super) fn segments(&self, command: &[f64]) -> Vec<Segment> {
+        segments::of(command)
+    }
+
+    /// The units that the columns do not state, and what does not fit: whether a response between both velocities is possible.
+    pub(super) fn find_units(&mut self, verdicts: &mut Vec<Verdict>) -> bool {
+        let velocity = ["v_motor", "v_cmd", "v_command"].into_iter().find_map(|name| self.channel(name));
+        let of_velocity = velocity.and_then(|of| of.unit.or_else(|| Unit::of_velocity(peak(&of.values))));
+        let speed = velocity.map(|of| of.values.clone());
+        let cycle = self.cycle;
+        for channel in self.channels.iter_mut().filter(|channel| channel.unit.is_none()) {
+            let largest = peak(&channel.values);
+            channel.unit = match (channel.quantity, channel.signal) {
+                (Quantity::Velocity, "v_add" | "v_excite") => of_velocity,
+                (Quantity::Velocity, _) => Unit::of_velocity(largest),
+                (Quantity::Position, "following_error") => Unit::of_error(largest),
+                (Quantity::Position, _) => of_velocity
+                    .zip(speed.as_deref())
+                    .and_then(|(unit, speed)| Unit::of_position(slope(speed, &rate(&channel.values, cycle))?, unit)),
+                (Quantity::Acceleration, _) => Unit::of_acceleration(largest),
+            };
+        }
+        self.velocities_fit(verdicts)
+    }
+
+    fn velocities_fit(&self, verdicts: &mut Vec<Verdict>) -> bool {
+        let Some(motor) = self.channel("v_motor") else { return true };
+        let Some(command) = ["v_cmd", "v_command"].into_iter().find_map(|name| self.channel(name)) else { return true };
+        let Some(ratio) = slope(&command.values, &motor.values) else { return true };
+        let ratio = ratio * self.velocity_ratio();
+        let instead = "record both in um/s (rotary axes: 0.001 deg/s) and in the direction of the command";
+        let factor = [1e-6, 1e-3, 1e3, 1e6].into_iter().find(|factor| is_near(ratio / factor));
+        let found = match factor {
+            Some(factor) => format!("v_motor is {factor} times as large as {}", command.signal),
+            None if is_near(-ratio) => format!("v_motor has the other sign than {}", command.signal),
+            None => return true,
+        };
+        verdicts.push(Verdict::refusal(codes::UNITS_DIFFER, found, instead));
+        false
+    }
+
+    /// The unit of `v_motor` by that of the command, where both are stated; else 1.
+    pub(super) fn velocity_ratio(&self) -> f64 {
+        let stated = |name: &str| self.channel(name).filter(|channel| channel.is_stated)?.unit;
+        let command = stated("v_cmd").or_else(|| stated("v_command"));
+        stated("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.size / command.size)
+    }
+
+    /// Sensors that are at their limit.
+    pub(super) fn find_clipping(&self, verdicts: &mut Vec<Verdict>) {
+        for name in ["v_motor", "v_direct", "a_load"] {
+            let Some(at) = self.get(name).and_then(clipped) else { continue };
+            let found = format!("{name} stays at its largest value, first at {:.3} s", at as f64 * self.cycle);
+            verdicts.push(Verdict::note(codes::CLIPPED, found, "choose a larger range of the sensor or the recorder"));
+        }
+    }
+
+    /// Channels with their units, for a report.
+    #[must_use]
+    pub fn channels(&self) -> &[Channel] {
+        &self.channels
+    }
+}
+
+fn shown(interval: Option<f64>) -> String {
+    interval.map_or_else(|| "an unknown number of".to_owned(), |interval| (interval * 1e3).to_string())
+}
+
+/// The sample in which a signal first stays at an end of its range, if it does so suddenly and again.
+fn clipped(values: &[f64]) -> Option<usize> {
+    let (length, often, sudden) = CLIPPED;
+    let low = values.iter().copied().fold(f64::INFINITY, f64::smaller);
+    let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::larger);
+    for end in [low, high] {
+        let is_run = |n: &usize| {
+            let stays = values[*n..n + length].iter().all(|value| value.to_bits() == end.to_bits());
+            let comes = libm::fabs(values[n - 1] - values[n - 2]) > sudden * (high - low);
+            stays && values[n - 1].to_bits() != end.to_bits() && comes
+        };
+        let mut runs = (2..values.len().saturating_sub(length)).filter(is_run);
+        let first = runs.next();
+        if runs.count() + 1 >= often && first.is_some() {
+            return first;
+        }
+    }
+    None
+}
+
+/// The largest magnitude.
+pub(super) fn peak(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)))
+}
+
+/// Changes by s.
+pub(super) fn rate(x: &[f64], cycle: f64) -> Vec<f64> {
+    std::iter::once(0.0).chain(x.windows(2).map(|pair| (pair[1] - pair[0]) / cycle)).collect()
+}
+
+/// The least squares factor from x to y; none: x is 0.
+fn slope(x: &[f64], y: &[f64]) -> Option<f64> {
+    let (xy, xx) = x.iter().zip(y).fold((0.0, 0.0), |(xy, xx), (x, y)| (xy + x * y, xx + x * x));
+    (xx > 0.0).then(|| xy / xx)
+}
+
+/// Means over that many samples, the middle one at its place.
+fn smoothed(values: &[f64], samples: f64) -> Vec<f64> {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred samples")]
+    let half = (libm::round(samples / 2.0)) as usize;
+    let mut sums = vec![0.0];
+    for value in values {
+        sums.push(sums[sums.len() - 1] + value);
+    }
+    let mean = |n: usize| {
+        let (from, to) = (n.saturating_sub(half), (n + half + 1).min(values.len()));
+        (sums[to] - sums[from]) / (to - from) as f64
+    };
+    (0..values.len()).map(mean).collect()
+}

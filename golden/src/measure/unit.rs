@@ -1,0 +1,86 @@
+//! Units of channels: as the name of a column states them, or by what is plausible for a machine. No file.
+
+/// What a channel measures.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Quantity {
+    Velocity,
+    Position,
+    Acceleration,
+}
+
+/// A unit of a translatory axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Unit {
+    pub name: &'static str,
+    /// in m, m/s, m/s^2
+    pub size: f64,
+}
+
+/// How far a ratio of two channels may be from the ratio of their units, as a factor.
+const NEAR: f64 = 1.3;
+/// The peak velocity of a move [m/s], from and below. The ranges of m/s, mm/s and um/s meet.
+const PEAK_VELOCITY: [f64; 2] = [5e-3, 5.0];
+/// The peak following error [m], and the peak acceleration [m/s^2].
+const PEAK_ERROR: [f64; 2] = [2e-5, 2e-2];
+const PEAK_ACCELERATION: [f64; 2] = [0.05, 50.0];
+
+impl Quantity {
+    fn units(self) -> &'static [Unit] {
+        const VELOCITY: [Unit; 4] =
+            [unit("um/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0), unit("m/min", 1.0 / 60.0)];
+        const POSITION: [Unit; 3] = [unit("um", 1e-6), unit("mm", 1e-3), unit("m", 1.0)];
+        const ACCELERATION: [Unit; 3] = [unit("mm/s^2", 1e-3), unit("m/s^2", 1.0), unit("g", 9.80665)];
+        match self {
+            Self::Velocity => &VELOCITY,
+            Self::Position => &POSITION,
+            Self::Acceleration => &ACCELERATION,
+        }
+    }
+
+    /// The units of which one can be found by its numbers alone: neighbours are 1000 apart.
+    fn by_numbers(self) -> impl Iterator<Item = Unit> {
+        self.units().iter().copied().filter(|unit| !matches!(unit.name, "m/min" | "g"))
+    }
+}
+
+const fn unit(name: &'static str, size: f64) -> Unit {
+    Unit { name, size }
+}
+
+impl Unit {
+    /// The unit that a name states.
+    pub(super) fn named(quantity: Quantity, name: &str) -> Option<Self> {
+        let plain = name.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "^2").replace("s2", "s^2");
+        quantity.units().iter().find(|unit| unit.name == plain).copied()
+    }
+
+    /// Of a velocity, by its peak.
+    pub(super) fn of_velocity(peak: f64) -> Option<Self> {
+        plausible(Quantity::Velocity, peak, PEAK_VELOCITY)
+    }
+
+    /// Of a following error, by its peak.
+    pub(super) fn of_error(peak: f64) -> Option<Self> {
+        plausible(Quantity::Position, peak, PEAK_ERROR)
+    }
+
+    /// Of an acceleration, by its peak.
+    pub(super) fn of_acceleration(peak: f64) -> Option<Self> {
+        plausible(Quantity::Acceleration, peak, PEAK_ACCELERATION)
+    }
+
+    /// Of a position, by its changes per second as a part of a velocity with a unit.
+    pub(super) fn of_position(slope: f64, velocity: Self) -> Option<Self> {
+        let size = velocity.size / slope;
+        Quantity::Position.by_numbers().find(|unit| is_near(size / unit.size))
+    }
+}
+
+/// Whether a ratio is 1, nearly.
+pub(super) fn is_near(ratio: f64) -> bool {
+    (1.0 / NEAR..=NEAR).contains(&ratio)
+}
+
+fn plausible(quantity: Quantity, peak: f64, [from, below]: [f64; 2]) -> Option<Unit> {
+    quantity.by_numbers().find(|unit| (from..below).contains(&(peak * unit.size)))
+}

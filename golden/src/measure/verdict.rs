@@ -1,0 +1,26 @@
+//! What a recording cannot show, and what to record instead. Nothing is found here.
+
+/// One sentence about a recording.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Verdict {
+    /// the code of its message
+    pub code: &'static str,
+    /// whether something that was asked for is not measured because of it
+    pub refuses: bool,
+    /// what was found
+    pub found: String,
+    /// what to do
+    pub instead: &'static str,
+}
+
+impl Verdict {
+    /// Something is not measured.
+    pub(super) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+        Self { code, refuses: true, found: found.into(), instead }
+    }
+
+    /// Something is measured, but its reader has to know or to state something.
+    pub(super) fn note(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+        Self { code, refuses: false, found: found.into(), instead }
+    }
+}
