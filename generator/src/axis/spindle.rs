@@ -10,7 +10,7 @@ pub struct Spindle {
     /// velocity from which position control is taken up again [0.001 deg/s] (P-AXIS-00768, 00266)
     pub v_position_control_on: u32,
     pub drive: Changeover,
-    /// gain of the position controller, of the drive or of the CNC [0.01/s] (P-AXIS-00099); velocity control alone: 0
+    /// gain of the position controller, of the drive or of the CNC [0.01/s] (P-AXIS-00099); 0: velocity control alone
     pub kv: u32,
     /// position control in the drive: cycles between sending a command and receiving the actual value that it caused (P-AXIS-00191);
     /// else 0

@@ -169,7 +169,8 @@ fn a_branch_that_does_nothing_keeps_the_chain() {
     assert_eq!(made.step, [choice(PHASE_NOW, arms)]);
 }
 
-/// Only `variable = variant` and `variable = DINT` choose: no other comparison, no coefficient, no UDINT, no expression, no label in front.
+/// Only `variable = variant` and `variable = DINT` choose: no other comparison, no coefficient, no UDINT, no expression,
+/// no label in front.
 #[test]
 fn what_is_no_question() {
     let compared = |operator| binary(operator, Expr::Var(PHASE_NOW), phase(0));

@@ -31,8 +31,8 @@ fn variant(index: u32) -> Constant {
     constant(&format!("phase_{index}"), Literal::Variant(of).at_run_time(), Origin::Variant(of))
 }
 
-/// Inputs x, on, also and n; outputs y, which starts at 7, flag and z; parts of the state s, count, phase and other; constants: a coefficient, a
-/// whole one, the variants Rest, Rise and Hold.
+/// Inputs x, on, also and n; outputs y, which starts at 7, flag and z; parts of the state s, count, phase and other; constants:
+/// a coefficient, a whole one, the variants Rest, Rise and Hold.
 fn program(locals: usize, step: Vec<Statement>) -> Program {
     Program {
         block: "small",
