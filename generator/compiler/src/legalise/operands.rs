@@ -9,9 +9,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let first = program.constants.len();
     let constants = &mut program.constants;
     let mut name = |part: &mut Expr| {
-        if let Expr::Literal(value @ (Literal::F64(_) | Literal::F32(_))) = *part
-            && !is_plain(value)
-        {
+        if let Expr::Literal(value @ (Literal::F64(_) | Literal::F32(_))) = *part {
             let known = constants[first..].iter().position(|constant| constant.value == value);
             let number = known.unwrap_or_else(|| {
                 let path = name_of(value);
@@ -32,11 +30,6 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 /// Names the operands in single precision only: the digits of an LREAL may stand next to an LREAL.
 pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
-}
-
-/// Whether the digits of a number may stand next to an LREAL in every dialect: 0.0 and 1.0 are the same number in both real types.
-fn is_plain(value: Literal) -> bool {
-    matches!(value, Literal::F64(value) if value.to_bits() == 0.0_f64.to_bits() || value.to_bits() == 1.0_f64.to_bits())
 }
 
 /// What a number is called: `zero`, `one`, else its digits, as in `number_0p5`.
