@@ -128,7 +128,7 @@ fn name(dialect: Dialect) -> &'static str {
 /// The name of the function block in the text.
 fn type_name(dialect: Dialect, designed: &Designed, block: &Block) -> String {
     let name = block_name(&designed.axis.name, block.program.block);
-    if matches!(dialect, Dialect::TwinCat | Dialect::Scl) { format!("FB_{name}") } else { name }
+    if dialect == Dialect::Plain { name } else { format!("FB_{name}") }
 }
 
 /// The names that the axis's own signals have in the text.

@@ -269,7 +269,8 @@ fn every_number_is_explained() {
     }
     let reference = include_str!("../../../../reference/src/signal.rs");
     let ids = reference.split("/// error_id: ").skip(1).map(|rest| {
-        let (why, rest) = rest.split_once('\n').unwrap();
+        let (why, rest) = rest.split_once("\n#[portable]").unwrap();
+        let why = why.replace("\n/// ", " ");
         let id = rest.split_once("{\n").unwrap().1.split_once("u32").unwrap().0.trim();
         (id.replace('_', ""), why)
     });
@@ -313,7 +314,7 @@ fn every_code_is_explained() {
 fn words_are_explained() {
     let folder = started();
     for (word, said) in [
-        ("limited", "output `limited` of the block ipc: the limit"),
+        ("limited", "output `limited` of the block ipc: the sum of the stages is above the limit"),
         ("tripped", "output `tripped` of the block ipc: the loop was found unstable"),
         ("DRYRUN", "lr_param.improved_position_control.enable (P-AXIS-00758)"),
         ("P-AXIS-00757", "lr_param.improved_position_control.v_add_max_fact (P-AXIS-00757)"),
