@@ -217,7 +217,7 @@ fn a_note_says_what_a_filter_is() {
     );
     assert_eq!(
         of("stage[0].filter[0].bandpass[1]"),
-        "section 2 of 3: centre frequency 50.75209 Hz, quality factor 19.64969, gain 2.001947 there and 1 at 53 Hz"
+        "section 2 of 3: centre frequency 50.75209 Hz, quality factor 19.64969, gain 2.001947 at its centre and 1 at 53 Hz"
     );
     assert_eq!(
         of("stage[0].filter[1]"),

@@ -4,7 +4,7 @@ use super::dialect::Dialect;
 use super::enumeration::{Enumeration, enumerations};
 use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
-use super::{TcInRange, both, real_types};
+use super::{TcInRange, block_names, both, real_types};
 use crate::target::{File, Header, Legal, Unit, own_self_test, rendered};
 use askama::Template;
 use compiler::print::st;
@@ -53,7 +53,10 @@ pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
 
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let name = "axgen_shared";
-    let text =
-        CodesysShared { name, enumerations: enumerations(units), functions: real_types(units).map(in_range).collect() };
+    let text = CodesysShared {
+        name,
+        enumerations: enumerations(block_names(units)),
+        functions: real_types(units).map(in_range).collect(),
+    };
     vec![rendered(&format!("{name}.xml"), "", &text), rendered("IMPORT_CODESYS.md", "", &CodesysGuide)]
 }

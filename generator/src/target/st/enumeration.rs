@@ -1,7 +1,6 @@
 //! Numbers of signals under their names, for callers: enumerations in TwinCAT and CODESYS, data blocks in SCL. The signals themselves are
 //! DINTs.
 
-use super::Unit;
 use compiler::program::variant_name;
 use portable::{Portable, Ty};
 use reference::ipc;
@@ -9,7 +8,7 @@ use reference::spindle::{Job, SpindleState};
 
 /// The numbers of one signal.
 pub(super) struct Enumeration {
-    /// behind `E_axgen_`: what the signal is called
+    /// the name of the signal, which follows `E_axgen_`
     pub(super) signal: String,
     /// whose values these are
     pub(super) note: &'static str,
@@ -24,10 +23,10 @@ pub(super) struct Value {
     pub(super) doc: &'static str,
 }
 
-/// Those that the blocks of a set have: the modes in any case, and what a spindle puts out.
-pub(super) fn enumerations(units: &[Unit<'_>]) -> Vec<Enumeration> {
+/// Those of the blocks with these names: the modes in any case, and the outputs of a spindle.
+pub(super) fn enumerations<'b>(mut blocks: impl Iterator<Item = &'b &'static str>) -> Vec<Enumeration> {
     let mut all = vec![modes()];
-    if units.iter().flat_map(|unit| &unit.blocks).any(|block| block.starts_with("spindle")) {
+    if blocks.any(|block| block.starts_with("spindle")) {
         all.extend([
             of::<SpindleState>("Values of the output spindle_state: what controls the spindle."),
             of::<Job>("Values of the output job: what the interpolator has to do."),

@@ -82,7 +82,7 @@ pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
         let file = &format!("axgen_{}.scl", of.signal);
         rendered(file, "", &SclEnumeration { file, of })
     };
-    let mut files: Vec<File> = enumerations(units).iter().map(of_signal).collect();
+    let mut files: Vec<File> = enumerations(block_names(units)).iter().map(of_signal).collect();
     files.push(rendered("IMPORT_SCL.md", "", &SclGuide));
     files
 }
@@ -102,6 +102,11 @@ fn both(
         file(origin(axis, &of_block, block, dialect).with_call(block, dialect), listing(axis, block, dialect)),
         file(origin(axis, &of_test, block, dialect), self_test::listing(axis, block, dialect)),
     ]
+}
+
+/// The names of all blocks of a set.
+fn block_names<'u>(units: &'u [Unit<'_>]) -> impl Iterator<Item = &'u &'static str> {
+    units.iter().flat_map(|unit| &unit.blocks)
 }
 
 /// The real types that a set uses.
