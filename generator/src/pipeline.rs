@@ -61,7 +61,15 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     report.extend(gantry::numbers(&given.axes));
     let cycle_time = check::cycle_time(&given.top, given.no_cycle_time, &mut report);
     let mut checked: Vec<Option<Checked<'_>>> = (given.axes.par_iter())
-        .map(|axis| Some(check::axis(&axis.name, cycle_time, axis.values.as_ref()?, axis.home.clone(), purpose == Purpose::Tune)))
+        .map(|axis| {
+            Some(check::axis(
+                &axis.name,
+                cycle_time,
+                axis.values.as_ref()?,
+                axis.home.clone(),
+                purpose == Purpose::Tune,
+            ))
+        })
         .collect();
     // Masters decide what their slaves are designed for. Without all axes, nothing is said of that.
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());

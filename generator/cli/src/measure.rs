@@ -9,7 +9,7 @@ use crate::output;
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::measure::{self, Excitation, Excited, Measured, Verdict, Vibration, When, picture, text};
-use golden::signals;
+use golden::signals::{self, Map};
 use golden::svg;
 use golden::table::Table;
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ pub fn interval(text: &str) -> Result<f64, String> {
 
 /// How recordings are read.
 pub struct Reading<'a> {
-    pub map: &'a [(String, String)],
+    pub map: &'a Map,
     /// the interval of rows without times [s]
     pub cycle_time: Option<f64>,
     /// whether a name of the map may stand for a column of another recording
@@ -98,10 +98,9 @@ pub fn measured(
 ) -> Result<Measured, Exit> {
     let text = given::text(file)?;
     let wanted: Vec<&str> = of.map.iter().map(|(name, _)| name.as_str()).collect();
-    let map = of.map.to_vec();
-    let table = Table::read(&text, &wanted).without(&map);
-    let unknown = if of.are_two { Vec::new() } else { signals::unknown(&map, &[&table]) };
-    let channels = given::checked(measure::read(&table, &map), &unknown, file)?;
+    let table = Table::read(&text, &wanted).without(of.map);
+    let unknown = if of.are_two { Vec::new() } else { signals::unknown(of.map, &[&table]) };
+    let channels = given::checked(measure::read(&table, of.map), &unknown, file)?;
     Ok(measure::measure(channels, of.cycle_time, excitation, other))
 }
 

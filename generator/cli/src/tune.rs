@@ -2,12 +2,10 @@
 
 use crate::arguments::{DriveArguments, SetArguments, Tuned};
 use crate::exit::Exit;
-use crate::given::name_of;
 use crate::input;
 use crate::measure::{self, Reading, say, verdicts_json};
 use crate::messages::{self, Format};
 use crate::output;
-use generator::diagnostics::Report;
 use golden::measure::{Excitation, Measured, Verdict};
 use golden::tune::{self, Prefer, Proposal, Stage, Tuning, text};
 use serde_json::{Value, json};
@@ -32,8 +30,7 @@ pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tu
         output::line(format!("{:#}", as_json(name, &tuning, &all)))?;
     } else {
         output::print(text::report(&tuning, name))?;
-        let mut report = Report::default();
-        all.iter().for_each(|(file, measured)| say(&mut report, name_of(file), &measured.verdicts));
+        let mut report = measure::said(&all);
         say(&mut report, format!("axis {name}"), &tuning.verdicts);
         output::say(&messages::text(&report, format));
     }

@@ -18,6 +18,8 @@ pub struct Chosen {
     /// [Hz]
     pub hz: f64,
     pub when: figures::When,
+    /// none: it is forced
+    pub damping: Option<f64>,
     pub channel: &'static str,
     /// none: unknown
     pub source: Option<Side>,
@@ -47,7 +49,8 @@ pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chose
             let is_seen = |of: &&Vibration| of.channel == "v_motor" && is_same(of.hz, vibration.hz);
             let mode = if moves.vibrations.iter().any(|of| is_seen(&of)) { Mode::Direct } else { Mode::Indirect };
             let Vibration { hz, channel, source, .. } = *vibration;
-            chosen.push(Chosen { hz, when, channel, source, mode });
+            let damping = vibration.damping.map(|[damping, _]| damping);
+            chosen.push(Chosen { hz, when, damping, channel, source, mode });
         }
     }
     let instead = "a stage at the motor cannot damp it: look for its cause at the load";

@@ -118,8 +118,7 @@ fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool
 
 /// The samples of each ramp.
 fn ramps(moves: &Measured) -> Vec<std::ops::Range<usize>> {
-    let is_ramp = |segment: &&identification::segments::Segment| {
-        segment.kind == identification::segments::Kind::Accelerating
-    };
+    let is_ramp =
+        |segment: &&identification::segments::Segment| segment.kind == identification::segments::Kind::Accelerating;
     moves.segments.iter().filter(is_ramp).map(|segment| segment.samples.clone()).collect()
 }

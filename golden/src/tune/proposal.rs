@@ -83,11 +83,9 @@ impl Task<'_> {
             _ => self.record.get(name).unwrap_or_default(),
         };
         let channels: Vec<&[f64]> = self.chosen.iter().map(|chosen| channel(chosen.channel)).collect();
-        let vibration =
-            |(channel, chosen): (usize, &Chosen)| Vibration { hz: chosen.hz, when: chosen.when, channel };
+        let vibration = |(channel, chosen): (usize, &Chosen)| Vibration { hz: chosen.hz, when: chosen.when, channel };
         let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
-        let record =
-            figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
+        let record = figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
         let found = propose(&proposals::Task {
             cycle_time: self.axis.cycle_time(),

@@ -5,19 +5,14 @@ use crate::measure::text::side_word;
 use identification::excitation::{AMPLITUDE, Excitation, LEAST_SPEED, PERIODS, Sequence};
 use identification::figures::When;
 use identification::shape::Mode;
-use portable::Extreme;
 use std::fmt::Write;
-
-/// The damping for which the lines of an excitation are near enough, where none is known.
-const DAMPING: f64 = 0.02;
 
 /// The report.
 #[must_use]
 pub fn report(tuning: &Tuning, axis: &str) -> String {
-    let kv = tuning.position_gain.map_or_else(
-        || "Kv is not in the set: the position loop counts as open".to_owned(),
-        |kv| format!("Kv {kv}/s"),
-    );
+    let kv = tuning
+        .position_gain
+        .map_or_else(|| "Kv is not in the set: the position loop counts as open".to_owned(), |kv| format!("Kv {kv}/s"));
     let mut text = format!("axis {axis}: cycle {} ms, {kv}\n", tuning.cycle_time * 1e3);
     tuning.chosen.iter().for_each(|chosen| text += &of_chosen(chosen));
     tuning.proposals.iter().for_each(|proposal| text += &of_proposal(tuning, proposal));
@@ -55,11 +50,17 @@ fn of_stage(Stage { shape, weight_fact_num }: &Stage) -> String {
         Mode::Indirect => format!("INDIRECT from v_motor, damping {}", shape.damping),
     };
     let allpass = shape.allpass.map_or_else(String::new, |of| format!(", all-pass f0 {} Hz Q {}", of.f0, of.q));
-    format!("{mode}, f0 {} Hz, Q {}{allpass}, weight {weight_fact_num}/{}", shape.f0, shape.q, super::stage::DENOMINATOR)
+    format!(
+        "{mode}, f0 {} Hz, Q {}{allpass}, weight {weight_fact_num}/{}",
+        shape.f0,
+        shape.q,
+        super::stage::DENOMINATOR
+    )
 }
 
 fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
-    let left = tuning.chosen.iter().zip(&of.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
+    let left =
+        tuning.chosen.iter().zip(&of.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
     let ring = of.ring_down.map(|ring| format!("{ring:.2} of the ring-down"));
     let left: Vec<String> = left.chain(ring).collect();
     let error = of.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
@@ -72,12 +73,15 @@ fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
     )
 }
 
-/// What to measure where no response is known.
+/// What to measure where no response is known. The lines are near enough for the narrowest vibration whose damping is known.
 fn next(tuning: &Tuning) -> String {
-    let lowest = tuning.chosen.iter().map(|chosen| chosen.hz).fold(f64::INFINITY, f64::smaller);
-    let sequence = Sequence::for_vibration(tuning.cycle_time, lowest, DAMPING);
-    let excitation =
-        Excitation { sequence, cycle_time: tuning.cycle_time, amplitude: AMPLITUDE, periods: PERIODS };
+    let damped = tuning.chosen.iter().filter_map(|chosen| Some((chosen.hz, chosen.damping?)));
+    let narrowest = damped.min_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)));
+    let sequence = match narrowest {
+        Some((hz, damping)) => Sequence::for_vibration(tuning.cycle_time, hz, damping),
+        None => Sequence::for_cycle(tuning.cycle_time),
+    };
+    let excitation = Excitation { sequence, cycle_time: tuning.cycle_time, amplitude: AMPLITUDE, periods: PERIODS };
     format!(
         "measure next: an excitation {}x{} of {} mm/s, {PERIODS} periods, {:.1} s, at a constant speed of at least {} mm/s\n",
         sequence.bits(),
