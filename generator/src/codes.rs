@@ -646,4 +646,22 @@ codes! {
     NO_CHANNEL = "AX515", "a recording without the channels that are needed",
         "Segments need a command: x_command, v_command or v_cmd. Vibrations need a_load, v_direct, v_motor or a following error. A \
          response needs v_cmd (or v_command) and v_motor. --map SCOPE=SIGNAL names the column of each.";
+    WITHOUT_STAGE = "AX516", "a vibration without a stage",
+        "A stage acts at the motor. It cannot damp what enters at the load, and |S| says nothing of what the load does then: \
+         change its cause, a gear or a mesh for example. A block has three stages: the three strongest vibrations get one.";
+    OTHER_CYCLE = "AX517", "a recording of another cycle time",
+        "A stage is designed for the cycle time of the set. What it does to a recording is known only if the recording has a \
+         sample for each cycle: record in the task that runs the block.";
+    NOT_AT_REST = "AX518", "a recording that does not begin and end at rest",
+        "What stages would have made of a recording is known only if nothing happens before and after it. Record from rest to \
+         rest, or cut the file where the axis stands still.";
+    NO_PROPOSAL = "AX519", "no stage can be proposed",
+        "The recording shows no vibration at constant speed or after a ramp, the response has no line, or no weight is safe with \
+         this drive. The message says which.";
+    HARDLY_USEFUL = "AX520", "stages that are hardly useful",
+        "They would leave more than 0.8 of every vibration: a larger weight would not be safe. Improve the response of the drive \
+         first: less delay between the position controller and the drive, or a faster velocity controller.";
+    FIRST_STAGES = "AX521", "first stages without a response",
+        "The response of the drive is not known. A tenth of the weight that a usual drive bears is safe on nearly every axis, \
+         and leaves about 0.9 of a vibration. Measure the response with an excitation, and give it with --excited or --response.";
 }

@@ -31,6 +31,11 @@ pub fn read_to_look_at(path: &Path, options: &ListOptions, load: Load<'_>) -> (O
     read_as(path, options, load, Purpose::Look)
 }
 
+/// The same for a command that proposes stages: the drive is read too if no stage is active yet.
+pub fn read_to_tune(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
+    read_as(path, options, &file::load, Purpose::Tune)
+}
+
 /// The same as `read` with another source of files.
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
     read_as(path, options, load, Purpose::Build)
@@ -43,6 +48,8 @@ enum Purpose {
     Build,
     /// nothing but a look at it
     Look,
+    /// a look at its drive, for stages that it does not have yet
+    Tune,
 }
 
 fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose) -> (Option<Set>, Report) {
@@ -54,7 +61,15 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     report.extend(gantry::numbers(&given.axes));
     let cycle_time = check::cycle_time(&given.top, given.no_cycle_time, &mut report);
     let mut checked: Vec<Option<Checked<'_>>> = (given.axes.par_iter())
-        .map(|axis| Some(check::axis(&axis.name, cycle_time, axis.values.as_ref()?, axis.home.clone())))
+        .map(|axis| {
+            Some(check::axis(
+                &axis.name,
+                cycle_time,
+                axis.values.as_ref()?,
+                axis.home.clone(),
+                purpose == Purpose::Tune,
+            ))
+        })
         .collect();
     // Masters decide what their slaves are designed for. Without all axes, nothing is said of that.
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());
@@ -98,15 +113,16 @@ fn design(
     };
     let mut designed = axis.map(Designed::from);
     if let Some(designed) = &mut designed {
-        let measured = drive_response::read(designed, values, (set, load), &mut effective);
-        designed.axis.drive.response = measured;
+        if designed.axis.ipc.is_active() || purpose == Purpose::Tune {
+            designed.axis.drive.response = drive_response::read(designed, values, (set, load), &mut effective);
+        }
     }
     if let Some(designed) = &designed {
         feasibility::validate(designed, gear, &mut effective);
         command_filter::advise(&designed.axis, &given.foreign, &mut effective);
     }
     let mut said = effective.report;
-    if purpose == Purpose::Look {
+    if purpose != Purpose::Build {
         let unstable = said.diagnostics.iter_mut().filter(|diagnostic| diagnostic.code == codes::UNSTABLE);
         unstable.for_each(|diagnostic| diagnostic.severity = Severity::Warning);
     }

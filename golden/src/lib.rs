@@ -16,6 +16,7 @@
 //! analysis   the picture of an analysis; svg: how pictures are drawn
 //! simulate   improved position control in the loop of an axis, with and without it: figures, pictures, CSV
 //! measure    what a recording shows of an axis: sampling, vibrations, its response
+//! tune       stages that a recording asks for, and what they would leave of its vibrations
 //! source     the inputs of a case: a stimulus, or those that a scenario has once made
 //! case       a folder with an axis set, a stimulus or a scenario, and the answers that were recorded
 //! shows      what a case has in it: so that none can silently cease to show what it is there for
@@ -47,6 +48,7 @@ pub mod stimulus;
 pub mod subject;
 pub mod svg;
 pub mod table;
+pub mod tune;
 pub mod value;
 pub mod waveform;
 pub mod written;

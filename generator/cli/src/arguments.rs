@@ -165,6 +165,16 @@ pub enum Command {
         #[command(flatten)]
         of: Measured,
     },
+    /// Proposes stages for an axis from its recordings, with what they would leave of each vibration
+    Tune {
+        #[command(flatten)]
+        set: SetArguments,
+        /// The axis; optional if the set has only one
+        #[arg(long, value_name = "X")]
+        axis: Option<String>,
+        #[command(flatten)]
+        of: Tuned,
+    },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
         #[command(flatten)]
@@ -412,6 +422,30 @@ pub struct Measured {
     /// Replace any files of these names, not only earlier outputs of this command
     #[arg(long)]
     pub force: bool,
+}
+
+/// What stages are proposed from.
+#[derive(Args)]
+pub struct Tuned {
+    /// CSV file of a recorder: moves with all stages off, from rest to rest
+    #[arg(long, value_name = "FILE")]
+    pub recording: PathBuf,
+    /// A second recording of the same machine, made with an excitation: the response, and the side that vibrations are from
+    #[arg(long, value_name = "FILE")]
+    pub excited: Option<PathBuf>,
+    /// The excited recording's sequence: bits of the register, and cycles of a clock, such as 11x2; `default`: that of the cycle
+    /// [default: as v_excite shows it]
+    #[arg(long, value_name = "BITS[xCLOCK]", value_parser = measure::excitation, requires = "excited")]
+    pub excitation: Option<Excitation>,
+    /// CSV file with a measured response of the drive, in the place of that of the set and of the excited recording
+    #[arg(long, value_name = "FILE")]
+    pub response: Option<String>,
+    /// Which column of the CSV files is which signal, where the names differ; `SCOPE=-` leaves a column out
+    #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
+    pub map: Vec<(String, String)>,
+    /// Print it for machines: JSON
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// Where a single file goes.

@@ -28,6 +28,13 @@ pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: F
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
+/// The same for a command that proposes stages: the drive is read too if no stage is active yet.
+pub fn read_to_tune(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<Set, Exit> {
+    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
+    let (set, report) = pipeline::read_to_tune(&arguments.set, &options);
+    said(set, &report, format)
+}
+
 /// What came of reading, with all messages on standard error.
 pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
     output::say(&messages::text(report, format));

@@ -38,6 +38,7 @@ mod schema;
 mod shared;
 mod shell;
 mod simulate;
+mod tune;
 mod verify;
 
 use arguments::{Cli, Command, Golden, OneFile, ToFile};
@@ -108,6 +109,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
         Command::Measure { recording, of } => measure::run(&recording, &of, format),
+        Command::Tune { set, axis, of } => tune::run(&set, format, axis.as_deref(), &of),
         Command::Scenario { set, program, axis, block, drive, program_axis, cycles, stimulus, picture, force } => {
             let options = scenario::options(program_axis, cycles);
             let request = scenario::Request { axis, block, drive, program, options, stimulus, picture, force };

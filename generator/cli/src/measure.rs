@@ -8,11 +8,12 @@ use crate::one_file::{self, Rule};
 use crate::output;
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
-use golden::measure::{self, Excitation, Excited, Measured, Vibration, When, picture, text};
-use golden::signals;
+use golden::measure::{self, Excitation, Excited, Measured, Verdict, Vibration, When, picture, text};
+use golden::signals::{self, Map};
 use golden::svg;
 use golden::table::Table;
 use serde_json::{Value, json};
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 
 /// Bits of a sequence, and the longest clock [cycles].
@@ -43,6 +44,21 @@ pub fn interval(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time from 1us to 100ms is allowed: 1ms, 62.5us".to_owned())
 }
 
+/// How recordings are read.
+pub struct Reading<'a> {
+    pub map: &'a Map,
+    /// the interval of rows without times [s]
+    pub cycle_time: Option<f64>,
+    /// whether a name of the map may stand for a column of another recording
+    pub are_two: bool,
+}
+
+impl Arguments {
+    fn reading(&self) -> Reading<'_> {
+        Reading { map: &self.map, cycle_time: self.cycle_time, are_two: self.excited.is_some() }
+    }
+}
+
 /// Runs the command.
 pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exit> {
     let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
@@ -55,9 +71,10 @@ pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exi
         rule.allows(out)?;
     }
     let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
-    let excited = of.excited.as_deref().map(|file| measured(file, of, stated, None)).transpose()?;
+    let reading = of.reading();
+    let excited = of.excited.as_deref().map(|file| measured(file, &reading, stated, None)).transpose()?;
     let own = if excited.is_some() { Excitation::AsRecorded } else { of.excitation.unwrap_or(Excitation::AsRecorded) };
-    let found = measured(recording, of, own, excited.as_ref())?;
+    let found = measured(recording, &reading, own, excited.as_ref())?;
     let all: Vec<(&Path, &Measured)> =
         std::iter::once((recording, &found)).chain(of.excited.as_deref().zip(excited.as_ref())).collect();
     write(&all, of, rules)?;
@@ -72,13 +89,18 @@ pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exi
     Ok(if all.iter().any(|(_, measured)| measured.refuses()) { Exit::Different } else { Exit::Done })
 }
 
-/// Reads a recording and measures it. A name of the map may stand for a column of the other recording.
-fn measured(file: &Path, of: &Arguments, excitation: Excitation, other: Option<&Measured>) -> Result<Measured, Exit> {
+/// Reads a recording and measures it.
+pub fn measured(
+    file: &Path,
+    of: &Reading<'_>,
+    excitation: Excitation,
+    other: Option<&Measured>,
+) -> Result<Measured, Exit> {
     let text = given::text(file)?;
     let wanted: Vec<&str> = of.map.iter().map(|(name, _)| name.as_str()).collect();
-    let table = Table::read(&text, &wanted).without(&of.map);
-    let unknown = if of.excited.is_some() { Vec::new() } else { signals::unknown(&of.map, &[&table]) };
-    let channels = given::checked(measure::read(&table, &of.map), &unknown, file)?;
+    let table = Table::read(&text, &wanted).without(of.map);
+    let unknown = if of.are_two { Vec::new() } else { signals::unknown(of.map, &[&table]) };
+    let channels = given::checked(measure::read(&table, of.map), &unknown, file)?;
     Ok(measure::measure(channels, of.cycle_time, excitation, other))
 }
 
@@ -103,16 +125,24 @@ fn excited<'m>(all: &[(&Path, &'m Measured)]) -> Option<&'m Excited> {
 }
 
 /// The verdicts as messages about the recordings: an error, if something is not measured.
-fn said(all: &[(&Path, &Measured)]) -> Report {
+pub fn said(all: &[(&Path, &Measured)]) -> Report {
     let mut report = Report::default();
-    for (file, measured) in all {
-        for verdict in &measured.verdicts {
-            let said = if verdict.refuses { Diagnostic::error } else { Diagnostic::warning };
-            report
-                .push(said(verdict.code, Place::whole(name_of(file)), verdict.found.clone()).instead(verdict.instead));
-        }
-    }
+    all.iter().for_each(|(file, measured)| say(&mut report, name_of(file), &measured.verdicts));
     report
+}
+
+/// Verdicts about a file, or about an axis.
+pub fn say(report: &mut Report, of: impl Display, verdicts: &[Verdict]) {
+    for verdict in verdicts {
+        let said = if verdict.refuses { Diagnostic::error } else { Diagnostic::warning };
+        report.push(said(verdict.code, Place::whole(&of), verdict.found.clone()).instead(verdict.instead));
+    }
+}
+
+/// Verdicts for machines.
+pub fn verdicts_json<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> Vec<Value> {
+    let text = |verdict: &Verdict| format!("{}; {}", verdict.found, verdict.instead);
+    verdicts.map(|verdict| json!({ "code": verdict.code, "text": text(verdict) })).collect()
 }
 
 fn as_json(all: &[(&Path, &Measured)]) -> Value {
@@ -135,9 +165,6 @@ fn as_json(all: &[(&Path, &Measured)]) -> Value {
     let segments = all.iter().take(1).flat_map(|(_, measured)| &measured.segments).map(
         |segment| json!({ "kind": text::word(segment.kind), "from": segment.samples.start, "to": segment.samples.end }),
     );
-    let verdicts = each()
-        .flat_map(|measured| &measured.verdicts)
-        .map(|verdict| json!({ "code": verdict.code, "text": format!("{}; {}", verdict.found, verdict.instead) }));
     let dead_time = excited(all).and_then(|excited| excited.dead_time);
     json!({
         "channels": channels,
@@ -147,7 +174,7 @@ fn as_json(all: &[(&Path, &Measured)]) -> Value {
         "offsets": offsets.collect::<Vec<_>>(),
         "vibrations": each().flat_map(|measured| &measured.vibrations).map(vibration_json).collect::<Vec<_>>(),
         "response": excited(all).map(response_json),
-        "verdicts": verdicts.collect::<Vec<_>>(),
+        "verdicts": verdicts_json(each().flat_map(|measured| &measured.verdicts)),
     })
 }
 

@@ -197,6 +197,15 @@ impl Lines {
         is_rising.then(|| stability::Response::new(&self.hz, &self.response, &self.error, cycle_time))
     }
 
+    /// The lines of such a response, as from a file. The coherence is not known: it counts as 1.
+    #[must_use]
+    pub fn of(response: &stability::Response) -> Self {
+        let hz = response.frequencies().to_vec();
+        let values: Vec<Complex64> = hz.iter().map(|hz| response.value(*hz)).collect();
+        let error = hz.iter().zip(&values).map(|(hz, p)| response.relative_error(*hz) * magnitude(*p)).collect();
+        Self { coherence: vec![1.0; hz.len()], hz, response: values, error }
+    }
+
     /// The band [Hz] from the first to the last line; none: no line.
     #[must_use]
     pub fn band(&self) -> Option<[f64; 2]> {

@@ -11,12 +11,13 @@ mod text;
 pub use crate::blocks::ipc::closed_loop::Known;
 pub use text::{summary, text};
 
-use crate::axis::DriveModel;
+use crate::axis::{DriveModel, Stage};
 use crate::blocks::Designed;
 use crate::blocks::ipc::closed_loop;
-use crate::blocks::ipc::stage::StageDesign;
+use crate::blocks::ipc::stage::{self, StageDesign};
+use crate::design::response;
 use portable::Extreme;
-use stability::{Curve, Loop, Margins, Points};
+use stability::{Complex64, Curve, Loop, Margins, Points};
 
 /// Lines of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
 const LINES: u32 = 600;
@@ -90,4 +91,11 @@ fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
     curve.extend((0..LINES).map(|k| closed.at_frequency(hz(k))));
     curve.sort_by(|a, b| a.hz.total_cmp(&b.hz));
     curve
+}
+
+/// What a stage adds to what it looks at, with its weight and its sign, by the coefficients that a block has of it at a cycle time T [s]: a
+/// function of t = tan(pi f T).
+pub fn of_stage(stage: &Stage, cycle_time: f64) -> impl Fn(f64) -> Complex64 + use<> {
+    let coeffs = stage::stage(0, stage, cycle_time).coeffs;
+    move |t| response::of_stage(&coeffs, t)
 }

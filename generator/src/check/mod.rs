@@ -61,8 +61,14 @@ pub(crate) struct Checked<'v> {
 }
 
 /// One axis; its home is where the set names it. Without a cycle time, whose absence has been said, everything that does not
-/// need it is validated all the same.
-pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, home: Place) -> Checked<'v> {
+/// need it is validated all the same. Its drive matters where a stage is active, or is to be proposed.
+pub(crate) fn axis<'v>(
+    name: &str,
+    cycle_time: Option<u32>,
+    values: &'v Values,
+    home: Place,
+    is_tuned: bool,
+) -> Checked<'v> {
     let mut effective = Effective::new(values, home);
     if let Some(ns) = cycle_time {
         effective.note(key(Name::CycleTime), &Value::Duration(u64::from(ns)));
@@ -80,8 +86,8 @@ pub(crate) fn axis<'v>(name: &str, cycle_time: Option<u32>, values: &'v Values, 
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
-    let is_active = ipc.as_ref().is_some_and(Ipc::is_active);
-    let drive = if is_active { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
+    let has_drive = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
+    let drive = if has_drive { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
     let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control) {
         (
             Some(real),

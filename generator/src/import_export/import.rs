@@ -42,7 +42,7 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
     };
     // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
     // function: its line is kept.
-    let said = check::axis(&name, Some(cycle_time), &list.values, source.whole()).effective.report;
+    let said = check::axis(&name, Some(cycle_time), &list.values, source.whole(), false).effective.report;
     report.diagnostics.extend(list.values.refused(&said));
     if report.has_errors() {
         return (None, report);

@@ -61,6 +61,7 @@ fn every_code_has_a_test() {
         include_str!("../../cli/tests/recordings/evidence.rs"),
         include_str!("../../cli/tests/recordings/refused.rs"),
         include_str!("../../cli/tests/scenario.rs"),
+        include_str!("../../cli/tests/tune.rs"),
     ];
     for code in CODES {
         assert!(tests.iter().any(|test| test.contains(code.code)), "{} has no test", code.code);

@@ -92,7 +92,8 @@ impl Record {
     }
 
     /// Command less position of the motor.
-    pub(super) fn following_error(&self) -> Option<Cow<'_, [f64]>> {
+    #[must_use]
+    pub fn following_error(&self) -> Option<Cow<'_, [f64]>> {
         let difference = || {
             let (command, actual) = self.get("x_command").zip(self.get("x_actual"))?;
             Some(Cow::Owned(command.iter().zip(actual).map(|(command, actual)| command - actual).collect()))

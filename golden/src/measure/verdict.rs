@@ -15,12 +15,12 @@ pub struct Verdict {
 
 impl Verdict {
     /// Something is not measured.
-    pub(super) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+    pub(crate) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: true, found: found.into(), instead }
     }
 
     /// Something is measured, but its reader has to know or to state something.
-    pub(super) fn note(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+    pub(crate) fn note(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: false, found: found.into(), instead }
     }
 }

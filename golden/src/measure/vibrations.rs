@@ -230,7 +230,9 @@ pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
     (0..size.len()).filter(is_largest).filter_map(of).collect()
 }
 
-/// On which side vibrations of a move enter, by the recording of an excitation; says for which it is not known.
+/// On which side vibrations of a move enter; says for which it is not known. What decays after a ramp was excited by the command, at
+/// the motor; a decay has no ratio that the steady one of an excitation could be compared with. The others by the recording of an
+/// excitation.
 pub(super) fn find_sides(
     vibrations: &mut [Vibration],
     record: &Record,
@@ -239,7 +241,10 @@ pub(super) fn find_sides(
 ) {
     let mut unknown: Vec<String> = Vec::new();
     for vibration in vibrations.iter_mut().filter(|vibration| vibration.when != When::Excited) {
-        vibration.source = side_of(vibration, record, excited);
+        vibration.source = match vibration.when {
+            When::Ramps => Some(Side::Motor),
+            When::Driving | When::Excited => side_of(vibration, record, excited),
+        };
         let shown = format!("{:.1} Hz", vibration.hz);
         if vibration.source.is_none() && !unknown.contains(&shown) {
             unknown.push(shown);

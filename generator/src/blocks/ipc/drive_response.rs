@@ -21,9 +21,6 @@ pub(crate) fn read(
     e: &mut Effective<'_>,
 ) -> Option<MeasuredDrive> {
     let (name, setting) = values.text(Name::DriveResponse)?;
-    if !designed.axis.ipc.is_active() {
-        return None;
-    }
     let from = from(designed, e)?;
     let folder = if setting.source.is_option() { Path::new("") } else { set.parent().unwrap_or(Path::new("")) };
     let is_stated = e.given(key(Name::DriveResponseFrom)).is_some();

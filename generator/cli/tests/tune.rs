@@ -1,0 +1,312 @@
+//! `axgen tune`: proposals from recordings of the simulated demonstration plant, tried on it; and recordings that allow none.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use machine::closed_loop::{Position, UM};
+use machine::plant::DEMONSTRATION;
+use machine::sequence::Sequence;
+use machine::{Machine, Measured};
+use serde_json::Value;
+use std::f64::consts::TAU;
+use std::fmt::Write;
+use std::fs;
+use std::process::Command;
+use tempfile::TempDir;
+
+const CYCLE: f64 = 1e-3;
+/// An axis whose stages are to be found.
+const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nkenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"\n\
+    getriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n\
+    [axis.X.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 1000\n";
+const NAMES: [&str; 7] = [
+    "x_command [mm]",
+    "x_actual [mm]",
+    "v_command [um/s]",
+    "v_motor [um/s]",
+    "v_cmd [um/s]",
+    "v_excite [um/s]",
+    "a_load",
+];
+const OF_MOVES: [usize; 5] = [0, 1, 2, 3, 6];
+const OF_EXCITED: [usize; 4] = [4, 3, 5, 6];
+const V_MOTOR: usize = 3;
+const A_LOAD: usize = 6;
+
+type Columns = [Vec<f64>; 7];
+
+/// The demonstration plant in its position loop, by a planned position [m] and velocity, and what is added to its command [m/s].
+fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
+    let mut machine = DEMONSTRATION.at_rest();
+    let mut actual = Measured::default();
+    let mut columns = Columns::default();
+    for ((x, v), excite) in x.iter().zip(v).zip(excite) {
+        let signals = Position::DEMONSTRATION.signals(*x, *v, &actual);
+        let v_cmd = signals.v_command / UM + excite;
+        let [x, x_actual] = [*x, actual.x].map(|x| x * 1e3);
+        let row = [x, x_actual, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
+        columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
+        actual = machine.step(v_cmd);
+    }
+    columns
+}
+
+fn moves() -> Columns {
+    let planned = Sequence::DEMONSTRATION.planned(CYCLE);
+    recorded(&planned.x, &planned.v, &vec![0.0; planned.x.len()])
+}
+
+/// Excited with 5 mm/s while it moves at 20 mm/s: a register of 11 bits, clocks of 2 cycles, 8 periods; noise of 0.3 mm/s on the motor.
+fn excited() -> Columns {
+    let (mut register, mut signs) = (0x7ff_u32, Vec::new());
+    for _ in 0..2047 {
+        let sign = if register >> 10 & 1 == 1 { 1.0 } else { -1.0 };
+        signs.extend([sign; 2]);
+        register = (register << 1 | (register >> 10 ^ register >> 8) & 1) & 0x7ff;
+    }
+    let full = 9 * 4094;
+    let part = |n: usize| n.min(100).min(full + 100 - n) as f64 / 100.0;
+    let excite = (0..full + 100).map(|n| 5e-3 * part(n) * signs[n % 4094]);
+    let excite: Vec<f64> = std::iter::repeat_n(0.0, 500).chain(excite).chain([0.0; 100]).collect();
+    let x: Vec<f64> = (1..=excite.len()).map(|n| n as f64 * 0.02 * CYCLE).collect();
+    let mut columns = recorded(&x, &vec![0.02; x.len()], &excite);
+    let mut noise = Noise(7);
+    columns[V_MOTOR].iter_mut().for_each(|v| *v += 300.0 * noise.next());
+    columns
+}
+
+/// White noise with an rms value of 1: a linear congruence, twelve of its values each.
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> f64 {
+        let mut even = || {
+            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| even()).sum::<f64>() - 6.0
+    }
+}
+
+/// Columns as CSV with a time.
+fn csv(columns: &Columns, of: &[usize]) -> String {
+    let mut text = format!("time [s],{}\n", of.iter().map(|at| NAMES[*at]).collect::<Vec<_>>().join(","));
+    for (n, _) in columns[of[0]].iter().enumerate() {
+        write!(text, "{:.3}", n as f64 * CYCLE).unwrap();
+        of.iter().for_each(|at| write!(text, ",{:.6}", columns[*at][n]).unwrap());
+        text.push('\n');
+    }
+    text
+}
+
+/// A drive with two equal time constants [s] after two cycles, as a file; its standard errors are a part of the magnitude.
+fn drive(time_constant: f64, error: f64) -> String {
+    let mut text = "# averages: 8\nf [Hz],re,im,se\n".to_owned();
+    for k in 1..1024_u32 {
+        let w = TAU * f64::from(k) * 0.2442;
+        let (size, angle) =
+            (1.0 / (1.0 + (w * time_constant).powi(2)), -2.0 * (w * time_constant).atan() - w * 2.0 * CYCLE);
+        let (re, im) = (size * angle.cos(), size * angle.sin());
+        writeln!(text, "{:.6},{re},{im},{}", f64::from(k) * 0.2442, error * size).unwrap();
+    }
+    text
+}
+
+struct Run {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+fn axgen(folder: &TempDir, arguments: &[&str]) -> Run {
+    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder.path()).args(arguments).output().unwrap();
+    let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
+    Run { code: output.status.code().unwrap(), out, err }
+}
+
+/// A folder with the set, and recordings.
+fn folder(files: &[(&str, &str)]) -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |(name, text): &(&str, &str)| fs::write(folder.path().join(name), text).unwrap();
+    files.iter().chain(&[("set.toml", SET)]).for_each(write);
+    folder
+}
+
+fn tune(folder: &TempDir, more: &[&str]) -> Run {
+    axgen(folder, &[&["tune", "set.toml", "--axis", "X", "--recording", "moves.csv"], more].concat())
+}
+
+fn json(run: &Run) -> Value {
+    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err))
+}
+
+fn number(value: &Value, key: &str) -> f64 {
+    value[key].as_f64().unwrap_or_else(|| panic!("{key} of {value:#}"))
+}
+
+/// The stages of a proposal as keys of a set.
+fn set_with(proposal: &Value) -> String {
+    let mut text = SET.to_owned();
+    for stage in proposal["stages"].as_array().unwrap() {
+        let allpass = match &stage["allpass"] {
+            Value::Null => String::new(),
+            of => format!(", {{ type = \"ALLPASS\", fg_f0 = {}, q_factor = {} }}", of["f0"], of["q"]),
+        };
+        let damping = stage["damping"].as_f64().map_or_else(String::new, |of| format!(", damping = {of}"));
+        write!(
+            text,
+            "[[axis.X.lr_param.improved_position_control.stage]]\nmode = {}\nweight_fact_num = {:.0}\n\
+             weight_fact_denom = 1000\nfilter = [{{ order = {}, prototype = {}, fg_f0 = {}, q_factor = {}{damping} }}{allpass}]\n",
+            stage["mode"],
+            number(stage, "weight") * 1000.0,
+            stage["order"],
+            stage["prototype"],
+            stage["f0"],
+            stage["q"],
+        )
+        .unwrap();
+    }
+    text
+}
+
+/// A row of the table of `simulate`.
+fn row(text: &str, name: &str) -> Vec<f64> {
+    let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
+    let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));
+    row.split_whitespace().map(|cell| cell.parse().unwrap_or_else(|_| panic!("{name}: {cell}"))).collect()
+}
+
+#[test]
+fn proposals_for_the_demonstration_plant() {
+    let folder = folder(&[("moves.csv", &csv(&moves(), &OF_MOVES)), ("excited.csv", &csv(&excited(), &OF_EXCITED))]);
+    let run = tune(&folder, &["--excited", "excited.csv"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    eprintln!("{}{}", run.out, run.err);
+    for part in
+        ["recommended\n", "strong\n", "cautious\n", "enters at the motor", "stage[0] DIRECT from v_motor", "Kv 20/s"]
+    {
+        assert!(run.out.contains(part), "{part}: {}", run.out);
+    }
+    let machine = tune(&folder, &["--excited", "excited.csv", "--json"]);
+    assert_eq!(machine.out, tune(&folder, &["--excited", "excited.csv", "--json"]).out, "the same bytes twice");
+    let found = json(&machine);
+    assert_eq!(found["axis"], "X");
+    assert_eq!(found["refused"], Value::Array(Vec::new()));
+    // What is left at most of 53 Hz, 11 Hz, the ring-down, and the largest |S|: the definition's figures and a few percent.
+    let expected = [
+        ("recommended", [0.41, 0.29, 0.365, 2.1], [1.76, 2.0, 2.0, 2.0]),
+        ("strong", [0.37, 0.26, 0.29, 2.2], [2.0; 4]),
+        ("cautious", [0.66, 0.57, 0.66, 1.5], [1.4; 4]),
+    ];
+    let proposals = found["proposals"].as_array().unwrap();
+    assert_eq!(proposals.len(), 3, "{found:#}");
+    for (proposal, (kind, left, most)) in proposals.iter().zip(expected) {
+        let predicted = [
+            number(&proposal["residuals"][0], "ratio"),
+            number(&proposal["residuals"][1], "ratio"),
+            number(proposal, "ring_down"),
+            number(proposal, "following_error_ratio"),
+        ];
+        let ms = [&proposal["ms"], &proposal["ms_half_cycle"], &proposal["ms_load"][0], &proposal["ms_load"][1]];
+        let ms = ms.map(|ms| ms.as_f64().unwrap());
+        assert_eq!(proposal["kind"], kind);
+        assert!(predicted.iter().zip(left).all(|(found, most)| *found <= most), "{kind}: {predicted:?}");
+        assert!(ms.iter().zip(most).all(|(found, most)| *found <= most * 1.005), "{kind}: {ms:?}");
+        assert!((1e3..1e5).contains(&number(proposal, "peak_v_add")), "{proposal:#}");
+        fs::write(folder.path().join("with.toml"), set_with(proposal)).unwrap();
+        let truth = axgen(&folder, &["simulate", "with.toml", "--plant", "demonstration"]);
+        assert_eq!(truth.code, 0, "{}{}{}", truth.out, truth.err, set_with(proposal));
+        let [off, on] = ["off", "all"].map(|name| row(&truth.out, name));
+        for (column, predicted) in predicted.iter().take(3).enumerate() {
+            let true_ratio = on[column] / off[column];
+            assert!(
+                (predicted / true_ratio - 1.0).abs() < 0.07,
+                "{kind}, column {column}: {predicted}, in truth {true_ratio}"
+            );
+        }
+        assert!((number(proposal, "peak_v_add") / on[4] - 1.0).abs() < 0.1, "{kind}: {proposal:#}\n{}", truth.out);
+        assert!(on[5] <= 2.0 && (ms[0] / on[5] - 1.0).abs() < 0.05, "{kind}: {ms:?}, in truth {}", on[5]);
+    }
+}
+
+/// A code, and that no stage is proposed.
+fn assert_refused(what: &str, folder: &TempDir, more: &[&str], expected: &str) {
+    let run = tune(folder, more);
+    assert!(run.code == 1 && run.err.contains(&format!("error[{expected}]")), "{what}: {}{}", run.out, run.err);
+    let found = json(&tune(folder, &[more, &["--json"]].concat()));
+    assert_eq!(found["proposals"], Value::Array(Vec::new()), "{what}");
+    let refused = found["refused"].as_array().unwrap();
+    assert!(refused.iter().any(|of| of["code"] == expected), "{what}: {found:#}");
+}
+
+#[test]
+fn first_stages_without_a_response() {
+    let folder = folder(&[("moves.csv", &csv(&moves(), &OF_MOVES))]);
+    let run = tune(&folder, &[]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert!(run.err.contains("[AX521]") && run.err.contains("[AX514]"), "{}", run.err);
+    assert!(
+        run.out.contains("side unknown") && run.out.contains("measure next: an excitation 12x2 of 2 mm/s"),
+        "{}",
+        run.out
+    );
+    let found = json(&tune(&folder, &["--json"]));
+    let first = &found["proposals"][0];
+    assert!(first["kind"] == "first" && first["ms"].is_null() && found["proposals"].as_array().unwrap().len() == 1);
+    fs::write(folder.path().join("with.toml"), set_with(first)).unwrap();
+    let truth = axgen(&folder, &["simulate", "with.toml", "--plant", "demonstration"]);
+    let [off, on] = ["off", "all"].map(|name| row(&truth.out, name));
+    assert!(on[5] < 1.4 && on[0] < off[0] && on[1] < off[1], "{}", truth.out);
+}
+
+/// The ratio of the sensor to the motor is another one than in the excitation: the load makes the line.
+#[test]
+fn what_enters_at_the_load_gets_no_stage() {
+    let mut at_load = moves();
+    let is_driving: Vec<bool> = at_load[2].iter().map(|v| v.abs() > 1e5).collect();
+    let line = |(n, drives): (usize, &bool)| if *drives { (TAU * 53.0 * n as f64 * CYCLE).sin() } else { 0.0 };
+    at_load[A_LOAD] = is_driving.iter().enumerate().map(line).collect();
+    let excited = csv(&excited(), &OF_EXCITED);
+    let folder = folder(&[("moves.csv", &csv(&at_load, &OF_MOVES)), ("excited.csv", &excited)]);
+    let run = tune(&folder, &["--excited", "excited.csv"]);
+    assert!(run.err.contains("[AX516]") && run.err.contains("53.0 Hz: enters at the load"), "{}{}", run.out, run.err);
+    assert_refused("load", &folder, &["--excited", "excited.csv"], "AX519");
+    // A drive with hardly any response at 53 Hz: no weight helps.
+    fs::write(folder.path().join("slow.csv"), drive(0.15, 1e-3)).unwrap();
+    fs::write(folder.path().join("set.toml"), SET.replace(", kv = 2000", "")).unwrap();
+    let run = tune(&folder, &["--response", "slow.csv"]);
+    assert!(
+        run.code == 0 && run.err.contains("[AX520]") && run.out.contains("strong: hardly useful"),
+        "{}{}",
+        run.out,
+        run.err
+    );
+    assert!(run.out.contains("Kv is not in the set: the position loop counts as open"), "{}", run.out);
+    // A response of the set counts too; this one is too uncertain.
+    fs::write(folder.path().join("vague.csv"), drive(0.003, 0.3)).unwrap();
+    fs::write(folder.path().join("set.toml"), SET.replace("kopf", "drive.response = \"vague.csv\"\nkopf")).unwrap();
+    assert_refused("uncertain", &folder, &[], "AX512");
+}
+
+#[test]
+fn recordings_that_allow_no_proposal() {
+    let text = csv(&moves(), &OF_MOVES);
+    let lines: Vec<&str> = text.lines().collect();
+    let of = |to: usize| lines[..to].join("\n");
+    let folder = folder(&[("moves.csv", &of(250))]);
+    assert_refused("at rest", &folder, &[], "AX503");
+    let write = |text: &str| fs::write(folder.path().join("moves.csv"), text).unwrap();
+    write(&of(1500));
+    assert_refused("ends while it moves", &folder, &[], "AX518");
+    write(&text);
+    fs::write(folder.path().join("set.toml"), SET.replace("1ms", "2ms")).unwrap();
+    assert_refused("another cycle", &folder, &[], "AX517");
+    fs::write(folder.path().join("set.toml"), SET).unwrap();
+    let mut still = moves();
+    still[A_LOAD].iter_mut().for_each(|a| *a = 0.0);
+    write(&csv(&still, &[0, V_MOTOR, A_LOAD]).replace("v_motor [um/s]", "v_add [um/s]"));
+    assert_refused("stages acted", &folder, &[], "AX511");
+    write(&csv(&still, &[0, A_LOAD]));
+    assert_refused("no v_motor", &folder, &[], "AX515");
+    let missing = axgen(&folder, &["tune", "set.toml", "--axis", "X"]);
+    assert!(missing.code == 2 && missing.err.contains("--recording"), "{}", missing.err);
+}

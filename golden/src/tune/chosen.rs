@@ -1,0 +1,80 @@
+//! Which vibrations of a recording get a stage: those of the sensor that is nearest to the tool, the strongest first. No search.
+
+use crate::measure::{Measured, Verdict, Vibration, When};
+use generator::codes;
+use identification::figures;
+use identification::scenarios::MOST_STAGES;
+use identification::shape::Mode;
+use identification::source::Side;
+
+/// Channels by their nearness to the tool: the first group that shows a vibration counts.
+const NEAREST: [&[&str]; 3] = [&["a_load"], &["v_direct"], &["v_motor", "following_error"]];
+/// Frequencies that are one, as a part: the same stage damps both.
+const SAME: f64 = 0.05;
+
+/// A vibration that gets a stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chosen {
+    /// [Hz]
+    pub hz: f64,
+    pub when: figures::When,
+    /// none: it is forced
+    pub damping: Option<f64>,
+    pub channel: &'static str,
+    /// none: unknown
+    pub source: Option<Side>,
+    /// DIRECT where the velocity of the motor shows it
+    pub mode: Mode,
+}
+
+/// Chooses vibrations; says which ones get no stage.
+pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chosen> {
+    let of = |group: &&[&str]| moves.vibrations.iter().any(|of| group.contains(&of.channel) && when(of).is_some());
+    let Some(group) = NEAREST.iter().find(|group| of(group)) else { return Vec::new() };
+    let mut found: Vec<&Vibration> = moves.vibrations.iter().filter(|of| group.contains(&of.channel)).collect();
+    // Amplitudes of one channel only can be compared.
+    found.sort_by(|a, b| a.channel.cmp(b.channel).reverse().then(b.amplitude.total_cmp(&a.amplitude)));
+    let mut chosen: Vec<Chosen> = Vec::new();
+    let (mut at_load, mut beyond) = (Vec::new(), Vec::new());
+    for vibration in found {
+        let Some(when) = when(vibration) else { continue };
+        if chosen.iter().any(|known| is_same(known.hz, vibration.hz)) {
+            continue;
+        }
+        if vibration.source == Some(Side::Load) {
+            at_load.push(vibration.hz);
+        } else if chosen.len() == MOST_STAGES {
+            beyond.push(vibration.hz);
+        } else {
+            let is_seen = |of: &&Vibration| of.channel == "v_motor" && is_same(of.hz, vibration.hz);
+            let mode = if moves.vibrations.iter().any(|of| is_seen(&of)) { Mode::Direct } else { Mode::Indirect };
+            let Vibration { hz, channel, source, .. } = *vibration;
+            let damping = vibration.damping.map(|[damping, _]| damping);
+            chosen.push(Chosen { hz, when, damping, channel, source, mode });
+        }
+    }
+    let instead = "a stage at the motor cannot damp it: look for its cause at the load";
+    say(&at_load, "enters at the load: no stage is proposed", instead, verdicts);
+    say(&beyond, "weaker than the three that get a stage", "damp it in another way, if it matters", verdicts);
+    chosen
+}
+
+fn say(all: &[f64], what: &str, instead: &'static str, verdicts: &mut Vec<Verdict>) {
+    if !all.is_empty() {
+        let all: Vec<String> = all.iter().map(|hz| format!("{hz:.1} Hz")).collect();
+        verdicts.push(Verdict::note(codes::WITHOUT_STAGE, format!("{}: {what}", all.join(", ")), instead));
+    }
+}
+
+/// When it is judged; none: it was excited.
+fn when(of: &Vibration) -> Option<figures::When> {
+    match of.when {
+        When::Driving => Some(figures::When::Driving),
+        When::Ramps => Some(figures::When::Ramps),
+        When::Excited => None,
+    }
+}
+
+fn is_same(a: f64, b: f64) -> bool {
+    libm::fabs(a / b - 1.0) < SAME
+}

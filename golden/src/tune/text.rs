@@ -1,0 +1,93 @@
+//! Proposals for people.
+
+use super::{Chosen, Kind, Predicted, Proposal, Stage, Tuning};
+use crate::measure::text::side_word;
+use identification::excitation::{AMPLITUDE, Excitation, LEAST_SPEED, PERIODS, Sequence};
+use identification::figures::When;
+use identification::shape::Mode;
+use std::fmt::Write;
+
+/// The report.
+#[must_use]
+pub fn report(tuning: &Tuning, axis: &str) -> String {
+    let kv = tuning
+        .position_gain
+        .map_or_else(|| "Kv is not in the set: the position loop counts as open".to_owned(), |kv| format!("Kv {kv}/s"));
+    let mut text = format!("axis {axis}: cycle {} ms, {kv}\n", tuning.cycle_time * 1e3);
+    tuning.chosen.iter().for_each(|chosen| text += &of_chosen(chosen));
+    tuning.proposals.iter().for_each(|proposal| text += &of_proposal(tuning, proposal));
+    if tuning.proposals.iter().any(|proposal| proposal.kind == Kind::First) {
+        text += &next(tuning);
+    }
+    text
+}
+
+fn of_chosen(chosen: &Chosen) -> String {
+    let when = match chosen.when {
+        When::Driving => "while driving",
+        When::Ramps => "after ramps",
+    };
+    let side = chosen.source.map_or("side unknown".to_owned(), |side| format!("enters at the {}", side_word(side)));
+    format!("  {:.2} Hz, {} {when}, {side}\n", chosen.hz, chosen.channel)
+}
+
+fn of_proposal(tuning: &Tuning, proposal: &Proposal) -> String {
+    let mut text = format!("{}\n", proposal.kind.word());
+    let useless = proposal.predicted.as_ref().is_some_and(|predicted| predicted.is_useless);
+    if useless {
+        text = format!("{}: hardly useful\n", proposal.kind.word());
+    }
+    for (index, stage) in proposal.stages.iter().enumerate() {
+        let _ = writeln!(text, "  stage[{index}] {}", of_stage(stage));
+    }
+    proposal.predicted.iter().for_each(|predicted| text += &of_prediction(tuning, predicted));
+    text
+}
+
+fn of_stage(Stage { shape, weight_fact_num }: &Stage) -> String {
+    let mode = match shape.mode {
+        Mode::Direct => "DIRECT from v_motor".to_owned(),
+        Mode::Indirect => format!("INDIRECT from v_motor, damping {}", shape.damping),
+    };
+    let allpass = shape.allpass.map_or_else(String::new, |of| format!(", all-pass f0 {} Hz Q {}", of.f0, of.q));
+    format!(
+        "{mode}, f0 {} Hz, Q {}{allpass}, weight {weight_fact_num}/{}",
+        shape.f0,
+        shape.q,
+        super::stage::DENOMINATOR
+    )
+}
+
+fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
+    let left =
+        tuning.chosen.iter().zip(&of.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
+    let ring = of.ring_down.map(|ring| format!("{ring:.2} of the ring-down"));
+    let left: Vec<String> = left.chain(ring).collect();
+    let error = of.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
+    let [ms, later, less, more] = of.ms;
+    format!(
+        "  left: {}\n  following error {error}, peak v_add {:.0}\n  \
+         Ms {ms:.2}; half a cycle later {later:.2}; load -15 % {less:.2}, +15 % {more:.2}\n",
+        left.join(", "),
+        of.peak_v_add
+    )
+}
+
+/// What to measure where no response is known. The lines are near enough for the narrowest vibration whose damping is known.
+fn next(tuning: &Tuning) -> String {
+    let damped = tuning.chosen.iter().filter_map(|chosen| Some((chosen.hz, chosen.damping?)));
+    let narrowest = damped.min_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)));
+    let sequence = match narrowest {
+        Some((hz, damping)) => Sequence::for_vibration(tuning.cycle_time, hz, damping),
+        None => Sequence::for_cycle(tuning.cycle_time),
+    };
+    let excitation = Excitation { sequence, cycle_time: tuning.cycle_time, amplitude: AMPLITUDE, periods: PERIODS };
+    format!(
+        "measure next: an excitation {}x{} of {} mm/s, {PERIODS} periods, {:.1} s, at a constant speed of at least {} mm/s\n",
+        sequence.bits(),
+        sequence.clock(),
+        AMPLITUDE * 1e3,
+        excitation.duration(),
+        AMPLITUDE * LEAST_SPEED * 1e3
+    )
+}
