@@ -2,7 +2,7 @@
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite};
 use crate::target::st::enumeration::{Enumeration, enumerations};
-use crate::target::st::{listing::set_name, real_types, self_test};
+use crate::target::st::{block_names, listing::set_name, real_types, self_test};
 use crate::target::{self, File, Unit};
 use askama::Template;
 
@@ -47,7 +47,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
         let name = &format!("E_axgen_{}", of.signal);
         rendered(DUTS, &format!("{name}.TcDUT"), &TcEnum { id: guid("DUT", name), name, of })
     };
-    let mut files: Vec<File> = enumerations(units).iter().map(enumeration).collect();
+    let mut files: Vec<File> = enumerations(block_names(units)).iter().map(enumeration).collect();
     for real in real_types(units) {
         let function = in_range(real);
         files.push(rendered(POUS, &format!("{}.TcPOU", function.name), &function));
