@@ -21,6 +21,7 @@ use crate::measure::{Measured, Record, Verdict};
 use generator::blocks::Designed;
 use generator::codes;
 use identification::response::Lines;
+use identification::segments;
 use portable::Extreme;
 
 /// Intervals that are equal, as a part.
@@ -81,7 +82,7 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
         tuning.verdicts.push(Verdict::refusal(codes::NO_PROPOSAL, found, instead));
         return tuning;
     }
-    let of = proposal::Task { axis, record, ramps: ramps(moves), chosen: &tuning.chosen };
+    let of = proposal::Task { axis, record, ramps: segments::ramps(&moves.segments).collect(), chosen: &tuning.chosen };
     tuning.proposals = match lines {
         Some(lines) => of.proposals(&lines, &mut tuning.verdicts),
         None => of.first(&mut tuning.verdicts),
@@ -114,11 +115,4 @@ fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool
         refuse(codes::NOT_AT_REST, found, "record from rest to rest");
     }
     tuning.verdicts.is_empty()
-}
-
-/// The samples of each ramp.
-fn ramps(moves: &Measured) -> Vec<std::ops::Range<usize>> {
-    let is_ramp =
-        |segment: &&identification::segments::Segment| segment.kind == identification::segments::Kind::Accelerating;
-    moves.segments.iter().filter(is_ramp).map(|segment| segment.samples.clone()).collect()
 }
