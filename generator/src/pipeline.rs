@@ -112,10 +112,9 @@ fn design(
         return (None, report);
     };
     let mut designed = axis.map(Designed::from);
-    if let Some(designed) = &mut designed {
-        if designed.axis.ipc.is_active() || purpose == Purpose::Tune {
-            designed.axis.drive.response = drive_response::read(designed, values, (set, load), &mut effective);
-        }
+    let has_drive = |designed: &&mut Designed| purpose == Purpose::Tune || designed.axis.ipc.is_active();
+    if let Some(designed) = designed.as_mut().filter(has_drive) {
+        designed.axis.drive.response = drive_response::read(designed, values, (set, load), &mut effective);
     }
     if let Some(designed) = &designed {
         feasibility::validate(designed, gear, &mut effective);

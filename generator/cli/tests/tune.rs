@@ -55,7 +55,8 @@ fn moves() -> Columns {
     recorded(&planned.x, &planned.v, &vec![0.0; planned.x.len()])
 }
 
-/// Excited with 5 mm/s while it moves at 20 mm/s: a register of 11 bits, clocks of 2 cycles, 8 periods; noise of 0.3 mm/s on the motor.
+/// Excited with 5 mm/s while it moves at 20 mm/s: a register of 11 bits, clocks of 2 cycles, 8 periods. The velocity of the
+/// motor has noise of 0.3 mm/s.
 fn excited() -> Columns {
     let (mut register, mut signs) = (0x7ff_u32, Vec::new());
     for _ in 0..2047 {

@@ -93,8 +93,8 @@ fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
     curve
 }
 
-/// What a stage adds to what it looks at, with its weight and its sign, by the coefficients that a block has of it at a cycle time T [s]: a
-/// function of t = tan(pi f T).
+/// The response from what a stage looks at to what it adds, with its weight and its sign, by the coefficients that a block has
+/// at a cycle time T [s]: a function of t = tan(pi f T).
 pub fn of_stage(stage: &Stage, cycle_time: f64) -> impl Fn(f64) -> Complex64 + use<> {
     let coeffs = stage::stage(0, stage, cycle_time).coeffs;
     move |t| response::of_stage(&coeffs, t)
