@@ -1,7 +1,7 @@
 //! The semantic diff: what a change between two sets means for the machine, in Hz, dB, degrees and seconds. No file is read here.
 //!
 //! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written. A weight that is
-//! capped is told all the same.
+//! capped is reported as well.
 
 use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, Designed, Value};

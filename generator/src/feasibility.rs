@@ -30,7 +30,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// A scaling whose product with the largest sample in range is no number of the axis's real type.
+/// A scaling whose product with the largest sample in range is not a number of the axis's real type.
 fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let (sample, largest) = (sample_limit(designed.axis.real), largest(designed.axis.real));
     let Some(feedforward) = &designed.axis.control.feedforward else { return };

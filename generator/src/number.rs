@@ -7,7 +7,7 @@ pub(crate) fn pair(old: f64, new: f64, digits: usize) -> String {
     apart.join(" -> ")
 }
 
-/// A number with so many significant digits, no trailing zeros.
+/// A number with N significant digits, no trailing zeros.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
     let Some((mantissa, exponent)) = text.split_once('e') else { return text };
@@ -26,7 +26,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A number with so many decimals at the most, no trailing zeros, no -0.
+/// A number with N decimals at the most, no trailing zeros, no -0.
 pub(crate) fn decimals(value: f64, decimals: usize) -> String {
     let rounded: f64 = format!("{value:.decimals$}").parse().expect("number: a formatted number is a number");
     format!("{}", rounded + 0.0)
@@ -55,12 +55,12 @@ pub(crate) fn rounded(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// Rounded down to so many significant digits: a limit of which the next number up would be too much.
+/// Rounded down to N significant digits: a limit of which the next number up would be too much.
 pub(crate) fn down_to(value: f64, digits: i32) -> String {
     if value <= 0.0 {
         return "0".to_owned();
     }
     let unit = libm::pow(10.0, libm::floor(libm::log10(value)) + 1.0 - f64::from(digits));
-    // 0.3 is no multiple of 0.1 in binary.
+    // 0.3 is not a multiple of 0.1 in binary.
     significant(libm::floor(value / unit + 1e-9) * unit, digits.unsigned_abs() as usize)
 }

@@ -213,7 +213,7 @@ fn members(block: &Block, language: &Language) -> Vec<(String, Literal)> {
     let program = &block.own.program;
     let [names, _] = signals(program, language);
     let all = program.inputs.iter().zip(names).filter(|(input, _)| program.in_set(input).is_some());
-    // A caller writes it behind the name of the set.
+    // A caller writes it after the name of the set.
     all.map(|(input, name)| (name.rsplit('.').next().unwrap_or_default().to_owned(), input.start)).collect()
 }
 

@@ -17,7 +17,7 @@ use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 pub struct Judgement {
     /// why the block does not take it over; none: it does
     pub refused: Option<Refusal>,
-    /// what the new version changes beside the numbers of a set, in words: the block goes on without it
+    /// what the new version changes next to the numbers of a set, in words: the block goes on without it
     pub left: Vec<String>,
 }
 
@@ -144,7 +144,7 @@ fn parts(stage: &Stage) -> String {
     stage.mode.text() + &stage.filter.iter().map(filter).collect::<String>()
 }
 
-/// What a block has beside its structure and the numbers of a set.
+/// What a block has next to its structure and the numbers of a set.
 fn beside(of: &Designed) -> Vec<(String, Value)> {
     let ipc = &of.axis.ipc;
     vec![

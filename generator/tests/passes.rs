@@ -175,7 +175,7 @@ fn an_assignment_that_nothing_reads_goes() {
     let step = run("live", program(2, vec![inner, assign(S, X)])).unwrap().step;
     let expected = choose(vec![assign(Var::Local(0), X), assign(Y, local(0))], vec![assign(Y, X)]);
     assert_eq!(step, [expected, assign(S, X)]);
-    // What is read behind the branches stays in both of them.
+    // What is read after the branches stays in both of them.
     let both =
         vec![choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(0.0))]), assign(Y, local(0))];
     assert_eq!(run("live", program(1, both.clone())).unwrap().step, both);
@@ -228,7 +228,7 @@ fn a_known_question_is_not_asked_again() {
         after(vec![if_(both.clone(), vec![assign(Y, X)], vec![chain])]),
         [if_(both, vec![assign(Y, X)], vec![expected])]
     );
-    // !(x < 1) is not x >= 1 where x is no number: the other comparison stays a question.
+    // !(x < 1) is not x >= 1 where x is not a number: the other comparison stays a question.
     let high = binary(Binary::GreaterEqual, X, real(1.0));
     let step = vec![if_(low, vec![assign(Y, X)], vec![if_(high, vec![assign(Y, X)], vec![assign(Y, real(0.0))])])];
     assert_eq!(after(step.clone()), step);
@@ -359,7 +359,7 @@ fn what_is_known_is_written_before_branches_that_have_nothing_to_do_with_it() {
     let branch = || choose(vec![assign(S, X)], vec![assign(S, real(0.0))]);
     let step = vec![branch(), assign(Y, X)];
     assert_eq!(legal("early", program(0, step)).step, [assign(Y, X), branch()]);
-    // What the branches write or ask for stays behind them.
+    // What the branches write or ask for stays after them.
     let computed =
         vec![choose(vec![assign(Var::Local(0), X)], vec![assign(Var::Local(0), real(0.0))]), assign(Y, local(0))];
     assert_eq!(legal("early", program(1, computed.clone())).step, computed);

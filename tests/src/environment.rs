@@ -70,7 +70,7 @@ pub fn has_fma() -> bool {
 }
 
 /// The program axgen, built as the tests are: the one that `AXGEN` names, as `tests/run` does, else built here. Cargo builds it otherwise for
-/// itself than beside all tests, whose packages ask for more features of the same libraries, and takes a minute or two for it.
+/// itself than next to all tests, whose packages ask for more features of the same libraries, and takes a minute or two for it.
 ///
 /// # Panics
 /// If it does not build.

@@ -26,7 +26,7 @@ pub struct Margins {
 }
 
 /// Margins of a plant with improved position control, which adds to a position controller that gets no command; the closure has its fade
-/// behind it, and is at rest.
+/// after it, and is at rest.
 ///
 /// # Panics
 /// If L never reaches a phase of -180 degrees.

@@ -1,5 +1,5 @@
 //! What designed blocks do in operation: at a constant velocity over a grid of designs, and with their states over all
-//! golden cases. What does not need a design is tested beside the reference.
+//! golden cases. What does not need a design is tested next to the reference.
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::by_depth;
@@ -16,7 +16,7 @@ const DIRECT: Mode = Mode::Direct { source: DirectSource::Motor };
 /// Centre frequencies at 1 ms, from a millionth to 0.45 of the sampling frequency [Hz].
 const FREQUENCIES: [f64; 9] = [0.001, 0.01, 0.1, 1.0, 11.0, 53.0, 160.0, 300.0, 450.0];
 
-/// Not the last bit, whatever stands behind the band-pass.
+/// Not the last bit, whatever stands after the band-pass.
 #[test]
 fn a_constant_velocity_gives_exactly_0_where_a_band_pass_comes_first() {
     for (band_pass, all_pass) in filters() {

@@ -1,5 +1,5 @@
 //! Blocks that are not called once in each cycle: what a wrong rate makes of improved position control where nobody looks, after how many
-//! cycles it is a fault where the axis has the key `cycle_counter`, and what a block does behind a pause.
+//! cycles it is a fault where the axis has the key `cycle_counter`, and what a block does after a pause.
 
 use axgen_tests::model::calls::Calls;
 use axgen_tests::model::subject;
@@ -248,7 +248,7 @@ fn usual_calls_are_like_any() {
     }
 }
 
-/// A drive that gets a position: behind a pause the delay of the position begins at the present one.
+/// A drive that gets a position: after a pause the delay of the position begins at the present one.
 #[test]
 fn position_control_starts_anew_behind_a_pause() {
     let designed = read(
@@ -258,7 +258,7 @@ fn position_control_starts_anew_behind_a_pause() {
     for cycle in (1..300).chain(304..400) {
         (block.inputs.x_command, block.inputs.cycle_counter) = (1000.0 * f64::from(cycle), cycle);
         let outputs = block.call();
-        // Three cycles later than the command (P-AXIS-00165); at first, and behind the pause, the oldest position that there is.
+        // Three cycles later than the command (P-AXIS-00165); at first, and after the pause, the oldest position that there is.
         let oldest = if cycle < 304 { 1 } else { 304 };
         let x = 1000.0 * f64::from(cycle.saturating_sub(3).max(oldest));
         assert_eq!((outputs.fault, outputs.x_drive), (false, x), "cycle {cycle}");

@@ -1,5 +1,5 @@
-//! States that something else has overwritten, in double and in single precision: what is no number is a fault with an id and a fresh start, anything else
-//! decays; the limit holds all the while.
+//! States that something else has overwritten, in double and in single precision: what is not a number is a fault with an id
+//! and a fresh start, anything else decays; the limit holds all the while.
 
 use axgen_tests::environment::by_depth;
 use axgen_tests::model::subject;
@@ -16,7 +16,7 @@ use std::f64::consts::{PI, TAU};
 const CYCLE: f64 = 0.001;
 /// The slowest section: 20 Hz, Q 5.
 const TIME_CONSTANT: f64 = 5.0 / (PI * 20.0);
-/// Cycles before the state is overwritten, and behind it until nothing of it may be left.
+/// Cycles before the state is overwritten, and after it until nothing of it may be left.
 const BEFORE: usize = 300;
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few thousand")]
 const LASTS: usize = (10.0 * TIME_CONSTANT / CYCLE) as usize;
@@ -43,7 +43,7 @@ filter = [{{ type = 'ALLPASS', fg_f0 = 30.0, q_factor = 2.0 }}, {{ type = 'BANDP
 /// round. Gives whether it is a number then.
 fn disturb<R: Real>(state: &ipc::State<R>, rng: &mut Rng) -> (ipc::State<R>, bool) {
     let mut all = leaves(state);
-    // A real that is 0 behind a vibration belongs to a section that the axis does not have.
+    // A real that is 0 after a vibration belongs to a section that the axis does not have.
     let is_used = |of: &Literal| match of {
         Literal::F64(value) => *value != 0.0,
         Literal::F32(value) => *value != 0.0,
@@ -106,8 +106,8 @@ where
             left = left.max((disturbed - undisturbed).abs());
         }
     }
-    // A state reaches the sum through at most two sections of two states, and the fault comes in the cycle behind. A part that is tuned is
-    // found before it is used, and moves back to its input.
+    // A state reaches the sum through at most two sections of two states, and the fault comes in the cycle after. A part
+    // that is tuned is found before it is used, and moves back to its input.
     assert!(is_number || coeffs.tuning.active || fault.is_some_and(|cycles| cycles <= 6), "seed {seed}: {fault:?}");
     assert!(left <= LEFT * peak, "seed {seed}: fault {fault:?}, {left} of {peak} is left");
     fault.is_some()

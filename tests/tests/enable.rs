@@ -155,7 +155,7 @@ fn what_is_no_fault_is_a_notice() {
     });
 }
 
-/// Of each golden case that can have a notice: it never stands beside an error, and an error never without Error.
+/// Of each golden case that can have a notice: it never stands next to an error, and an error never without Error.
 #[test]
 fn a_notice_and_an_error_exclude_each_other() {
     let mut seen = Vec::new();

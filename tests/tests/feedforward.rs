@@ -125,7 +125,7 @@ fn the_jerk_leaves_what_the_second_order_of_drive_and_hold_leaves() {
             let g2 = of_drive + t * ts / 2.0 + ts * ts / 6.0;
             let expected = JERK.jerk * (TA * TA - g2 - f64::from(percent) / 100.0 * TA * TA) / KV;
             // The hold's sawtooth of a Ts, integrated, is a parabola in x_actual which the samples meet at a fixed place: at most
-            // a Ts^2/12 from its mean, less behind a lag. While the acceleration grows, that is a velocity of j Ts^2/12.
+            // a Ts^2/12 from its mean, less after a lag. While the acceleration grows, that is a velocity of j Ts^2/12.
             let allowed = JERK.jerk * ts * ts / 12.0 / KV + ROUNDING;
             assert_near(jerk_lag(cycle_ns, drive, percent), expected, allowed, (cycle_ns, drive, percent));
         }

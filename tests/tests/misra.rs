@@ -1,4 +1,5 @@
-//! The emitted C under MISRA C:2012, as cppcheck and its addon see it, beside the record in `docs/misra.md`; and under clang-tidy.
+//! The emitted C under MISRA C:2012, as cppcheck and its addon see it, next to the record in `docs/misra.md`; and under
+//! clang-tidy.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 

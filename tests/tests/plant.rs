@@ -24,7 +24,7 @@ const PARAMETERS: &str = "lr_param.improved_position_control.";
 const NO_DIRECT: (&str, &str) = ("stage[0].mode", "NOT_ACTIVE");
 const NO_INDIRECT: (&str, &str) = ("stage[1].mode", "NOT_ACTIVE");
 
-/// The block of the shipped example, its fade behind it.
+/// The block of the shipped example, its fade after it.
 fn example(changes: Changes<'_>, cycle_time: &str) -> Subject {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/rack-and-pinion.lis");
     let mut text = fs::read_to_string(path).unwrap();

@@ -1,4 +1,4 @@
-//! The schema of a set beside `check`: it takes what `check` takes, and refuses what the place of a value alone tells. A third
+//! The schema of a set next to `check`: it takes what `check` takes, and refuses what the place of a value alone tells. A third
 //! party's validator judges.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
@@ -30,7 +30,7 @@ fn mistakes(validator: &Validator, set: &str) -> Vec<String> {
     validator.iter_errors(&json(set)).map(|error| format!("{}: {error}", error.instance_path())).collect()
 }
 
-/// What `check` says about a set without files beside it.
+/// What `check` says about a set without files next to it.
 fn checked(set: &str) -> Report {
     let load = |path: &Path| match path == Path::new("set.toml") {
         true => Ok(set.as_bytes().to_vec()),

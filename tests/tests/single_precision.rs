@@ -14,10 +14,11 @@ use std::io::Write as _;
 const F0_TS: [f64; 11] = [6e-5, 2e-4, 7e-4, 2e-3, 5e-3, 1e-2, 0.03, 0.1, 0.25, 0.35, 0.45];
 /// What every cell has to keep [dB].
 const LEAST: f64 = 92.0;
-/// A vibration whose period is no whole number of cycles, as a part of f0. At f0 itself the period is one at most f0 Ts here: then the
-/// roundings repeat with it, and more of them falls into the band than of the white noise that the certificate takes them for.
+/// A vibration whose period is not a whole number of cycles, as a part of f0. At f0 itself the period is one at most f0 Ts
+/// here: then the roundings repeat with it, and more of them falls into the band than of the white noise that the
+/// certificate takes them for.
 const BESIDE: f64 = 1.000_618_034;
-/// What a ratio beside f0 may be below the stated one [dB].
+/// What a ratio next to f0 may be below the stated one [dB].
 const TOLERANCE: f64 = 1.0;
 
 /// Every prototype and order at every f0 Ts.
@@ -42,7 +43,7 @@ fn bandpasses() -> Vec<Cell> {
     cells
 }
 
-/// A band-pass behind an all-pass and behind the simulated oscillation.
+/// A band-pass after an all-pass and after the simulated oscillation.
 fn behind_others() -> Vec<Cell> {
     let others = [
         Before::Allpass(0.781, 2.0),
@@ -58,7 +59,7 @@ fn behind_others() -> Vec<Cell> {
     F0_TS.into_iter().flat_map(each).collect()
 }
 
-/// Runs the cells, with the vibration at f0 and beside it; prints the lowest ratios for each f0 Ts.
+/// Runs the cells, with the vibration at f0 and next to it; prints the lowest ratios for each f0 Ts.
 fn run(name: &str, cells: &[Cell]) {
     let beside = cells.iter().map(|cell| Cell { vibration: BESIDE, ..*cell });
     let all: Vec<Cell> = cells.iter().copied().chain(beside).collect();

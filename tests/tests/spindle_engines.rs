@@ -95,7 +95,7 @@ fn signal(name: &str, of: &Inputs) -> Option<Literal> {
     })
 }
 
-/// Requests and answers without a machine behind them: every few cycles something new.
+/// Requests and answers without a machine after them: every few cycles something new.
 fn crowd(seed: u64, p: &Parameters) -> Vec<Inputs> {
     let mut rng = Rng::new(seed);
     let mut inputs = Inputs { drive_on: true, ..Inputs::START };

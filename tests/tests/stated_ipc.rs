@@ -57,7 +57,7 @@ fn a_swing_that_grows_below_the_limit_does_not_trip() {
     }
 }
 
-/// A sum that is a fault (error 3) is no vibration: it trips nothing, in whichever cycle it comes.
+/// A sum that is a fault (error 3) is not a vibration: it trips nothing, in whichever cycle it comes.
 #[test]
 fn a_fault_of_the_state_trips_nothing() {
     let run = |tunable: &str, blow: usize| {

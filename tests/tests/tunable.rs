@@ -175,7 +175,7 @@ fn has_held_and_acted(outputs: &Samples) {
     assert!(held > all / 20 && acted > all / 4, "{held} held, {acted} acted of {all}");
 }
 
-/// v_stage moves by at most |v_stage| / fade_cycles beside its own motion, whatever the input does (docs/improved-position-control.md).
+/// v_stage moves by at most |v_stage| / fade_cycles next to its own motion, whatever the input does (docs/improved-position-control.md).
 #[test]
 fn a_tuned_output_steps_no_further_than_its_ramp() {
     const FADE_CYCLES: f64 = 50.0;

@@ -31,9 +31,9 @@ const ABOVE: [f64; 2] = [200.0, 480.0];
 enum Way {
     /// the input of the block, which is written in steps
     Input,
-    /// a factor behind the block, along straight lines that last as long as the fade: what the weight itself causes
+    /// a factor after the block, along straight lines that last as long as the fade: what the weight itself causes
     Lines,
-    /// a factor behind the block, in steps
+    /// a factor after the block, in steps
     Jumps,
 }
 

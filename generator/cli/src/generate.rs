@@ -22,13 +22,13 @@ use std::path::{Path, PathBuf};
 /// Axes that are described one by one; of more, only their number is said.
 const DESCRIBED_AXES: usize = 10;
 
-/// What the command takes, beside the set.
+/// What the command takes, in addition to the set.
 pub struct Request {
     /// target languages; empty: the set's
     pub targets: Vec<String>,
     /// axes; empty: all
     pub axes: Vec<String>,
-    /// how many samples the runners have that are written beside the blocks; none: no runners
+    /// how many samples the runners have that are written next to the blocks; none: no runners
     pub runner: Option<usize>,
     /// the folder for the files
     pub out: PathBuf,

@@ -8,7 +8,7 @@ use generator::config::{self, ListOptions};
 use generator::import_export;
 use std::path::Path;
 
-/// What the command takes, beside the list.
+/// What the command takes, in addition to the list.
 pub struct Request<'r> {
     /// the cycle time of the set; none: the set has a line to fill in
     pub cycle_time: Option<String>,

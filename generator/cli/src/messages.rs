@@ -23,7 +23,7 @@ const WIDTH: usize = 100;
 /// Longer lines, in bytes, are not shown: nobody wrote them, and each message about one would cost as much as the line.
 const LONGEST: usize = 10_000;
 
-/// What some editors put before a text. It is no character of the first line.
+/// What some editors put before a text. It is not a character of the first line.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// The text of all messages.
@@ -132,7 +132,7 @@ fn around(line: &str, column: usize) -> (String, usize) {
     let part = |from: usize, count: usize| visible(&line.chars().skip(from).take(count).collect::<String>());
     let (dots, more) = (if start == 0 { "" } else { "..." }, line.chars().nth(start + WIDTH).is_some());
     let before = format!("{dots}{}", part(start, at - start));
-    // A place behind the end of the line is marked there.
+    // A place after the end of the line is marked there.
     let behind = at.saturating_sub(line.chars().count());
     let mark = before.chars().count() + behind;
     (format!("{before}{}{}", part(at, start + WIDTH - at), if more { "..." } else { "" }), mark)

@@ -55,7 +55,7 @@ pub fn write(out: Option<&Path>, bytes: &[u8], rule: Rule<'_>) -> Result<(), Exi
     }
 }
 
-/// Writes a file beside its place, where it is gone with what this gives.
+/// Writes a file next to its place, where it is gone with what this gives.
 pub fn stage<'p>(path: &'p Path, bytes: &[u8], rule: Rule<'p>) -> Result<Staged<'p>, Exit> {
     let one = write::stage_one(path, bytes, rule.replace).map_err(|error| rule.failed(path, &error))?;
     Ok(Staged { path, one, rule })

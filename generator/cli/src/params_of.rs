@@ -12,7 +12,7 @@ use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::params_of::{self, Form};
 use std::path::PathBuf;
 
-/// What the command takes, beside the set.
+/// What the command takes, in addition to the set.
 pub struct Request {
     /// the axis; none: the only one
     pub axis: Option<String>,

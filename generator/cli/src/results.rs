@@ -7,7 +7,7 @@ use serde_json::json;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Where results go, beside what is printed.
+/// Where results go, next to what is printed.
 #[derive(Args, Clone, Debug, Default)]
 pub struct Files {
     /// Writes the results as JUnit XML too

@@ -18,7 +18,7 @@ use golden::evidence;
 use golden::samples::{Samples, Shape};
 use std::path::{Path, PathBuf};
 
-/// What the command takes, beside the set.
+/// What the command takes, in addition to the set.
 pub struct Request {
     /// the axis; none: the only one
     pub axis: Option<String>,

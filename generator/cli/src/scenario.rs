@@ -17,7 +17,7 @@ use golden::scenario::{self, Mistake, Note, Options, Scenario, picture};
 use golden::svg;
 use std::path::{Path, PathBuf};
 
-/// What the command takes, beside the set.
+/// What the command takes, in addition to the set.
 pub struct Request {
     /// the axis; none: the only one
     pub axis: Option<String>,

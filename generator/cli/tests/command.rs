@@ -109,7 +109,7 @@ fn one_axis_alone() {
     assert_eq!((run.code, run.err.as_str()), (2, "--axis: error[AX012]: no axis `Q`\n    allowed: X, Y, C\n"));
 }
 
-/// A runner beside each block in C, of as many samples as are asked for; the other files stay as they are.
+/// A runner next to each block in C, of as many samples as are asked for; the other files stay as they are.
 #[test]
 fn runners_stand_beside_the_blocks() {
     let folder = folder();
@@ -439,7 +439,7 @@ fn a_table_with_decimal_commas_is_compared() {
     );
 }
 
-/// Outputs alone, beside a stimulus; one output alone; none; and no inputs at all.
+/// Outputs alone, next to a stimulus; one output alone; none; and no inputs at all.
 #[test]
 fn what_a_recording_may_lack() {
     let folder = folder();

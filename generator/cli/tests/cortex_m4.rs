@@ -19,7 +19,7 @@ fn the_block_halves_the_vibration_of_the_simulated_axis() {
         return;
     }
     assert!(output.status.success(), "{said}{errors}");
-    // semihosting writes to standard error where standard output is no terminal, in some versions
+    // semihosting writes to standard error where standard output is not a terminal, in some versions
     let said = said + &errors;
     let line = said.lines().last().unwrap();
     let numbers: Vec<u32> = line.split(' ').filter_map(|word| word.parse().ok()).collect();

@@ -114,7 +114,7 @@ fn succeeds(command: &mut Command) -> Vec<u8> {
     output.stdout
 }
 
-/// The bits of a set in a form of lines: what stands before and behind `between`.
+/// The bits of a set in a form of lines: what stands before and after `between`.
 fn bits(lines: &str, between: &str, end: &str, single: bool) -> Vec<(String, Vec<u8>)> {
     let line = |line: &str| {
         let (name, value) = line.strip_suffix(end)?.split_once(between)?;

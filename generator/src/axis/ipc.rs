@@ -111,7 +111,7 @@ impl Stage {
         self.asked_weight().smaller(Self::MAX_WEIGHT)
     }
 
-    /// What stands behind a weight that is capped: ` (700 capped)`.
+    /// What stands after a weight that is capped: ` (700 capped)`.
     pub(crate) fn cap(&self) -> String {
         let asked = self.asked_weight();
         if asked > Self::MAX_WEIGHT { format!(" ({} capped)", digits(asked)) } else { String::new() }

@@ -81,7 +81,7 @@ impl dyn Kind + '_ {
         self.typed(designed).block(self, designed)
     }
 
-    /// A run of so many samples for a user's own board, of a block of that axis.
+    /// A run of N samples for a user's own board, of a block of that axis.
     pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
         runner::record(&block.exercise, &mut *self.start(designed), samples)
     }

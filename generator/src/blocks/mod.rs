@@ -4,10 +4,10 @@
 //! designed  an axis with everything that design makes of it, once
 //! part      what a block's folder says of it
 //! kind      what follows: verified program, self-test, recorded run
-//! values    named values beside each other, for the semantic diff
+//! values    named values next to each other, for the semantic diff
 //! ```
 //! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
-//! needs beside them.
+//! needs next to them.
 
 pub(crate) mod axis;
 mod designed;

@@ -19,7 +19,7 @@ pub trait Part: Sync {
     /// What its coefficients mean: a path among them, or the beginning of one, and a text.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
 
-    /// What it takes from other blocks of its axis beside parameters, for the digest.
+    /// What it takes from other blocks of its axis next to parameters, for the digest.
     fn terms(&self, _: &Axis) -> String {
         String::new()
     }
@@ -32,7 +32,7 @@ pub trait Part: Sync {
         0
     }
 
-    /// What it is led through in a self-test, beside noise.
+    /// What it is led through in a self-test, in addition to noise.
     fn drill(&self, _: &Designed) -> Vec<Drill> {
         Vec::new()
     }
@@ -77,7 +77,7 @@ pub trait Part: Sync {
 /// What a block does.
 #[derive(Clone, Debug, Default)]
 pub struct Summary {
-    /// behind the first line of its axis
+    /// after the first line of its axis
     pub head: String,
     /// lines of its own
     pub lines: Vec<String>,

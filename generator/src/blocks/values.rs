@@ -1,4 +1,4 @@
-//! Named values of two versions of an axis beside each other: what differs, in words.
+//! Named values of two versions of an axis next to each other: what differs, in words.
 
 use crate::number::{pair, significant};
 use portable::Extreme;

@@ -48,7 +48,7 @@ pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
     report
 }
 
-/// A slave whose list stands alone has no master beside it.
+/// A slave whose list stands alone has no master next to it.
 pub(crate) fn alone(axis: &Axis, place: Place) -> Report {
     let has_a_way_out = axis.control.position_control.is_some();
     let Some(number) = axis.control.master.filter(|_| has_a_way_out) else { return Report::default() };

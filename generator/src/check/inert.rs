@@ -57,7 +57,7 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let of_lists = e
         .all_given()
         .map(|(key, _)| key)
-        // Beside improved position control alone, a real machine's list has the scalings of its drive: only of feedforward is it told.
+        // The list of a machine with improved position control alone has the scalings of its drive, too: only feedforward warns.
         .filter(|key| is_controlled || key.0.parameter().path.starts_with("vorsteuer."))
         .filter(|key| is_of_step(*key) && OF_CONTROL.iter().any(|names| names.contains(&key.0)));
     let none = Value::Word(ProcessDatum::None.name());

@@ -1,5 +1,6 @@
-//! The commissioning page of an axis: how somebody beside the machine brings its improved position control into operation, step by step, with the
-//! numbers of this axis. Nothing is designed here. What the page says is in its template; tests/tests/commissioning.rs follows it.
+//! The commissioning page of an axis: how somebody next to the machine brings its improved position control into operation,
+//! step by step, with the numbers of this axis. Nothing is designed here. What the page says is in its template;
+//! tests/tests/commissioning.rs follows it.
 
 mod names;
 mod rows;

@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use crate::unit::sets::Random;
 
-    /// Random names beside the definition: no filter refuses what is near.
+    /// Random names next to the definition: no filter refuses what is near.
     #[test]
     fn distances() {
         let mut random = Random(1);

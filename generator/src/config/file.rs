@@ -18,7 +18,7 @@ pub enum Unreadable {
 }
 
 impl Unreadable {
-    /// The code of the message, and what it says behind the name of the file.
+    /// The code of the message, and what it says after the name of the file.
     pub fn said(&self) -> (&'static str, String) {
         match self {
             Self::TooLarge => (codes::TOO_LARGE, "is too large".to_owned()),
@@ -56,7 +56,7 @@ pub fn load_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Unreadable> {
     load_from(file, Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0) + 1), most)
 }
 
-/// All bytes of an open file or of standard input, so many at most, behind those that are given.
+/// The given bytes and all bytes of an open file or of standard input, N at most.
 pub fn load_from(source: impl Read, mut bytes: Vec<u8>, most: u64) -> Result<Vec<u8>, Unreadable> {
     source.take(most + 1).read_to_end(&mut bytes).map_err(of_system)?;
     if bytes.len() as u64 > most { Err(Unreadable::TooLarge) } else { Ok(bytes) }

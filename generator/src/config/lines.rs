@@ -28,7 +28,7 @@ pub(crate) struct Statement<'a> {
     pub(crate) path: &'a str,
     /// blanks between path and value; none if there is no value
     pub(crate) gap: &'a str,
-    /// the value, and what a controller takes for a comment behind it
+    /// the value, and what a controller takes for a comment after it
     pub(crate) value: &'a str,
     /// blanks before the comment, or before the end
     pub(crate) space: &'a str,
@@ -68,7 +68,7 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl Statement<'_> {
-    /// Whether the list ends here: a controller reads nothing behind a line `Ende`.
+    /// Whether the list ends here: a controller reads nothing after a line `Ende`.
     pub(crate) fn is_end(&self) -> bool {
         self.path.eq_ignore_ascii_case("ende") && self.value.is_empty()
     }

@@ -64,7 +64,7 @@ struct Reading<'s> {
 }
 
 impl Reading<'_> {
-    /// Reads a line, above another one; false if it is no line of a list.
+    /// Reads a line, above another one; false if it is not a line of a list.
     fn line(&mut self, at: usize, content: Content<'_>, below: Option<Content<'_>>) -> bool {
         if std::mem::take(&mut self.is_taken) {
             return true;
@@ -143,7 +143,7 @@ impl Reading<'_> {
         self.take(at, statement)
     }
 
-    /// Takes what a line says; false if it is no line of a list.
+    /// Takes what a line says; false if it is not a line of a list.
     fn take(&mut self, start: usize, statement: &Statement<'_>) -> bool {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());

@@ -7,7 +7,7 @@
 //! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
 //! toml_fault   what TOML's parser refuses, in words
-//! odd_line     what a line without a parameter is  other_kind what a file that is no list seems to be
+//! odd_line     what a line without a parameter is  other_kind what a file that is not a list seems to be
 //! other_functions  what is looked at of the parameters of other functions
 //! path         path -> parameter and indices       closest  the name that was meant
 //! value        text -> value of the parameter's kind

@@ -29,7 +29,7 @@ pub(super) fn is_prose(line: &Statement<'_>) -> bool {
         && with_underscores(line).is_none()
 }
 
-/// What stands behind the end of a comment `/* ... */`, and so belongs to it.
+/// What stands after the end of a comment `/* ... */`, and so belongs to it.
 pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
     let end = comment.strip_prefix(b"/*")?.windows(2).position(|two| two == b"*/")? + 4;
     let blanks = comment[end..].iter().position(|byte| !byte.is_ascii_whitespace())?;
@@ -91,7 +91,7 @@ fn is_word(text: &str) -> bool {
     text.starts_with(|letter: char| letter.is_ascii_alphabetic())
 }
 
-/// The name and the text of a path that may have blanks where underscores belong, and what stands behind it.
+/// The name and the text of a path that may have blanks where underscores belong, and what stands after it.
 fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     if let Path::Known { name, .. } = path::find(line.path) {
         return Some((name, line.path.to_owned(), line.value));

@@ -1,4 +1,4 @@
-//! What a file seems to be that is no axis list, or no set, though it is named as one. No parameter is read.
+//! What a file seems to be that is not an axis list, or no set, though it is named as one. No parameter is read.
 
 use super::lines::{self, Content, Statement};
 use super::path::{self, Path};

@@ -120,7 +120,7 @@ impl AxisList {
         &self.source.bytes[self.range.clone()]
     }
 
-    /// What stands before the list in its file, and behind it.
+    /// What stands before the list in its file, and after it.
     pub(crate) fn around(&self) -> [&[u8]; 2] {
         [&self.source.bytes[..self.range.start], &self.source.bytes[self.range.end..]]
     }

@@ -78,14 +78,14 @@ fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
     values(line).into_iter().find_map(value_fault).or_else(|| key_fault(line, start))
 }
 
-/// A value and what stands behind its comma.
+/// A value and what stands after its comma.
 struct Written<'l> {
     at: usize,
     text: &'l str,
     next: &'l str,
 }
 
-/// What stands behind each `=` of a line, up to the end of the value, as far as no string is left open.
+/// What stands after each `=` of a line, up to the end of the value, as far as no string is left open.
 fn values(line: &str) -> Vec<Written<'_>> {
     let mut found = Vec::new();
     let mut quote = None;

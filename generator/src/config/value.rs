@@ -7,7 +7,7 @@ use crate::parameters::{Kind, Name, Parameter, Value, Word, real_text};
 use std::borrow::Cow;
 use toml::{Spanned, de::DeValue};
 
-/// Why a text is no value of a parameter.
+/// Why a text is not a value of a parameter.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Refused {
     pub(crate) code: &'static str,
@@ -26,8 +26,8 @@ impl Refused {
     }
 }
 
-/// The value that begins what a line has behind its path, without the quotes of a string; what a controller takes for a comment
-/// behind it; and where both stand.
+/// The value that begins what a line has after its path, without the quotes of a string; what a controller takes for a comment
+/// after it; and where both stand.
 pub(crate) struct Spelled<'t> {
     pub(crate) text: &'t str,
     pub(crate) at: usize,
@@ -48,7 +48,8 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
     };
     let (text, rest) = line.split_at(end);
     let behind = rest.trim_ascii_start();
-    // A second value, groups of digits or a decimal comma behind a blank are no comment: what a controller reads is not what was meant.
+    // A second value, groups of digits or a decimal comma after a blank are no comment: what a controller reads is not what
+    // was meant.
     if behind.is_empty() && !line.starts_with('=') {
         return Spelled { text, at: 0, behind, behind_at: line.len() };
     }
@@ -64,7 +65,7 @@ pub(super) fn end_of_word(text: &str) -> usize {
     text.find([' ', '\t']).unwrap_or(text.len())
 }
 
-/// The end of the words of a parameter at the start of a text; of all of it if a word behind them resembles one.
+/// The end of the words of a parameter at the start of a text; of all of it if a word after them resembles one.
 fn end_of_words(words: &'static [Word], line: &str) -> usize {
     let is_between = |c: char| c.is_ascii_whitespace() || c == '|';
     let mut end = 0;

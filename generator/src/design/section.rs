@@ -40,7 +40,7 @@ pub(crate) fn allpass(of: &Shape) -> allpass::Coeffs<f64> {
 /// The simulated oscillation of the INDIRECT and SET_POINT modes, with the signs of
 /// `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
 ///
-/// The velocity of a load behind a visco-elastic coupling: H(s) = (k g s + g^2) / (s^2 + k g s + g^2), k = 2 D, with the
+/// The velocity of a load after a visco-elastic coupling: H(s) = (k g s + g^2) / (s^2 + k g s + g^2), k = 2 D, with the
 /// damping ratio D (P-AXIS-00850) and s = (1 - z^-1) / (1 + z^-1) prewarped at f0 by g = tan(pi f0 Ts):
 ///
 /// b0 = (k g + g^2) / d, b1 = 2 g^2 / d, b2 = (g^2 - k g) / d.

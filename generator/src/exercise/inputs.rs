@@ -140,7 +140,7 @@ impl Turn {
         Self { samples, input, value, is_off: false }
     }
 
-    /// The same so many samples later.
+    /// The same N samples later.
     pub(super) fn later(&self, by: usize) -> Self {
         Self { samples: self.samples.start + by..self.samples.end + by, ..self.clone() }
     }
@@ -162,7 +162,7 @@ fn kept(program: &Program, state_paths: &[String]) -> Vec<usize> {
     places
 }
 
-/// Other values of a switch; of an integer those beside it, and two far away.
+/// Other values of a switch; of an integer those next to it, and two far away.
 fn others(value: Literal) -> Vec<Literal> {
     match value {
         Literal::Bool(value) => vec![Literal::Bool(!value)],

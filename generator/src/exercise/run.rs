@@ -46,7 +46,7 @@ impl<R: Real, B: Block<R>> Run for Running<R, B> {
 }
 
 impl Exercise {
-    /// The digest with all outputs of a cycle, and with the whole state behind it.
+    /// The digest with all outputs of a cycle, and with the whole state after it.
     pub(super) fn digest(&self, digest: u32, run: &dyn Run, outputs: &[Literal]) -> u32 {
         let mut digest = self.outputs.iter().fold(digest, |digest, output| fold(digest, outputs[*output]));
         run.state(&self.state, &mut |leaf| digest = fold(digest, leaf));
@@ -54,7 +54,8 @@ impl Exercise {
     }
 }
 
-/// The digest with one more value, word by word, the low one first. A word can be told from each other one, whatever the digest is.
+/// The digest with one more value, word by word, the low one first. A word can be distinguished from each other one,
+/// whatever the digest is.
 #[expect(clippy::cast_possible_truncation, reason = "the two words of a number of 64 bits")]
 fn fold(digest: u32, value: Literal) -> u32 {
     let word = |digest: u32, word: u32| (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);

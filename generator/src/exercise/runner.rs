@@ -45,7 +45,7 @@ pub(crate) struct Period {
 }
 
 impl Period {
-    /// The period of a run of so many samples.
+    /// The period of a run of N samples.
     fn of(samples: usize) -> Self {
         let part = samples.clamp(20, 20_000) / 20;
         let [drill, loud, disturbed, disturbed_loud, rest, samples] = [4, 6, 12, 14, 16, 20].map(|parts| parts * part);
@@ -53,7 +53,7 @@ impl Period {
     }
 }
 
-/// Runs the reference for so many samples.
+/// Runs the reference for this number of samples.
 pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run, samples: usize) -> Runner {
     let turns = exercise.switches.iter().flat_map(|(input, values)| values.iter().map(|value| (*input, *value)));
     let mut runner = Runner {

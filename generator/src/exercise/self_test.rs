@@ -7,18 +7,18 @@ use super::run::Run;
 use compiler::legalise::RealInput;
 use portable::Literal;
 
-/// What a self-test does beside what its exercise says, and the digests that the reference gives.
+/// What a self-test does next to what its exercise says, and the digests that the reference gives.
 #[derive(Clone, Debug)]
 pub(crate) struct SelfTest {
     /// the first sample with the full noise
     pub(crate) loud_from: usize,
-    /// the samples in which a real input is no number, with the input
+    /// the samples in which a real input is not a number, with the input
     pub(crate) bad: Vec<(usize, RealInput)>,
     /// after each sample the digest of all outputs and of the whole state up to there
     pub(crate) expected: Vec<u32>,
 }
 
-/// Samples with little noise, behind the bad ones. In each of them every state and every output can show an operation that
+/// Samples with little noise, after the bad ones. In each of them every state and every output can show an operation that
 /// was not done as written.
 const QUIET_SAMPLES: usize = 24;
 /// Samples with the full noise.
@@ -27,8 +27,8 @@ const LOUD_SAMPLES: usize = 8;
 const BAD_SAMPLE_DISTANCE: usize = 3;
 
 impl SelfTest {
-    /// Runs the reference. At the beginning each real input is no number for a sample: a build that takes it for one goes on with
-    /// other bits.
+    /// Runs the reference. At the beginning each real input is not a number for a sample: a build that takes it for one goes
+    /// on with other bits.
     pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run) -> Self {
         let bad: Vec<_> =
             (BAD_SAMPLE_DISTANCE..).step_by(BAD_SAMPLE_DISTANCE).zip(exercise.reals.iter().copied()).collect();

@@ -22,7 +22,7 @@ pub(crate) struct Trial {
 
 /// Samples at the beginning that are compared.
 const BEGINNING: usize = 8;
-/// Samples with little noise behind the beginning, once the block acts in full.
+/// Samples with little noise after the beginning, once the block acts in full.
 const QUIET_SAMPLES: usize = 24;
 /// Samples with the full noise.
 const LOUD_SAMPLES: usize = 8;
@@ -35,7 +35,7 @@ const JUMP_DISTANCE: usize = 3;
 /// Calls that are not regular, and by how much the counter grows there: one is missing, which is tolerated; many are missing, which is a
 /// pause; and twice the same one is there again, which is a fault.
 const IRREGULAR: [(usize, u32); 4] = [(0, 2), (10, 9), (20, 0), (21, 0)];
-/// Where a reset comes: behind the pause, and behind the fault.
+/// Where a reset comes: after the pause, and after the fault.
 const RESETS: [usize; 2] = [12, 40];
 /// Samples at rest, at the end.
 const REST_SAMPLES: usize = 5;
@@ -49,7 +49,7 @@ struct Plan {
 }
 
 impl Plan {
-    /// One more, `length` samples long; the next one comes `distance` samples behind it.
+    /// One more, `length` samples long; the next one comes `distance` samples after it.
     fn add(&mut self, input: usize, value: Literal, length: usize, distance: usize) {
         self.turns.push(Turn::new(self.next..self.next + length, input, value));
         self.next += distance;
@@ -76,7 +76,7 @@ impl Trial {
         for (input, value) in others.clone() {
             plan.add(input, value, TURN_LENGTH, TURN_DISTANCE);
         }
-        // Once more, each directly behind a fault.
+        // Once more, each directly after a fault.
         for (input, value) in others.filter(|(_, value)| matches!(value, Literal::Bool(_))) {
             reals.iter().take(1).for_each(|real| plan.ahead(0, real.position, exercise.beyond));
             plan.next += 1;

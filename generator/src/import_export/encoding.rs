@@ -3,7 +3,7 @@
 use crate::config::{Encoding, latin_1};
 use crate::parameters::words::ListEncoding;
 
-/// What stands before a list in its file, the list, and what stands behind it.
+/// What stands before a list in its file, the list, and what stands after it.
 pub(super) struct Encoded {
     /// with `\n` where a line ends
     pub(super) text: [String; 3],

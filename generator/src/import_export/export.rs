@@ -90,7 +90,7 @@ fn named<'a>(
     None
 }
 
-/// The file that an axis was imported from: what stands before its list, the list, and what stands behind it.
+/// The file that an axis was imported from: what stands before its list, the list, and what stands after it.
 struct Imported {
     text: [Vec<u8>; 3],
     encoding: Encoding,

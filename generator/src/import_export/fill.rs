@@ -35,7 +35,7 @@ impl Filling<'_> {
             list.extend(text);
         }
         let line_end = line_end.unwrap_or(b"\n");
-        // A controller reads nothing behind `Ende`.
+        // A controller reads nothing after `Ende`.
         let behind = end.map(|end| list.split_off(end)).unwrap_or_default();
         let mut rest = self.rest(&written, base.is_none());
         if !rest.is_empty() && base.is_some() {
@@ -72,7 +72,7 @@ impl Filling<'_> {
         let Some((setting, Some(value))) = self.values.get(slot.key).map(|setting| (setting, &setting.value)) else {
             match line.content {
                 Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
-                // The value was taken out of the set: so is its line, but not the comment behind it.
+                // The value was taken out of the set: so is its line, but not the comment after it.
                 Content::Statement(statement) if !statement.comment.is_empty() => {
                     text.drain(statement.path_at()..statement.comment_at());
                 }

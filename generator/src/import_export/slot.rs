@@ -46,7 +46,7 @@ pub(super) fn in_line<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     }
 }
 
-/// The value, or the hole in its place, at the start of what a line has behind its path; and where it begins there.
+/// The value, or the hole in its place, at the start of what a line has after its path; and where it begins there.
 fn value<'t>(parameter: &Parameter, line: &'t str) -> (&'t str, usize) {
     match line.strip_prefix(HOLE) {
         Some(spelling) if spelling.starts_with([' ', '\t']) => (&line[..1], 0),

@@ -35,7 +35,7 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
     if same { spelled.to_owned() } else { value.text() }
 }
 
-/// What a controller takes for a comment behind a value, as a comment of TOML; a blank behind it.
+/// What a controller takes for a comment after a value, as a comment of TOML; a blank after it.
 pub(super) fn behind(parameter: &Parameter, line: &str) -> String {
     let behind = spelled(parameter, line).behind;
     if behind.is_empty() { String::new() } else { format!("# {behind} ") }

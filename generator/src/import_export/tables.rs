@@ -8,7 +8,7 @@ use toml_edit::{Array, ArrayOfTables, Decor, DocumentMut, InlineTable, Item, Key
 const WIDTH: usize = 102;
 
 /// Puts a value at the path that a template and its indices give; `above` are the lines before it, `beside` is what stands
-/// behind it.
+/// after it.
 pub(super) fn insert(axis: &mut Table, template: &str, index: [u32; 2], mut value: Value, above: &str, beside: &str) {
     let path = path_with(template, index);
     let (tables, key) = path.rsplit_once('.').unwrap_or(("", &path));
@@ -93,7 +93,7 @@ fn take_above(table: &mut Table) -> Option<String> {
 }
 
 /// An array of tables as the value of one key, and the lines above it: of values, and of tables of values, which get dotted keys.
-/// A comment has its place only beside a value that stands alone.
+/// A comment has its place only next to a value that stands alone.
 fn on_a_line(key: &str, tables: &ArrayOfTables) -> Option<(String, Array)> {
     let leaves = tables.iter().map(leaves).collect::<Option<Vec<_>>>()?.concat();
     let is_bare = |(key, value): &(&Key, &Value)| {

@@ -122,7 +122,7 @@ pub(super) fn meaning(name: &str, below: Option<&str>) -> Option<Meaning> {
     Some(Meaning { quantity, unit: named.or(alone), unknown })
 }
 
-/// A name without the unit in its brackets, or behind `/` or `in`. Round brackets that hold no unit belong to the name: `re(H)`.
+/// A name without the unit in its brackets, or after `/` or `in`. Round brackets that hold no unit belong to the name: `re(H)`.
 fn bracketed(name: &str) -> (&str, Option<&str>) {
     let within = |open: char, close: char| {
         let start = name.rfind(open)?;

@@ -94,7 +94,7 @@ fn comment(line: &str, separator: Separator) -> Option<(usize, &str)> {
     Some((line.chars().count() - bare.chars().count(), bare))
 }
 
-/// The cells of a line; behind a separator at its end there is none.
+/// The cells of a line; after a separator at its end there is none.
 fn cells(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     let mut cells = text::cells(line, separator);
     if cells.len() > LEAST_CELLS && cells.last().is_some_and(|cell| cell.text.is_empty()) {
@@ -109,7 +109,7 @@ fn separated(text: &str) -> Option<(Separator, usize)> {
         let cells = cells(line, separator);
         let numbers = cells.iter().filter(|cell| text::number(cell.text).is_some()).count();
         let missing = cells.iter().filter(|cell| text::is_missing(cell.text)).count();
-        // A column of text beside three of numbers is a line of the table; a sentence with a number in it is not.
+        // A column of text next to three of numbers is a line of the table; a sentence with a number in it is not.
         let is_full = numbers + missing == cells.len() || numbers >= LEAST_CELLS && 2 * numbers > cells.len();
         cells.len() >= LEAST_CELLS && numbers > 0 && is_full && comment(line, separator).is_none()
     };

@@ -17,7 +17,7 @@ pub(crate) fn delay(
 ) -> Option<u32> {
     let given = match e.given(key(name)).and_then(|setting| setting.value.clone()) {
         Some(value) => value,
-        // What is no number at all is an error like any other.
+        // What is not a number at all is an error like any other.
         None => e.validated(key(name))?,
     };
     let Value::Integer(us) = given else { return None };

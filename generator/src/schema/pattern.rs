@@ -32,7 +32,7 @@ pub(super) fn of_duration(from: u64, to: u64) -> String {
     let of_unit = |(unit, ns, digits): (&str, u64, u32)| {
         let fraction = if digits == 0 { r"(?:\.0*)?".to_owned() } else { format!(r"(?:\.[0-9]{{0,{digits}}}0*)?") };
         let whole = at_most(to / ns);
-        // Without a digit before the point there is one behind it.
+        // Without a digit before the point there is one after it.
         let below_one = if digits == 0 { String::new() } else { format!(r"|\.[0-9]{{1,{digits}}}0*") };
         format!(r"(?:0*{whole}{fraction}{below_one})\s*(?:{unit})")
     };

@@ -6,7 +6,7 @@ use crate::parameters::Name;
 use crate::parameters::words::{FilterType, StageMode, Words};
 use serde_json::{Value, json};
 
-/// What an axis obeys beside the types of its values.
+/// What an axis obeys in addition to the types of its values.
 pub(super) fn rules() -> Value {
     let stages = json!({ "lr_param": { "properties": { "improved_position_control": { "properties": {
         "stage": { "items": stage() },

@@ -1,4 +1,4 @@
-//! The names of files beside a target while it is being replaced, on the same file system. They hold the process's number.
+//! The names of files next to a target while it is being replaced, on the same file system. They hold the process's number.
 
 use std::fs;
 use std::path::{Path, PathBuf};

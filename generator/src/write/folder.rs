@@ -22,9 +22,9 @@ pub struct Folder {
 #[derive(Debug, Default)]
 struct Below {
     ready: BTreeSet<PathBuf>,
-    /// those that were not there before, each once: what another run makes behind its removal is that run's
+    /// those that were not there before, each once: what another run makes after its removal is that run's
     made: BTreeSet<PathBuf>,
-    /// files that have the name of one that a killed run left beside a target; whose they are the target tells
+    /// files that have the name of one that a killed run left next to a target; whose they are the target tells
     left_over: LeftOver,
 }
 
@@ -34,7 +34,7 @@ type LeftOver = BTreeMap<PathBuf, Vec<(PathBuf, bool)>>;
 impl Drop for Folder {
     fn drop(&mut self) {
         let below = self.below.get_mut().unwrap_or_else(PoisonError::into_inner);
-        // A folder comes behind those above it. The removal fails where a file is in it, and should.
+        // A folder comes after those above it. The removal fails where a file is in it, and should.
         for made in below.made.iter().rev() {
             let is_own = *made == self.path && self.lock.as_ref().is_some_and(|own| is_at(own, made));
             // Another run may have come to hold it, or may wait for it: that one then makes it again.
@@ -73,7 +73,7 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
 }
 
 impl Folder {
-    /// Where a file of that name goes; its folder is there afterwards, and nothing of a killed run beside it.
+    /// Where a file of that name goes; its folder is there afterwards, and nothing of a killed run next to it.
     ///
     /// # Errors
     /// Its folder cannot be made.
@@ -101,7 +101,7 @@ impl Folder {
 }
 
 /// Removes what a killed run left, as its checksum says, and notes what only has the name of such a file. Only if the folder is
-/// held: what lies beside a target then belongs to nobody.
+/// held: what lies next to a target then belongs to nobody.
 fn clear(folder: &Path, is_held: bool, noted: &mut LeftOver) {
     let entries = is_held.then(|| fs::read_dir(folder)).into_iter().flatten().flatten().flatten();
     for entry in entries.filter(|entry| entry.file_type().is_ok_and(|found| found.is_file())) {
@@ -116,7 +116,7 @@ fn clear(folder: &Path, is_held: bool, noted: &mut LeftOver) {
     }
 }
 
-/// Gives a target its old content back, if it has none, or removes what is beside it.
+/// Gives a target its old content back, if it has none, or removes what is next to it.
 fn settle(left_over: &Path, is_kept: bool, target: &Path) {
     if is_kept && fs::symlink_metadata(target).is_err() {
         let _ = fs::rename(left_over, target);

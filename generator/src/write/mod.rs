@@ -1,8 +1,8 @@
-//! Puts files into a folder: staged beside their targets, then renamed; all of them or none.
+//! Puts files into a folder: staged next to their targets, then renamed; all of them or none.
 //!
 //! ```text
-//! folder   made if need be, locked, cleared of what a killed run left behind
-//! stage    file -> a file beside its target, unless the target is somebody else's
+//! folder   made if need be, locked, cleared of what a killed run left
+//! stage    file -> a file next to its target, unless the target is somebody else's
 //! removal  a file that is generated no more -> gone with the same commit
 //! one      a single file by its path, by the caller's rule
 //! replace  renames them all, and puts back what was there if one fails
@@ -118,7 +118,7 @@ impl Drop for Staged {
     }
 }
 
-/// Writes a file beside its target in the folder; a file that is there already is left alone, whatever program has saved it.
+/// Writes a file next to its target in the folder; a file that is there already is left alone, whatever program has saved it.
 ///
 /// # Errors
 /// The folder does not take it.
@@ -211,7 +211,7 @@ fn replaced(path: &Path, text: &str) -> io::Result<Option<Owner>> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
-    // `load` refuses what is no file, with or without a link before it.
+    // `load` refuses what is not a file, with or without a link before it.
     if found.is_symlink() && config::load(path).is_ok_and(|old| is_text(&old, text)) {
         return Ok(None);
     }

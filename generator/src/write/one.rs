@@ -1,4 +1,5 @@
-//! One file that a command was asked for, by its path: staged beside it, then renamed. Which files it may replace the caller says.
+//! One file that a command was asked for, by its path: staged next to it, then renamed. Which files it may replace the
+//! caller says.
 
 use super::beside::{left_over, remove, staged};
 use super::is_writable;
@@ -7,7 +8,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Which files that are there may be replaced. None that is no regular file is.
+/// Which files that are there may be replaced. None that is not a regular file is.
 #[derive(Clone, Copy)]
 pub enum Replace<'r> {
     None,
@@ -16,12 +17,12 @@ pub enum Replace<'r> {
     All,
 }
 
-/// A file beside its target; it is gone when this is, whatever happens in between.
+/// A file next to its target; it is gone when this is, whatever happens in between.
 #[derive(Debug)]
 pub struct One {
     path: PathBuf,
     replaces: bool,
-    /// the file beside it, locked as long as it is on its way: another run takes it for a left-over else
+    /// the file next to it, locked as long as it is on its way: another run takes it for a left-over else
     lock: Option<File>,
 }
 
@@ -52,7 +53,7 @@ pub fn is_replaced(path: &Path, replace: Replace<'_>) -> io::Result<bool> {
     if is_allowed { Ok(true) } else { Err(ErrorKind::AlreadyExists.into()) }
 }
 
-/// Writes the bytes beside their target.
+/// Writes the bytes next to their target.
 ///
 /// # Errors
 /// As [`is_replaced`], or the folder does not take them. Nothing is left then.
@@ -71,7 +72,7 @@ pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<
     Ok(one)
 }
 
-/// Removes what a killed run left beside the target: a file of its own name that no process holds. In containers all processes
+/// Removes what a killed run left next to the target: a file of its own name that no process holds. In containers all processes
 /// may have one number.
 fn clear(path: &Path) {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -6,7 +6,7 @@ use crate::{Complex64, Response, turned};
 /// A drive without mechanics, or a measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive<'a> {
-    /// the motor does what was commanded some cycles before, 1 at the least, behind a time constant [s], where there is one:
+    /// the motor does what was commanded some cycles before, 1 at the least, after a time constant [s], where there is one:
     /// P = exp(-j 2 pi f d T) (1 - e)/(1 - e z^-1), e = exp(-T/Tc)
     Delay { cycles: f64, time_constant: Option<f64> },
     /// as it was measured

@@ -124,7 +124,7 @@ set.toml:4:148: error[AX304]: `ipc.stage[0].filter[1].fg_f0` (P-AXIS-00751) is 3
     );
 }
 
-/// Without index, with empty brackets, with 0: the same value, and given twice beside each other.
+/// Without index, with empty brackets, with 0: the same value, and given twice next to each other.
 #[test]
 fn every_spelling_of_a_path_is_one_parameter() {
     let new = indirect(

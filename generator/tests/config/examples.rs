@@ -71,7 +71,7 @@ fn machine() {
     assert_eq!(c.ipc.stage.iter().flatten().count(), 2);
 }
 
-/// Sets and lists below a folder, but for what is no input of `generate`.
+/// Sets and lists below a folder, but for what is not an input of `generate`.
 fn shipped(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten() {
         let path = entry.path();

@@ -1,4 +1,4 @@
-//! The bytes of every file: ASCII behind TwinCAT's byte order mark, LF, a final newline; and the XML declaration.
+//! The bytes of every file: ASCII after TwinCAT's byte order mark, LF, a final newline; and the XML declaration.
 
 use crate::{CASES, OBJECTS, xml};
 

@@ -1,4 +1,4 @@
-//! Lists that end with `Ende`: what is new goes before it, and nothing of ours may stand behind it.
+//! Lists that end with `Ende`: what is new goes before it, and nothing of ours may stand after it.
 
 use super::{IPC, VALID, exported, read, round_trip};
 

@@ -79,7 +79,7 @@ fn exported(files: &[File<'_>]) -> Vec<u8> {
     list.unwrap_or_else(|| panic!("{report}"))
 }
 
-/// Compares with a transcript beside these tests, or writes it.
+/// Compares with a transcript next to these tests, or writes it.
 fn assert_transcript(name: &str, said: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real_files").join(name);
     if std::env::var_os("AXGEN_BLESS").is_some() {

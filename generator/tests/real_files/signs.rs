@@ -1,4 +1,4 @@
-//! The vendor's signs: comments, strings, text behind a value, words of other files.
+//! The vendor's signs: comments, strings, text after a value, words of other files.
 
 use super::{IPC, VALID, canonical, read, round_trip};
 

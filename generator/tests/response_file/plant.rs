@@ -1,4 +1,5 @@
-//! The responses that the tests write down: a velocity loop behind a delay, and an open speed plant. Simple formulas, nothing of the generator.
+//! The responses that the tests write down: a velocity loop after a delay, and an open speed plant. Simple formulas, nothing
+//! of the generator.
 
 use super::CYCLE_TIME;
 use machine::Machine;

@@ -17,7 +17,7 @@ use std::path::Path;
 const MACHINE: &str = include_str!("../../../examples/machine.toml");
 const LIST: &[u8] = include_bytes!("../../../examples/rack-and-pinion.lis");
 
-/// A set beside `rack-and-pinion.lis`.
+/// A set next to `rack-and-pinion.lis`.
 fn set(text: &str) -> Set {
     let load = |path: &Path| match path.to_str() {
         Some("set.toml") => Ok(text.as_bytes().to_vec()),

@@ -48,7 +48,7 @@ fn a_target_for_one_real_type_has_no_parts_for_the_other() {
     assert!(!names.iter().any(|name| name.contains("_REAL")), "{names:?}");
 }
 
-/// In TwinCAT every signal, every state and every number has a comment, behind it or, where that is too long, above it; a
+/// In TwinCAT every signal, every state and every number has a comment, after it or, where that is too long, above it; a
 /// velocity has its unit, the one of its axis.
 #[test]
 fn every_declaration_says_what_it_is() {

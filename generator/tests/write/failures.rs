@@ -30,7 +30,7 @@ fn a_folder_in_the_place_of_any_file_keeps_all_from_being_staged() {
     }
 }
 
-/// Somebody makes a folder where a file goes, after it was staged: the renaming fails there, with others behind it.
+/// Somebody makes a folder where a file goes, after it was staged: the renaming fails there, with others after it.
 #[test]
 fn a_failing_rename_at_any_position_puts_everything_back() {
     for (position, name) in NAMES.iter().enumerate() {

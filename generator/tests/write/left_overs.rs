@@ -1,4 +1,4 @@
-//! What a killed run left beside its targets is cleared by the next one.
+//! What a killed run left next to its targets is cleared by the next one.
 
 use crate::{content, generated, pair, write};
 use std::fs;
@@ -11,7 +11,7 @@ fn staged_and_kept_files_of_a_killed_run_are_cleared() {
     for name in ["a.axgen-staged-1", "a.axgen-kept-1", "below/b.axgen-staged-7"] {
         fs::write(folder.path().join(name), "left").unwrap();
     }
-    // No file of this run goes beside it: its checksum says that it is ours.
+    // No file of this run goes next to it: its checksum says that it is ours.
     fs::write(folder.path().join("gone.axgen-staged-4294967295"), generated("gone", "1").text).unwrap();
     let [a, b] = [generated("a", "1"), generated("below/b", "1")];
     write(folder.path(), &[a.clone(), b.clone()], false).unwrap();

@@ -1,4 +1,4 @@
-//! Links: a folder may be one, a file may not, for what lies behind it belongs to somebody else.
+//! Links: a folder may be one, a file may not, for what lies after it belongs to somebody else.
 
 #![cfg(unix)]
 

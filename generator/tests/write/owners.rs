@@ -59,7 +59,7 @@ fn object() -> String {
     generated("FB.TcPOU", body).text
 }
 
-/// What its development environment adds when it saves is no edit; whatever else differs is.
+/// What its development environment adds when it saves is not an edit; whatever else differs is.
 #[test]
 fn what_twincat_saves() {
     let ids = "    <LineIds Name=\"FB\">\n      <LineId Id=\"3\" Count=\"1\" />\n    </LineIds>\n";

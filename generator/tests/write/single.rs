@@ -1,4 +1,4 @@
-//! A single file that a command was asked for: what a killed run left beside it is cleared, what a running one has there is not.
+//! A single file that a command was asked for: what a killed run left next to it is cleared, what a running one has there is not.
 
 use crate::{content, pair};
 use generator::write::{Replace, stage_one};

@@ -56,7 +56,7 @@ fn error(axis: &Axis) -> f64 {
     error
 }
 
-/// An input of the cycle before is no state of a section.
+/// An input of the cycle before is not a state of a section.
 fn forget_inputs(program: &Program, column: &mut [f64]) {
     let variables = program.state.iter().zip(column);
     variables.filter(|(variable, _)| variable.path.ends_with(".before")).for_each(|(_, value)| *value = 0.0);

@@ -1,4 +1,4 @@
-//! The worked figures of the manual (ISG FCT-D2 "Feedforward control", 4.1 and 4.2) and of the formulas beside it, to the
+//! The worked figures of the manual (ISG FCT-D2 "Feedforward control", 4.1 and 4.2) and of the formulas next to it, to the
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
 use crate::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
@@ -133,7 +133,7 @@ fn position_controller() {
     assert_eq!(outputs.manipulated_variable, 20_000);
 }
 
-/// A ramp of 1 per cycle of 1 ms, behind a delay: 150 us are 0.15 cycles, 5999 us are 5.999.
+/// A ramp of 1 per cycle of 1 ms, after a delay: 150 us are 0.15 cycles, 5999 us are 5.999.
 #[test]
 fn ramps() {
     for (us, cycles) in [(0, 0.0), (150, 0.15), (1000, 1.0), (2500, 2.5), (5999, 5.999)] {

@@ -7,7 +7,7 @@ use crate::blocks::ipc::stage::stage;
 use crate::unit::sets::axes;
 use portable::RealKind;
 
-/// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass beside a band-pass of order 3.
+/// An axis with one INDIRECT stage: 62.5 us, Q 10, and an all-pass next to a band-pass of order 3.
 fn axis(f0: f64, real: RealKind) -> Axis {
     let mut axis = axes(1, real).next().expect("one axis");
     axis.cycle_time_ns = 62_500;

@@ -169,7 +169,7 @@ fn fade_lasts_at_least_one_period_of_the_lowest_filter() {
     assert_eq!(fade_cycles(&axis), 250);
 }
 
-/// A reviewer finds each note beside a number: its path is one of the tree, in the tree's order.
+/// A reviewer finds each note next to a number: its path is one of the tree, in the tree's order.
 #[test]
 fn notes_name_paths_of_the_tree_in_its_order() {
     for axis in axes(300, RealKind::F64) {

@@ -27,7 +27,7 @@ const HIGHEST: f64 = 500.0;
 /// The shortest cycle time [ns].
 const SHORTEST: f64 = 62_500.0;
 
-/// What a stage has beside its band-pass.
+/// What a stage has next to its band-pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Before {
     /// nothing

@@ -1,4 +1,4 @@
-//! The alphabet of the inputs: what can happen in one cycle beside what a cooperative drive and interpolator give. No search.
+//! The alphabet of the inputs: what can happen in one cycle next to what a cooperative drive and interpolator give. No search.
 
 use super::drive::{POSITION_MODE, U, V_ON, VELOCITY_MODE};
 use reference::spindle::{Inputs, State};

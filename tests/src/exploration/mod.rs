@@ -38,7 +38,7 @@ pub struct Found {
     pub depth: u32,
     /// transitions, each with how often it was passed
     pub transitions: BTreeMap<Transition, usize>,
-    /// pairs of transitions, the second one directly behind the first
+    /// pairs of transitions, the second one directly after the first
     pub pairs: BTreeSet<(Transition, Transition)>,
     /// the depth at which the last new pair was found
     pub depth_of_pairs: u32,
@@ -140,7 +140,7 @@ fn arrival(start: &World, coeffs: &Coeffs<f64>, first: Letter, is_there: impl Fn
 }
 
 impl Scenario {
-    /// The way to a state and the cycle behind it, cycle by cycle.
+    /// The way to a state and the cycle after it, cycle by cycle.
     fn way(&self, coeffs: &Coeffs<f64>, parents: &[(u32, u8)], number: u32, last: Letter) -> String {
         let mut letters = vec![last];
         let mut at = number;

@@ -75,7 +75,7 @@ pub fn are_as_stated(edge: &Edge<'_>) -> bool {
     is_queue && is_same(&new.present, &job) && is_shown
 }
 
-/// Whether BRAKE ends a job only for a reset in this cycle, or a request behind it: what was asked for behind an older reset
+/// Whether BRAKE ends a job only for a reset in this cycle, or a request after it: what was asked for after an older reset
 /// is not lost.
 pub fn is_job_kept(edge: &Edge<'_>) -> bool {
     let (old, new) = (&edge.before.block, &edge.after.block);

@@ -1,4 +1,4 @@
-//! What must be so in every cycle, from docs/spindle.md: modes, commands, times. Requests stand beside it; nothing is searched.
+//! What must be so in every cycle, from docs/spindle.md: modes, commands, times. Requests stand next to it; nothing is searched.
 
 use super::drive::wrap;
 use super::transitions::{By, Node, Transition};
@@ -23,9 +23,9 @@ pub enum Rule {
     Ramp,
     /// where the block owns x_spindle it goes on by v_spindle * T
     Advance,
-    /// the first position command behind BRAKE is the formula's, in bits
+    /// the first position command after BRAKE is the formula's, in bits
     Formula,
-    /// the first step of POSITION, and one behind missing samples, is within the window around v_spindle * T
+    /// the first step of POSITION, and one after missing samples, is within the window around v_spindle * T
     TakeOver,
     /// without a sample three cycles are coasted in their state, and the fourth one stops
     Coasts,
@@ -57,7 +57,7 @@ pub enum Rule {
     ResetBrakes,
     /// requests are counted, wait and are served as the page says
     Order,
-    /// BRAKE ends a job only for a reset in this cycle or a request behind the job
+    /// BRAKE ends a job only for a reset in this cycle or a request after the job
     JobKept,
     /// a reset, a drive and an interpolator that do their part lead to POSITION and STOP
     Returns,
@@ -306,7 +306,7 @@ fn is_unanswered(edge: &Edge<'_>) -> bool {
     edge.before.is_caught && coeffs.in_drive && edge.inputs.operation_mode_display != coeffs.velocity_mode
 }
 
-/// The error that stays behind this cycle, else 0.
+/// The error that stays after this cycle, else 0.
 fn lasting(edge: &Edge<'_>) -> u32 {
     let (coeffs, i) = (edge.coeffs, &edge.inputs);
     let is_half_turn = coeffs.in_drive && i.v_interpolator.abs() * coeffs.cycle_time >= 180_000.0;

@@ -25,11 +25,11 @@ pub struct Scenario {
     pub letters: Vec<Letter>,
     /// how many requests may wait when another one comes
     pub waiting: u32,
-    /// whether a request may come directly behind another one
+    /// whether a request may come directly after another one
     pub is_dense: bool,
     /// whether states at different positions are different states
     pub is_absolute: bool,
-    /// whether states behind different transitions are different states: all pairs of transitions are seen then
+    /// whether states after different transitions are different states: all pairs of transitions are seen then
     pub remembers: bool,
 }
 

@@ -136,7 +136,7 @@ pub fn possible(in_drive: bool) -> Vec<Transition> {
     TRANSITIONS.into_iter().filter(is_there).collect()
 }
 
-/// The pairs of transitions, the second one directly behind the first, that there are.
+/// The pairs of transitions, the second one directly after the first, that there are.
 #[must_use]
 pub fn possible_pairs(in_drive: bool) -> Vec<(Transition, Transition)> {
     let mut pairs = Vec::new();
@@ -151,7 +151,7 @@ pub fn possible_pairs(in_drive: bool) -> Vec<(Transition, Transition)> {
     pairs
 }
 
-/// Whether the second transition can come directly behind the first, which leads to where it begins.
+/// Whether the second transition can come directly after the first, which leads to where it begins.
 fn can_follow(first: Transition, second: Transition) -> bool {
     let is_start = matches!(first.from, Node::Off | Node::OffStopped | Node::Stopped);
     match (second.from, second.to) {

@@ -37,7 +37,7 @@ pub struct World {
     pub is_caught: bool,
     /// a reset came in TO_VELOCITY or VELOCITY, and the spindle has not left them since
     pub was_reset: bool,
-    /// the take-over is watched: the first cycle of POSITION with all samples, or one behind missing ones
+    /// the take-over is watched: the first cycle of POSITION with all samples, or one after missing ones
     pub takes_over: bool,
     /// where position control is taken up in the next cycle
     pub x_start: Option<f64>,
@@ -60,7 +60,7 @@ pub struct Edge<'a> {
     pub is_off: bool,
     /// the transitions of this cycle: by a reset, to `inside`, from there
     pub transitions: [Option<Transition>; 3],
-    /// behind
+    /// after
     pub after: World,
 }
 
@@ -115,7 +115,7 @@ impl World {
         edge
     }
 
-    /// What the block is doing behind (2) of docs/spindle.md: a reset ends an error that stays.
+    /// What the block is doing after (2) of docs/spindle.md: a reset ends an error that stays.
     fn between(&self, inputs: &Inputs<f64>) -> Node {
         match self.node {
             Node::Stopped | Node::OffStopped if inputs.reset && inputs.drive_on && self.is_idle => Node::ToPosition,
@@ -126,7 +126,7 @@ impl World {
     }
 
     /// The bits. What no later cycle can depend on is left out: the number of jobs, times beyond the last comparison, the time in
-    /// POSITION and VELOCITY, requests behind the last one that waits. `is_absolute` false: only how far positions lie
+    /// POSITION and VELOCITY, requests after the last one that waits. `is_absolute` false: only how far positions lie
     /// from `x_spindle`, for the block and the drive have no zero.
     #[must_use]
     pub fn key(&self, is_absolute: bool, remembers: bool) -> Key {
@@ -363,7 +363,7 @@ impl Edge<'_> {
     }
 }
 
-/// What the block is doing in this cycle, by docs/spindle.md, (3) and (4), from what it was doing behind (2).
+/// What the block is doing in this cycle, by docs/spindle.md, (3) and (4), from what it was doing after (2).
 fn inside(between: Node, inputs: &Inputs<f64>, coeffs: &Coeffs<f64>) -> Node {
     let is_wrong = inputs.task_cycle_ns != coeffs.cycle_time_ns;
     let is_stopped = is_wrong || matches!(between, Node::Stopped | Node::OffStopped);

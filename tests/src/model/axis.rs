@@ -37,7 +37,8 @@ pub struct Found {
     pub is_tripped: bool,
 }
 
-/// A spindle whose drive controls the position turns by less than half a turn in a cycle: 44, or 14 where the velocity is no sample.
+/// A spindle whose drive controls the position turns by less than half a turn in a cycle: 44, or 14 where the velocity is
+/// not a sample.
 fn half_turn(p: &Parameters, c: &Coefficients, inputs: &Inputs) -> u32 {
     let v = inputs.v_interpolator;
     let degrees = v.abs() * f64::from(p.cycle_ns) * 1e-9 / 1000.0;

@@ -7,7 +7,7 @@ use super::parameters::{
     VELOCITY,
 };
 
-/// 2 pi, 37 digits behind the point.
+/// 2 pi, 37 digits after the point.
 const TWO_PI: u128 = 62_831_853_071_795_864_769_252_867_665_590_057_684;
 
 /// Factors of v, a and j in a sum; `None`: the sum has no such term.

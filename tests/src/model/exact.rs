@@ -1,4 +1,4 @@
-//! An exact rational number, and beside it how far rounding may carry the same expression in floating point. No formula of a
+//! An exact rational number, and next to it how far rounding may carry the same expression in floating point. No formula of a
 //! block is here.
 //!
 //! The bound is the first-order running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 3.3), in units of
@@ -30,7 +30,7 @@ impl Exact {
     /// An input or a parameter, which is a number of the block's real type.
     ///
     /// # Panics
-    /// If it is no finite number.
+    /// If it is not a finite number.
     #[must_use]
     pub fn given(value: f64) -> Self {
         let exact = Relaxed::try_from(value).unwrap_or_else(|_| panic!("model: {value} is no number"));
@@ -90,7 +90,7 @@ impl Exact {
         self.value.is_zero()
     }
 
-    /// The nearest double, or one beside it.
+    /// The nearest double, or one next to it.
     #[must_use]
     pub fn near(&self) -> f64 {
         self.value.to_f64_fast()

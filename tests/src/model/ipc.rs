@@ -135,7 +135,7 @@ impl Ipc {
     }
 
     /// Moves the parts of weights and limit towards their inputs, by 1 / fade_cycles a cycle at most; while nothing is added, at once. Whether an
-    /// input is no number from 0 to 1, so that its part stays.
+    /// input is not a number from 0 to 1, so that its part stays.
     #[must_use]
     pub fn tune(&mut self, inputs: &Inputs) -> bool {
         if !self.tunable {
@@ -300,7 +300,7 @@ impl Ipc {
     }
 }
 
-/// The largest sum that is no fault is the block's own number, a bound: it is not below what it bounds, and not far above.
+/// The largest sum that is not a fault is the block's own number, a bound: it is not below what it bounds, and not far above.
 ///
 /// # Panics
 /// If it is.

@@ -38,7 +38,7 @@ impl<'s> Settings<'s> {
     /// Those of a test run: `AXGEN_RANDOM_SEED` and `AXGEN_RANDOM_PROGRAMS` change them.
     ///
     /// # Panics
-    /// If one of the two is no number.
+    /// If one of the two is not a number.
     #[must_use]
     pub fn from_environment(folder: &'s Path, name: &'s str) -> Self {
         let seed = number("AXGEN_RANDOM_SEED").unwrap_or(SEED);

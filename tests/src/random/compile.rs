@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// What the compiler is asked for, beside the level: what contracts fuses, and what a user's build would not let pass.
+/// What the compiler is asked for, next to the level: what contracts fuses, and what a user's build would not let pass.
 const OPTIONS: [&str; 14] = [
     "-std=c99",
     "-ffp-contract=off",

@@ -14,7 +14,7 @@ pub enum Cause {
     Weight,
     /// up to ten cycles of delay, which turn the sign
     Delay,
-    /// a centre frequency far beside the resonance
+    /// a centre frequency far next to the resonance
     Frequency,
     /// nothing is
     None,

@@ -96,7 +96,7 @@ pub fn record(session: &mut Session, page: &mut Page) {
     session.off = session.amplitudes(&run);
 }
 
-/// Frequency [Hz] and amplitude of the highest peak within a band [Hz] of a spectrum. The mean is no vibration.
+/// Frequency [Hz] and amplitude of the highest peak within a band [Hz] of a spectrum. The mean is not a vibration.
 fn highest_peak(signal: &[f64], cycle: f64, around: [f64; 2]) -> [f64; 2] {
     let level = mean(signal.iter().copied());
     let vibration: Vec<f64> = signal.iter().map(|sample| sample - level).collect();

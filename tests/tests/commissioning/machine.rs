@@ -1,5 +1,5 @@
 //! The machine that a commissioning page is followed on: the demonstration plant, the block that is loaded, the files of somebody who has a
-//! PC beside it. Nothing of the page here.
+//! PC next to it. Nothing of the page here.
 
 use axgen_tests::subject::Subject;
 use machine::closed_loop::{self, Position, Record, Signals};
@@ -114,7 +114,8 @@ impl Machine {
         (0..cycles).map(|_| self.block.step(&Signals::default())).collect()
     }
 
-    /// The move in which the axis vibrates, with so much rest before and after it [s]; behind that rest it is recorded for half a second more.
+    /// The move in which the axis vibrates, with so much rest before and after it [s]; after that rest it is recorded for
+    /// half a second more.
     pub fn make_move(&mut self, quiet: f64) -> Move {
         let sequence = Sequence { rest_before: quiet, rest_after: quiet + 0.5, ..Sequence::DEMONSTRATION };
         let (mut v_add_calculated, mut was_limited, block) = (Vec::new(), false, &mut self.block);

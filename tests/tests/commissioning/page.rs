@@ -15,7 +15,7 @@ impl Table {
         at.unwrap_or_else(|| panic!("page: no column `{head}`: {:?}", self.head))
     }
 
-    /// A number that a cell begins with, behind it the unit.
+    /// A number that a cell begins with, after it the unit.
     pub fn number(&self, row: &[String], head: &str, unit: &str) -> f64 {
         let cell = &row[self.column(head)];
         let number = cell.strip_suffix(unit).unwrap_or_else(|| panic!("page: {cell} is not in {unit}")).trim();

@@ -70,7 +70,7 @@ pub struct Emitted {
 }
 
 impl Emitted {
-    /// Makes them, with a runner of so many samples.
+    /// Makes them, with a runner of N samples.
     pub fn of(designed: &Designed, block: &Block, samples: usize) -> Self {
         let kind = blocks::named(block.program.block).expect("a block of the axis");
         let header = header(&designed.axis, block);
@@ -84,7 +84,7 @@ impl Emitted {
     }
 }
 
-/// How a program is built beside its board's options.
+/// How a program is built next to its board's options.
 #[derive(Clone, Copy, Default)]
 pub struct Build<'o> {
     pub options: &'o [&'o str],

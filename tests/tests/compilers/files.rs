@@ -38,7 +38,7 @@ fn strict_compilers_have_nothing_to_say() {
     }
 }
 
-/// The files of all blocks of an axis, one after another in the same folder, and the headers beside each other.
+/// The files of all blocks of an axis, one after another in the same folder, and the headers next to each other.
 #[test]
 fn all_blocks_of_an_axis_stand_beside_each_other() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples/feedforward.toml");

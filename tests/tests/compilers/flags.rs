@@ -39,7 +39,7 @@ enum Expected {
 }
 use Expected::{Caught, CaughtInDouble, CaughtOrSameBits, Refused, SameBits};
 
-/// Options for the emitted file, behind `-std=c99 -O2`, and for linking.
+/// Options for the emitted file, after `-std=c99 -O2`, and for linking.
 struct Row {
     tool: Tool,
     options: &'static [&'static str],

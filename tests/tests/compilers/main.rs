@@ -65,7 +65,7 @@ fn in_turn<T: Clone>(all: &[T], number: usize, count: usize) -> Vec<T> {
 /// The cases for what takes its time: a third in an exhaustive run, else a few.
 fn cases() -> Vec<Case> {
     let mut cases = in_both_real_types();
-    // Every third one beside those: the levels of optimisation see all.
+    // Every third one next to those: the levels of optimisation see all.
     let mut number = 0_usize;
     cases.retain(|case| {
         number += 1;

@@ -145,7 +145,7 @@ impl<'b> Bench<'b> {
         table
     }
 
-    /// The bits of the position that a drive holds while `x_command` is no number, and of its copy.
+    /// The bits of the position that a drive holds while `x_command` is not a number, and of its copy.
     pub fn flips_of_the_held_position(&self) -> Vec<(usize, usize)> {
         let is_held = |at: usize| self.program.state[at].path.contains("x_held");
         self.flips(1).into_iter().filter(|(at, _)| is_held(*at)).collect()

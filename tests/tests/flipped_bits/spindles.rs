@@ -12,7 +12,7 @@ use portable::Literal;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Cycles behind a flip.
+/// Cycles after a flip.
 const RUN: usize = 4_000;
 
 /// What became of the flips of one variable: reported, harmless, neither.

@@ -70,7 +70,7 @@ struct Course<'p> {
     axis: &'p Axis,
     ipc: Reference,
     feedforward: Reference,
-    /// the last good velocity behind the filter, and what the filter holds back [mm/s]
+    /// the last good velocity after the filter, and what the filter holds back [mm/s]
     before: Option<f64>,
     lead: f64,
     was_good: bool,
@@ -177,7 +177,7 @@ impl<'p> Course<'p> {
         let v_add = sign * f64::from(offset) / self.axis.increments;
         let (rounding, limit) = (0.5 / self.axis.increments + ROUNDING, self.axis.limit());
         let at_once = row.state <= 3 || self.ipc.is("fault") || row.missing >= 3;
-        // Behind a pause the block presets its filters in the same cycle, else in the next one.
+        // After a pause the block presets its filters in the same cycle, else in the next one.
         self.since = if at_once { u32::from(row.missing >= 3) } else { self.since + 1 };
         self.paused = if matches!(row.state, 5 | 6) { self.paused + 1 } else { 0 };
         if at_once && offset != 0 {

@@ -56,7 +56,7 @@ pub fn task(project: &Project) -> [Vec<Row>; 2] {
         // One missing call is tolerated.
         s.now.missing = 1;
         s.go(100, 4);
-        // Behind a pause, say of a breakpoint, the block starts anew.
+        // After a pause, say of a breakpoint, the block starts anew.
         s.now.missing = 80;
         s.go(150, 4);
         // Two pauses in a row are a wrong rate.

@@ -17,7 +17,7 @@ pub struct Row {
     pub nc_error: u32,
     /// the override [0.0001 %]
     pub percentage: u32,
-    /// the actual velocity behind the NC's filter [mm/s]; a NaN is a lost telegram
+    /// the actual velocity after the NC's filter [mm/s]; a NaN is a lost telegram
     pub velocity: f64,
     /// the motor's [mm/s]
     pub motor: f64,

@@ -45,7 +45,7 @@ fn imported(list: impl AsRef<[u8]>) -> String {
     set.unwrap_or_else(|| panic!("{report}"))
 }
 
-/// The list of the only axis of a set `set.toml`, beside other files.
+/// The list of the only axis of a set `set.toml`, next to other files.
 fn export_beside(set: &str, others: &[File<'_>]) -> (Option<Vec<u8>>, Report) {
     let mut files: Vec<File<'_>> = others.to_vec();
     files.push(("set.toml", set.as_bytes()));

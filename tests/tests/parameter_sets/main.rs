@@ -362,7 +362,7 @@ fn behind_a_fault_of_the_state_a_tripped_watch_stays_tripped() {
             match cycle {
                 800 => state.ipc.watch.tripped = true,
                 810 if is_refused => inputs.params.structure += 1,
-                // In the fade out, and behind it.
+                // In the fade out, and after it.
                 820 | 1500 => state.ipc.fade = u32::MAX,
                 2000 => inputs.params = tunable_ipc::params(&coeffs),
                 _ => {}
@@ -379,7 +379,8 @@ fn behind_a_fault_of_the_state_a_tripped_watch_stays_tripped() {
     }
 }
 
-/// Behind a fault of the state no number in use is trusted: with a set that is refused nothing is added until a sound one is offered.
+/// After a fault of the state no number in use is trusted: with a set that is refused nothing is added until a sound one is
+/// offered.
 #[test]
 fn behind_a_fault_of_the_state_a_refused_set_leaves_none_in_use() {
     let coeffs = coeffs::<f64>(&bench(0, RealKind::F64).designed);

@@ -49,7 +49,7 @@ fn what_runs_from_any_state_stays_within_what_was_shown() {
             machine.set_state(&filled(&program.state, &program, &mut rng));
             let mut inputs = filled(&program.inputs, &program, &mut rng);
             for _ in 0..3 {
-                // Usable samples mostly, so that what lies behind the tests is reached too.
+                // Usable samples mostly, so that what lies after the tests is reached too.
                 for (value, input) in inputs.iter_mut().zip(&program.inputs) {
                     if !rng.word().is_multiple_of(4) {
                         *value = input.start;

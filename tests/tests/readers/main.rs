@@ -15,7 +15,7 @@ fn read_list(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
     read("x.lis", text.as_ref(), &options)
 }
 
-/// A set without files beside it.
+/// A set without files next to it.
 fn read_set(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
     read("set.toml", text.as_ref(), &ListOptions::default())
 }
@@ -156,7 +156,7 @@ proptest! {
         let bytes = changed(&list, &changes);
         assert_well_said(&bytes, &read_list(&bytes).1);
         let bytes = changed(&set, &changes);
-        // The lists that it names are not there: whatever else is wrong is said beside that.
+        // The lists that it names are not there: whatever else is wrong is said next to that.
         assert_well_said(&bytes, &read_set(&bytes).1);
     }
 }

@@ -146,7 +146,7 @@ impl Bench {
         self.outputs
     }
 
-    /// A cycle with other inputs, which are gone behind it.
+    /// A cycle with other inputs, which are gone after it.
     pub fn with_inputs(&mut self, change: impl FnOnce(&mut Inputs<f64>)) -> Outputs<f64> {
         let before = self.inputs;
         change(&mut self.inputs);
@@ -222,7 +222,7 @@ impl Bench {
         bench
     }
 
-    /// In POSITION behind TO_POSITION, whose first cycle is the next one.
+    /// In POSITION after TO_POSITION, whose first cycle is the next one.
     pub fn before_takeover(self) -> Self {
         let mut bench = self.before_to_position();
         bench.until_next(SpindleState::Position);

@@ -1,4 +1,4 @@
-//! BRAKE, and TO_POSITION behind it.
+//! BRAKE, and TO_POSITION after it.
 
 use super::bench::{
     BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, V_WINDOW, VELOCITY_MODE,

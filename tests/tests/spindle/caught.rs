@@ -1,4 +1,4 @@
-//! The drive comes on beside a spindle that turns: it is caught at its velocity, or taken hold of where it is slow.
+//! The drive comes on next to a spindle that turns: it is caught at its velocity, or taken hold of where it is slow.
 
 use super::bench::{
     BRAKE_CYCLES, Bench, LEAD_TIME, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, V_WINDOW, VELOCITY_MODE,
@@ -8,7 +8,7 @@ use reference::spindle::{Coeffs, Inputs, Job, SpindleState};
 
 const FAST: f64 = 1000.0 * RPM;
 
-/// A block that starts beside a spindle that turns; its drive displays `display`.
+/// A block that starts next to a spindle that turns; its drive displays `display`.
 fn beside(mut bench: Bench, v: f64) -> Bench {
     (bench.x_actual, bench.v_actual) = (Some(90_000.0), Some(v));
     bench

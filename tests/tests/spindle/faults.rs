@@ -3,7 +3,7 @@
 use super::bench::{BRAKE_CYCLES, Bench, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, VELOCITY_MODE, wrap};
 use reference::spindle::{Inputs, Job, SpindleState};
 
-/// A bench in each error: the id, the state in which it came, and the bench behind that cycle.
+/// A bench in each error: the id, the state in which it came, and the bench after that cycle.
 fn failed() -> Vec<(u32, SpindleState, Bench)> {
     let fail = |mut bench: Bench, display, cycles| {
         bench.display = display;
@@ -131,7 +131,7 @@ fn a_reset_of_an_error_that_outlasted_drive_off_begins_anew_when_the_drive_is_on
     }
 }
 
-/// The position command behind an error: a resynchronisation like any other.
+/// The position command after an error: a resynchronisation like any other.
 #[test]
 fn brake_behind_an_error_ends_with_the_formula() {
     for (id, _, mut bench) in failed() {

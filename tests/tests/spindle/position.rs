@@ -1,4 +1,4 @@
-//! POSITION, its transition to TO_VELOCITY, and its first cycle behind TO_POSITION.
+//! POSITION, its transition to TO_VELOCITY, and its first cycle after TO_POSITION.
 
 use super::bench::{Bench, POSITION_MODE, RPM, T, V_ON, VELOCITY_MODE, WINDOW, assert_angle, wrap};
 use reference::spindle::{Coeffs, Inputs, Job, SpindleState};

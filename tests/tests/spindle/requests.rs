@@ -119,7 +119,7 @@ fn a_request_with_the_drive_off_is_error_36() {
     }
 }
 
-/// In the order of the page: 32, 33, 34, 36, 35; and 31 only for those beside a request that is not refused.
+/// In the order of the page: 32, 33, 34, 36, 35; and 31 only for those next to a request that is not refused.
 #[test]
 fn a_request_is_refused_for_the_first_reason() {
     let full = || {

@@ -88,7 +88,7 @@ fn a_turn_during_brake_behind_a_reset_is_served() {
     assert_eq!((bench.outputs.job, bench.outputs.waiting), (Job::Turn, 0));
 }
 
-/// It waits until POSITION. Only a reset behind it may clear it.
+/// It waits until POSITION. Only a reset after it may clear it.
 #[test]
 fn a_turn_in_to_velocity_behind_a_reset_is_not_lost() {
     for bench in Bench::both() {
@@ -160,7 +160,7 @@ fn a_reset_in_velocity_brakes_without_an_interpolator() {
     }
 }
 
-/// A reset in VELOCITY that a missing sample delays: what is asked for behind it waits for POSITION.
+/// A reset in VELOCITY that a missing sample delays: what is asked for after it waits for POSITION.
 #[test]
 fn nothing_is_served_in_velocity_while_a_reset_is_remembered() {
     for bench in Bench::both() {
@@ -178,7 +178,7 @@ fn nothing_is_served_in_velocity_while_a_reset_is_remembered() {
     }
 }
 
-/// (3) is behind (2): the spindle is in BRAKE, and stops there.
+/// (3) is after (2): the spindle is in BRAKE, and stops there.
 #[test]
 fn a_reset_in_a_wrong_cycle_ends_an_error_and_error_1_stays() {
     let mut bench = Bench::in_drive().before_to_velocity();

@@ -1,4 +1,4 @@
-//! Which files are written, named and kept: repeated targets, single axes beside what all share, pages, outputs of a run.
+//! Which files are written, named and kept: repeated targets, single axes next to what all share, pages, outputs of a run.
 
 use super::{axgen, started};
 use std::collections::BTreeSet;

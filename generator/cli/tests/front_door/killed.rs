@@ -1,4 +1,4 @@
-//! What a killed run leaves beside its targets, and files of a person that only have such a name.
+//! What a killed run leaves next to its targets, and files of a person that only have such a name.
 
 use super::{axgen, started};
 use std::collections::BTreeMap;
@@ -44,7 +44,7 @@ fn a_file_of_a_person_stays_whatever_its_name_is() {
     }
 }
 
-/// Beside a target of this run anything of that name is; beside another one what bears its right checksum.
+/// In addition to a target of this run anything of that name is; next to another one what bears its right checksum.
 #[test]
 fn what_a_killed_run_left_is_put_back_or_removed() {
     let folder = started();

@@ -178,7 +178,7 @@ fn the_line_that_is_shown_is_written_out() {
     assert_eq!((&object["text"], &object["column"]), (&shown.into(), &36.into()));
 }
 
-/// Some editors put a mark before a text: it is no character of the first line.
+/// Some editors put a mark before a text: it is not a character of the first line.
 #[test]
 fn a_byte_order_mark_moves_no_column() {
     let folder = tempfile::tempdir().unwrap();

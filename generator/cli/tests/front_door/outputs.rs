@@ -88,7 +88,7 @@ fn sets_and_lists_replace_nothing_unasked() {
     }
 }
 
-/// Neither with --force: what lies behind a link, and a device, is nobody's output.
+/// Neither with --force: what lies after a link, and a device, is nobody's output.
 #[test]
 #[cfg(unix)]
 fn nothing_is_written_through_a_link_or_into_a_device() {

@@ -96,7 +96,7 @@ fn beside_a_result(row: &Row) -> Seen {
     let (mut before, mut after) = (RESULT.clone(), read_result(&out));
     if run.code == 0 {
         after.retain(|name, _| before.contains_key(name));
-        // The manifest has the older lines beside the new ones.
+        // The manifest has the older lines next to the new ones.
         let lines = |of: &mut BTreeMap<PathBuf, Vec<u8>>| of.remove(Path::new(MANIFEST)).unwrap();
         let [before, after] = [&mut before, &mut after].map(|of| String::from_utf8(lines(of)).unwrap());
         assert!(before.lines().all(|line| after.lines().any(|kept| kept == line)), "{}: {after}", row.input);

@@ -37,7 +37,7 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
         );
         e.warn(codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1".to_owned());
     }
-    // A stroke of 0, the default, is no probe.
+    // A stroke of 0, the default, is not a probe.
     let stroke = e.given(key(Name::HubMesstaster)).map(|setting| setting.value.as_ref());
     if stroke.is_some_and(|stroke| stroke != Some(&Value::Integer(0))) {
         let found = "the axis has a measuring probe (P-AXIS-00086), and feedforward delays its position by a cycle at the least";

@@ -118,7 +118,7 @@ fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     e.warn(codes::SLOW, key, found, Some(instead));
 }
 
-/// P-AXIS-00756 should not stand beside the parameters that came with its successor.
+/// P-AXIS-00756 should not stand next to the parameters that came with its successor.
 fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let old_key = (Name::FilterDamping, [i, 0]);
     let uses_damping = stage.mode.osc_damping().is_some();

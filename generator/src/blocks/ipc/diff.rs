@@ -1,5 +1,5 @@
-//! Improved position control of two versions of an axis beside each other: its own values; of each stage what was set, and what it
-//! does at the centre frequencies.
+//! Improved position control of two versions of an axis next to each other: its own values; of each stage what was set, and
+//! what it does at the centre frequencies.
 
 use super::super::values::is_same;
 use super::{filter, stage::StageDesign};

@@ -13,7 +13,7 @@ use crate::rules::effective::Effective;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Reads the response; none: there is none, or an error, which has been said. A file that a set names lies beside the set.
+/// Reads the response; none: there is none, or an error, which has been said. A file that a set names lies next to the set.
 pub(crate) fn read(
     designed: &Designed,
     values: &Values,

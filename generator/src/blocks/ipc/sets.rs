@@ -18,9 +18,9 @@ pub(in crate::blocks) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
     [structure(axis, ipc), set(axis, ipc)]
 }
 
-/// What a structure is told by: a number made of the axis's name, of the real type and of every coefficient that is no real, but for the mode at
-/// start. Sets of the same structure fit the same block: those of another axis never do. The number behind `ipc` grows whenever a number of a set gets
-/// another meaning, as B did with 3.
+/// The structure id: a hash of the axis name, the real type and all coefficients that are not reals, except the start mode.
+/// Sets of the same structure fit the same block; those of another axis never do. The number after `ipc` grows whenever a
+/// number of a set gets another meaning, as B did with 3.
 fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let fixed = IpcCoeffs { enable: 0, ..*ipc };
     let mut all = leaves(&fixed);

@@ -1,4 +1,4 @@
-//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it beside what is said of one with
+//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it next to what is said of one with
 //! constants.
 
 use super::notes::note;

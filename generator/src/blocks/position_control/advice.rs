@@ -27,7 +27,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// Feedforward in the CNC beside that of the drive.
+/// Feedforward in the CNC next to that of the drive.
 fn twice(control: &PositionControl, feedforward: &Feedforward, drive: Option<DriveType>, e: &mut Effective<'_>) {
     let in_drive = control.location != Location::Cnc;
     let weights = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting];

@@ -39,7 +39,7 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
                 ),
             )
         }
-        // Of a default that is no machine's another message says so.
+        // Of a default that is not a machine's another message says so.
         Some(given) if f64::from(on) >= axis.ipc.v_max && e.given(v_max).is_some() => {
             let found = format!(
                 "{} is {on}, and vb_max {} (P-AXIS-00212) is not above it: the spindle stays in position control",
@@ -94,7 +94,7 @@ fn no_effect(spindle: &Spindle, e: &mut Effective<'_>) {
     e.warn(codes::NO_EFFECT, key(*first), found, None);
 }
 
-/// P-AXIS-00833 beside a P-AXIS-00766 of another value.
+/// P-AXIS-00833 next to a P-AXIS-00766 of another value.
 fn two_weights(e: &mut Effective<'_>) {
     let keys = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting].map(key);
     let [new, old] = keys.map(|key| e.given(key).and_then(|setting| setting.value.clone()));

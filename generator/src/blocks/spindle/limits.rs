@@ -11,7 +11,7 @@ use portable::Extreme;
 const HALF_A_REVOLUTION: f64 = 180_000.0;
 /// Single precision counts up to here.
 const MOST_CYCLES: u64 = 1 << 24;
-/// Beside twice the ramp, in the default of the brake's time [ns].
+/// In addition to twice the ramp, in the default of the brake's time [ns].
 const BRAKE_RESERVE: u64 = 500_000_000;
 
 /// 0.001 deg/s as revolutions per minute.

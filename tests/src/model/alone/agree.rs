@@ -76,7 +76,7 @@ fn run(drawn: &Drawn, rng: Rng, cycles: usize) -> Result<Seen, String> {
                         // No set stays in use after such a fault.
                         "all" => !model.has_set() || active_set == 0.0,
                         // A block without a fault before would have ridden through. Else its parts start anew: mostly the large sample that
-                        // left it open is no fault.
+                        // left it open is not a fault.
                         "weights" => !is_one_of(&[1.0]) && model.can_ride(),
                         _ => true,
                     },

@@ -33,7 +33,7 @@ pub struct Drawn {
     pub filters: Vec<Vec<Filters>>,
 }
 
-/// Sets of an axis beside its own.
+/// Sets of an axis next to its own.
 const OTHERS: usize = 3;
 
 impl Drawn {

@@ -49,7 +49,7 @@ pub fn difference(p: &Parameters, expected: &Outputs, found: &Outputs, lead: f64
     let integer = |name, e: i64, f: i64| (e != f).then(|| format!("{name}: the model has {e}, the block {f}"));
     let flag = |name, e: bool, f: bool| (e != f).then(|| format!("{name}: the model has {e}, the block {f}"));
     let real = |name, e: f64, f: f64, distance: f64, scale: f64| {
-        // A distance that is no number is a difference.
+        // A distance that is not a number is a difference.
         let is_near = distance <= TOLERANCE * scale.abs().max(TURN);
         (!is_near).then(|| format!("{name}: the model has {e:?}, the block {f:?}"))
     };

@@ -1,10 +1,10 @@
 //! An independent model of the block `spindle`, in plain double precision: written from `docs/spindle.md`, and nothing of the
 //! block may be copied into it.
 //!
-//! It is no state machine of counters. The model numbers its cycles and keeps a log of when which state was entered, and where; times
-//! and "in a row" are differences of numbers of cycles. A cycle ([`Model::cycle`]) first collects what is wrong, then what the state
-//! would change to, then chooses one motion ([`motion::Motion`]), then appends to the log. Requests are a queue ([`requests`]). Angles
-//! are remainders.
+//! It is not a state machine of counters. The model numbers its cycles and keeps a log of when which state was entered, and
+//! where; times and "in a row" are differences of numbers of cycles. A cycle ([`Model::cycle`]) first collects what is
+//! wrong, then what the state would change to, then chooses one motion ([`motion::Motion`]), then appends to the log.
+//! Requests are a queue ([`requests`]). Angles are remainders.
 //!
 //! # What is compared ([`agree`])
 //!
@@ -25,7 +25,7 @@
 //!    start keeps 42 and 43 away.
 //! 6. Error 23 is told in each cycle of BRAKE, also while v_spindle is too high itself. The 3 cycles are counted from the first one
 //!    of BRAKE, whose cycle before is one of another state, or of the error that stayed.
-//! 7. A reset in the cycle in which POSITION changes to TO_VELOCITY lets it change: the job ends behind the state, and nothing
+//! 7. A reset in the cycle in which POSITION changes to TO_VELOCITY lets it change: the job ends after the state, and nothing
 //!    is remembered, for the state is POSITION.
 //! 8. "In VELOCITY only STOP and TURN are served" is about the next state, in the last cycle of TO_VELOCITY too.
 //! 9. Jobs are served in cycles that miss samples.

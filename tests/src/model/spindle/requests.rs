@@ -68,7 +68,7 @@ impl Requests {
         if counting.next().is_some() { Err(31) } else { Ok(()) }
     }
 
-    /// Puts a request behind those that wait, or refuses it.
+    /// Puts a request after those that wait, or refuses it.
     fn admit(&mut self, kind: Kind, inputs: &Inputs, only_velocity: bool) -> Result<(), u32> {
         let has_speed = matches!(kind, Kind::Turn | Kind::Position);
         let has_target = kind == Kind::Position;

@@ -1,4 +1,4 @@
-//! Which constructs of portable Rust a program has: types and functions here, what stands in bodies beside it.
+//! Which constructs of portable Rust a program has: types and functions here, what stands in bodies next to it.
 
 mod body;
 mod order;

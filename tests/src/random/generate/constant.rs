@@ -1,9 +1,9 @@
-//! Constants: the values that are most likely to be treated wrongly, beside ordinary ones.
+//! Constants: the values that are most likely to be treated wrongly, next to ordinary ones.
 
 use crate::random::choices::Choices;
 use crate::random::syntax::{Scalar, Value};
 
-/// The largest `usize` that is no loop variable: an index below 3 is within every array that it is used in.
+/// The largest `usize` that is not a loop variable: an index below 3 is within every array that it is used in.
 pub const LARGEST_KNOWN: usize = 2;
 
 /// Reals that are finite in both real types: zeros, ones, powers of two, others, a subnormal of f32, large ones.

@@ -1,4 +1,4 @@
-//! What a compiled block is certain to keep: the largest values inside it, and its response beside the designed one.
+//! What a compiled block is certain to keep: the largest values inside it, and its response next to the designed one.
 //!
 //! ```text
 //! probe     verified program -> what single steps do

@@ -22,7 +22,7 @@ const UNIT: f64 = f32::EPSILON as f64 / 2.0;
 ///
 /// An operation with the result v errs by at most u |v|, u = 2^-24; its error is taken for white noise of the variance
 /// u^2 v^2 / 3, v^2 the mean square. Each error goes through what is left of its section, whose gain is known in closed form, and
-/// through the sections behind it, whose gain is at most what it is at one of their centres or at f0. What the rounding of the
+/// through the sections after it, whose gain is at most what it is at one of their centres or at f0. What the rounding of the
 /// coefficients changes at f0 is added.
 pub(super) fn of_chain(chain: &Chain, design: &StageDesign) -> Option<f64> {
     let sections = chain.section.iter().map(|section| match section {

@@ -55,7 +55,7 @@ pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
 pub(crate) struct Run {
     /// v_stage, as far as it was added up
     pub response: Vec<f64>,
-    /// bound of the sum of all |v_stage| behind that
+    /// bound of the sum of all |v_stage| after that
     rest: f64,
     /// bound of the L1 norm to any state
     state: f64,

@@ -33,7 +33,7 @@ pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u3
     Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
 }
 
-/// The prototype; behind the first filter it has no default.
+/// The prototype; after the first filter it has no default.
 fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     let key = (Name::FilterPrototype, index);
     let parameter = key.0.parameter();

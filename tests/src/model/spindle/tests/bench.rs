@@ -104,7 +104,7 @@ impl Bench {
         bench
     }
 
-    /// The first cycle of TO_POSITION behind BRAKE has passed; it does not answer.
+    /// The first cycle of TO_POSITION after BRAKE has passed; it does not answer.
     pub fn back(self) -> Self {
         let mut bench = self.brake();
         (bench.echoes, bench.inputs.v_actual) = (false, bench.p.v_off);

@@ -295,7 +295,7 @@ fn a_take_over_beyond_its_window_is_error_46() {
         assert_eq!([after(360_000.0, false), after(-719_500.0, false)], [(0, 0); 2]);
         // It stays due while there is no sample.
         assert_eq!([after(1001.0, true), after(999.0, true)], [(46, 46), (0, 0)]);
-        // Behind any missing sample, and only then.
+        // After any missing sample, and only then.
         let mut bench = Bench::both().into_iter().nth(index).expect("two").positioned();
         bench.cycle();
         for (step, is_seen) in [(5000.0, true), (0.0, true), (900.0, false), (5000.0, true)] {

@@ -21,7 +21,7 @@ fn all_states_all_changes_and_all_errors_are_reached_in_the_drive_and_in_the_cnc
     let mut changes = BTreeMap::<(bool, i32, i32), u32>::new();
     let mut errors = BTreeMap::<(bool, i32, u32), u32>::new();
     let mut jobs = BTreeMap::<(bool, i32, i32), u32>::new();
-    // What began by missing samples: the state, the error, whether it stayed; and a take-over that failed behind them.
+    // What began by missing samples: the state, the error, whether it stayed; and a take-over that failed after them.
     let mut missed = BTreeMap::<(bool, i32, u32, bool), u32>::new();
     let mut limited = 0;
     for seed in 0..SEEDS {
