@@ -40,7 +40,7 @@ codes! {
         "No file of its kind has as many bytes, samples not more than 256 MiB; it is probably another file.";
     UTF8 = "AX003", "a set is not UTF-8",
         "TOML is UTF-8. An axis list may have any byte in its comments, a set may not: save it as UTF-8.";
-    SYNTAX = "AX004", "a set is no TOML",
+    SYNTAX = "AX004", "a set is not TOML",
         "The file breaks the syntax of TOML at this place. Until it is mended nothing else of it is checked.";
     NO_AXIS = "AX005", "a set without an axis",
         "A set names at least one axis: a table [axis.NAME] with a list, or with parameters.";
@@ -54,11 +54,11 @@ codes! {
     CYCLE_TIME = "AX009", "no cycle time",
         "The coefficients hold for one cycle time of the position controller only, and no axis list holds it: give it as \
          cycle_time in a set, or with --cycle-time. The generated block can check it against its task.";
-    NOT_LISTED = "AX010", "more messages than anybody reads",
+    NOT_LISTED = "AX010", "too many messages",
         "A thousand messages were listed. Mend the first ones: the others often follow from them.";
     USAGE = "AX011", "a command line that cannot be carried out",
         "An option is unknown or missing, or its value is none. `axgen help COMMAND` says what a command takes.";
-    NO_SUCH = "AX012", "a name that nothing has",
+    NO_SUCH = "AX012", "an unknown name",
         "The axis, the target, the stage, the engine, the block, the parameter or the code that the command line names does \
          not exist.";
     EDITED = "AX013", "a generated file that was changed by hand",
@@ -75,10 +75,10 @@ codes! {
          folder takes no files.";
     UNWRITABLE = "AX017", "a place that takes no output",
         "The system does not let the command write to the file, the folder or the standard output: no permission, no space, or \
-         something else is in the way. This is no mistake in the set.";
+         something else is in the way. This is not a mistake in the set.";
     NO_ENGINE = "AX018", "an engine that cannot run",
         "The engine needs a program that is not there, or that does not work: mostly the C compiler, `cc` or what the variable \
-         CC names. This is no mistake in the set.";
+         CC names. This is not a mistake in the set.";
     NC_PROGRAM = "AX019", "a mistake in an NC program",
         "A scenario is an NC program of the words that docs/scenarios.md lists, run on one axis: a spindle, or a path axis \
          named X, Y or Z. Every block must be over at some time, and no error of the generated block may occur.";
@@ -105,7 +105,7 @@ codes! {
     BYTE = "AX102", "a byte outside of ASCII",
         "Bytes that are not printable ASCII are legal in comments, and in the values of other functions' parameters.";
     NO_VALUE = "AX103", "a parameter without a value",
-        "The line names a parameter and ends. Write the value behind the path, with a blank between, or take the line away: \
+        "The line names a parameter and ends. Write the value after the path, with a blank between, or take the line away: \
          then the default holds.";
     UNKNOWN = "AX104", "an unknown parameter",
         "The path lies in a structure that axgen owns, or in a set, and no parameter has it. Passing it over could leave \
@@ -122,19 +122,19 @@ codes! {
     KEY_OF_A_SET = "AX109", "a key of a set in an axis list",
         "The name is a key of axgen's own, which no controller knows. Write it in a TOML set whose axis names this list.";
     NO_LIST = "AX110", "not an axis list",
-        "The file is of another kind: no line of it gives a parameter of an axis, or so many lines cannot be read. What the \
+        "The file is of another kind: no line of it gives a parameter of an axis, or most lines cannot be read. What the \
          file seems to be is said. The name of a set in TOML ends with .toml; every other file is taken for an axis list.";
-    TEXT_BEHIND = "AX111", "text behind a value",
-        "A controller takes what stands behind a value for a comment, and so does axgen. Write a `#` before it: a unit or a \
+    TEXT_BEHIND = "AX111", "text after a value",
+        "A controller takes the text after a value for a comment, and so does axgen. Write a `#` before it: a unit or a \
          second value that somebody relies on would be lost otherwise.";
     WRAPPED = "AX112", "a comment without its sign",
         "Manuals print long comments over several lines, and such a line is taken for the rest of the comment above; so are \
          words that are no path. A controller may take them for a parameter: begin them with `#`.";
-    COMMENT = "AX113", "text behind a comment",
+    COMMENT = "AX113", "text after a comment",
         "A comment that begins with /* ends with its line, whatever follows */. The controller does not read the parameter \
-         behind it.";
-    BEHIND_END = "AX114", "a parameter behind the end of a list",
-        "A line `Ende` ends a list: the controller reads nothing behind it.";
+         after it.";
+    BEHIND_END = "AX114", "a parameter after the end of a list",
+        "A line `Ende` ends a list: the controller reads nothing after it.";
     NC_WORD = "AX115", "a word of an NC program",
         "G135, G136 and G137 switch and weight feedforward while a program runs. The blocks have inputs for them: \
          feedforward_active is TRUE from G135 on and FALSE from G137 on, feedforward_percentage is the number of G136.";
@@ -193,7 +193,7 @@ codes! {
     PROTOTYPE = "AX302", "a band-pass in the second filter without a prototype",
         "In the first filter the prototype has a default, in the second it must be written (P-AXIS-00848).";
     DAMPING = "AX303", "two values for one damping",
-        "P-AXIS-00850 replaces P-AXIS-00756. Both are given, and differ: which one is meant cannot be told.";
+        "P-AXIS-00850 replaces P-AXIS-00756. Both are given, and differ: the intended one is not known.";
     NYQUIST = "AX304", "a frequency too high for the cycle time",
         "Above 0.45 of the sampling frequency the design runs into the pole of its tangent at one half.";
     GANTRY_SLAVE = "AX305", "enabled on a gantry slave (70600)",
@@ -220,7 +220,7 @@ codes! {
         "The angle that the motor turns by follows from the path resolution and the increments per revolution \
          (P-AXIS-00092), which is 0. With a feed constant a PROFIdrive drive would get 0 for every control deviation, too.";
     SCALE = "AX314", "a scaling beyond the numbers",
-        "The parameters of a scaling are so large that their product with a velocity or an acceleration is no number any \
+        "The parameters of a scaling are so large that their product with a velocity or an acceleration is not a number any \
          more.";
     MASTER = "AX315", "no master of a gantry",
         "A gantry slave puts out the additive velocity of its master: the master is another axis of the set, which is itself \
@@ -270,7 +270,7 @@ codes! {
          time follows from the deceleration, where it is not given.";
     GANTRY_SPINDLE = "AX328", "a changeover in a gantry",
         "The axes of a gantry have one position. In velocity control they would lose it, and each other.";
-    STEP = "AX329", "conventional feedforward beside a changeover in the drive",
+    STEP = "AX329", "conventional feedforward together with a changeover in the drive",
         "Where the drive controls the position, conventional feedforward leads its position command by v_feedforward / Kv. The \
          command that is computed for the change to position control does not, and would step by that at the changeover. This is \
          our inference from how the command is made. Use an additive velocity, or the feedforward of the drive.";
@@ -339,7 +339,7 @@ codes! {
         "Parameters of several gear steps are given, and one of them is used: step 0, or the one that the key `gear` names. \
          Write the key `gear` below the axis of a set to choose. What the chosen step lacks does not come from another one, but \
          is its default: write it as getriebe[i] of that step.";
-    GENERATIONS = "AX404", "old beside new parameters",
+    GENERATIONS = "AX404", "old and new parameters together",
         "P-AXIS-00756 is still valid, but should not be combined with filter[k] and P-AXIS-00850, which came with its \
          successor.";
     SET_POINT = "AX405", "a weight too large for SET_POINT",
@@ -408,7 +408,7 @@ codes! {
          that is right for unequal drives only. Where one of the two turns and the other does not, not even the unit is the \
          same.";
     MASTER_UNKNOWN = "AX428", "the master of a gantry is not there",
-        "A list that stands alone has no master beside it. In a set with both, the slave's block `axis` puts out the master's \
+        "A list alone has no master. In a set with both, the slave's block `axis` puts out the master's \
          additive velocity.";
     DISABLED = "AX429", "feedforward is disabled",
         "global_disable (P-AXIS-00256) wins over G135: the block puts out 0.";
@@ -448,7 +448,7 @@ codes! {
     ASSUMED = "AX440", "a default that motion depends on",
         "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: \
          write the value, also where it is the default. The line `assumed` of check and generate lists all such parameters.";
-    PROBE = "AX441", "a measuring probe beside feedforward",
+    PROBE = "AX441", "a measuring probe together with feedforward",
         "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not \
          count in a measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
     PREDECESSOR = "AX442", "the predecessor of a parameter",
@@ -460,7 +460,7 @@ codes! {
     NEVER = "AX444", "a changeover that never comes",
         "Velocity control begins above P-AXIS-00767, whose default is 33333 rpm. The spindle does not turn so fast, or is not \
          meant to: it would stay in position control.";
-    ADDS = "AX445", "an additive velocity beside a changeover",
+    ADDS = "AX445", "an additive velocity together with a changeover",
         "ADD_VEL sends the whole velocity as an additive command. In velocity control the drive would get it twice, and the \
          position command of the change to position control counts the drive's own feedforward only. Switch it off (G137) while \
          `loop_closed` is FALSE, or use the feedforward of the drive.";
@@ -526,7 +526,7 @@ codes! {
         "The list that an axis of a set names has the name of another axis (kopf.log_achs_name). Mostly it is the wrong file, \
          and the block would be made from the parameters of another machine part. Name the right list, or give the axis of the \
          set the name in the list.";
-    COMMAND_FILTER = "AX467", "a command filter beside improved position control",
+    COMMAND_FILTER = "AX467", "a command filter together with improved position control",
         "The list has a filter of the position command that is on: filter[i] (P-AXIS-00319, 00140), filter_fir (P-AXIS-00573, \
          00586) or an HSC filter, which the NC program switches on. It delays the command and turns its phase. A stage in the \
          mode SET_POINT takes the command, and a comparison of the axis with and without stages includes the filter. Tune the \
@@ -580,7 +580,7 @@ codes! {
         "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with \
          mode ON, from a cycle on in which the block is at rest, with the outputs that the move changes.";
 
-    LEFT_OVER = "AX490", "a file that is no longer generated, and not as it was generated",
+    LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
          removed it; but somebody has changed it, or put another file in its place. It stays, and in a project it goes on being \
          compiled: a function block with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of \
