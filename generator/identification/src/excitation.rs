@@ -1,7 +1,7 @@
 //! The signal that excites an axis: a maximum-length sequence. What a start of it means for the machine.
 
 use crate::{Complex64, fourier};
-use portable::Extreme;
+use portable::{Extreme, peak};
 use std::f64::consts::PI;
 
 /// How long a clock of the default excitation holds [s].
@@ -201,7 +201,7 @@ impl Excitation {
         lines[0] = Complex64::from(0.0);
         lines.iter_mut().enumerate().skip(1).for_each(|(k, line)| *line *= response(k as f64 * spacing));
         let answer = fourier::real_of(&lines, period.len());
-        self.amplitude * answer.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)))
+        self.amplitude * peak(&answer)
     }
 }
 

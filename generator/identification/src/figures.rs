@@ -4,7 +4,7 @@ use crate::peaks::windowed;
 use crate::shape::{Shape, Stages};
 use crate::what_if::{Axis, WhatIf, following_error};
 use crate::{Complex64, magnitude, turned, whole};
-use portable::Extreme;
+use portable::{Extreme, peak};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -205,10 +205,6 @@ fn sine(windowed: &[f64], w: f64) -> f64 {
         turn *= step;
     }
     4.0 / windowed.len() as f64 * magnitude(sum)
-}
-
-fn peak(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)))
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {

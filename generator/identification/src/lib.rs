@@ -49,6 +49,7 @@ mod welch;
 pub mod what_if;
 
 pub use stability::Complex64;
+use stability::magnitude;
 
 const ZERO: Complex64 = Complex64::new(0.0, 0.0);
 
@@ -56,11 +57,6 @@ const ZERO: Complex64 = Complex64::new(0.0, 0.0);
 fn turned(angle: f64) -> Complex64 {
     let (sin, cos) = libm::sincos(angle);
     Complex64::new(cos, sin)
-}
-
-/// The square root is exact on every host.
-fn magnitude(value: Complex64) -> f64 {
-    value.norm_sqr().sqrt()
 }
 
 /// The angle in (-pi, pi].

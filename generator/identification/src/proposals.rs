@@ -32,6 +32,21 @@ pub enum Kind {
     Strong,
     /// the recommended shapes with Ms within 1.4 in all scenarios
     Cautious,
+    /// a tenth of the weights that a usual drive bears: the response is not known
+    First,
+}
+
+impl Kind {
+    /// As reports call it.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Recommended => "recommended",
+            Self::Strong => "strong",
+            Self::Cautious => "cautious",
+            Self::First => "first",
+        }
+    }
 }
 
 /// Stages with weights, and what they do.

@@ -1,6 +1,6 @@
 //! What a record holds, by its command: rest, driving, ramps. No spectrum.
 
-use portable::Extreme;
+use portable::peak;
 use std::ops::Range;
 
 /// An axis accelerates above that part of its largest acceleration, and drives above that part of its largest velocity.
@@ -26,7 +26,6 @@ pub struct Segment {
 /// where |v| is above 5 % of its peak, else rest.
 #[must_use]
 pub fn of(v_command: &[f64]) -> Vec<Segment> {
-    let peak = |values: &[f64]| values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)));
     let mut a: Vec<f64> = v_command.windows(2).map(|pair| pair[1] - pair[0]).collect();
     a.insert(0, 0.0);
     let (least_a, least_v) = (ACCELERATES * peak(&a), DRIVES * peak(v_command));

@@ -2,10 +2,10 @@
 //! another response show there.
 
 use super::units::NEAR_ONE;
-use super::{From, Point, Said, degrees, magnitude};
+use super::{From, Point, Said, degrees};
 use crate::codes;
 use crate::number::{decibels, decimals, significant};
-use stability::Complex64;
+use stability::{Complex64, magnitude};
 use std::f64::consts::TAU;
 
 /// Ratios of usual units of velocities: rpm, 1/s, rad/s, deg/s, mm/s, m/s, m/min.

@@ -30,7 +30,7 @@ mod text;
 mod units;
 
 use crate::diagnostics::{Diagnostic, Place, Report};
-use stability::{Complex64, Response};
+use stability::{Complex64, Response, magnitude};
 
 /// What a response was measured from and to. A delay [s] is what the measurement does not contain of the way from the cycle that writes the
 /// commanded velocity to the cycle that reads its effect: the cycles between the CNC and the drive, if the drive itself was measured.
@@ -158,10 +158,6 @@ fn of_table<'t>(text: &'t str, said: &mut Said<'_>) -> Result<Reading<'t>, Repor
     let lines = numbers::lines(&table, &columns, said);
     let without_errors = numbers::without_errors(&table, &columns, said);
     said.usable(Reading { lines, columns, without_errors })
-}
-
-fn magnitude(value: Complex64) -> f64 {
-    value.norm_sqr().sqrt()
 }
 
 /// [deg]

@@ -43,8 +43,9 @@ pub const STAGES: usize = 3;
 /// The largest weight of a stage (P-AXIS-00754).
 pub const LARGEST_WEIGHT: f64 = 7.0;
 
-/// sqrt(re^2 + im^2): the square root is exact on every host, and no square of this crate overflows.
-fn magnitude(value: Complex64) -> f64 {
+/// sqrt(re^2 + im^2): the square root is exact on every host, and no square of a response overflows.
+#[must_use]
+pub fn magnitude(value: Complex64) -> f64 {
     value.norm_sqr().sqrt()
 }
 

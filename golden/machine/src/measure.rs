@@ -2,7 +2,7 @@
 //! sum: the frequencies that are asked for are few.
 
 use super::closed_loop::Record;
-use portable::Extreme;
+use portable::{Extreme, peak};
 use std::f64::consts::TAU;
 
 /// The columns of the table of the application example.
@@ -64,12 +64,6 @@ fn ring_down(record: &Record) -> f64 {
     let filtered = brick_wall(&record.sensor, record.cycle, [7.0, 18.0]);
     let (from, to) = (cycles(record, 0.08), cycles(record, 0.6));
     mean(record.ramps.iter().map(|[_, end]| peak(&filtered[end + from..end + to])))
-}
-
-/// The largest magnitude.
-#[must_use]
-pub fn peak(samples: &[f64]) -> f64 {
-    samples.iter().fold(0.0, |peak, sample| sample.abs().larger(peak))
 }
 
 fn mean(values: impl Iterator<Item = f64>) -> f64 {

@@ -3,7 +3,7 @@
 
 use machine::{Machine, Measured};
 use portable::Extreme;
-use stability::{Complex64, Response};
+use stability::{Complex64, Response, magnitude};
 use std::f64::consts::TAU;
 
 /// Length of an impulse response [s], and its cycles at most: what rings longer is cut off, which the deviation shows.
@@ -49,8 +49,8 @@ impl ResponseFilter {
         let lines = response.frequencies().iter().filter(|hz| **hz * self.cycle <= 0.5);
         for hz in lines {
             let wanted = response.value(*hz);
-            let difference = (self.value(*hz) - wanted).norm_sqr().sqrt();
-            largest = wanted.norm_sqr().sqrt().larger(largest);
+            let difference = magnitude(self.value(*hz) - wanted);
+            largest = magnitude(wanted).larger(largest);
             if difference > worst {
                 (worst, at) = (difference, *hz);
             }

@@ -1,14 +1,14 @@
 //! The response of a recording that was made with an excitation: where its periods are, its lines, its dead time. No vibration.
 
-use super::record::{Record, peak};
+use super::record::Record;
 use super::verdict::Verdict;
 use generator::codes;
 use identification::dead_time::{self, Channels};
 use identification::excitation::{Excitation, Sequence};
 use identification::offset::Time;
 use identification::response::{FEWEST_PERIODS, LARGEST_UNCERTAINTY, Lines, Refused};
-use portable::Extreme;
-use stability::Complex64;
+use portable::{Extreme, peak};
+use stability::{Complex64, magnitude};
 use std::ops::Range;
 
 /// Clocks [cycles] and bits of the sequences that are tried on `v_excite`.
@@ -108,18 +108,17 @@ fn said(refused: Refused, measured: &Range<usize>, cycle: f64) -> Verdict {
             format!("v_motor changes its sign at {:.3} s, while it is excited", (measured.start + at) as f64 * cycle),
             "excite while the axis moves at constant speed, 2.5 times the amplitude or faster",
         ),
-        Refused::TooFewPeriods(_) | Refused::NotPeriods => Verdict::refusal(
-            codes::MEASURED_TOO_SHORT,
-            format!(
-                "{} measured periods of the excitation; at least {FEWEST_PERIODS} are needed",
-                match refused {
-                    Refused::TooFewPeriods(periods) => periods,
-                    _ => 0,
-                }
-            ),
-            "record 8 periods after the one in which the axis settles",
-        ),
+        Refused::TooFewPeriods(periods) => too_few(periods),
+        Refused::NotPeriods => too_few(0),
     }
+}
+
+fn too_few(periods: usize) -> Verdict {
+    Verdict::refusal(
+        codes::MEASURED_TOO_SHORT,
+        format!("{periods} measured periods of the excitation; at least {FEWEST_PERIODS} are needed"),
+        "record 8 periods after the one in which the axis settles",
+    )
 }
 
 /// The sequence and its measured periods, by what was added. The excitation rises, and falls after its last period.
@@ -193,13 +192,13 @@ fn is_of(changes: &[f64], sequence: &Sequence) -> bool {
 /// magnitude: there a magnitude turns the phases below by little.
 fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
     let mut lines = raw.smoothed(cycle);
-    let is_vague = |k: &usize| lines.error[*k] > VAGUE * lines.response[*k].norm_sqr().sqrt();
+    let is_vague = |k: &usize| lines.error[*k] > VAGUE * magnitude(lines.response[*k]);
     let needed = lines.hz.partition_point(|hz| *hz < NEEDED * 0.5 / cycle);
     let vague = (0..needed).filter(is_vague).count();
     (vague as f64 <= MOST_VAGUE * needed as f64).then_some(())?;
     let mut last = 1.0;
     for k in 0..lines.hz.len() {
-        let size = lines.response[k].norm_sqr().sqrt();
+        let size = magnitude(lines.response[k]);
         if size > 0.0 && lines.error[k] <= VAGUE * size {
             last = size;
         } else if size > 0.0 {
@@ -240,7 +239,7 @@ fn dead_time_is_possible(time: Option<Time>, cycle: f64, verdicts: &mut Vec<Verd
 
 /// Bands in which nothing can be proposed.
 fn find_uncertain(lines: &Lines, verdicts: &mut Vec<Verdict>) {
-    let is_certain = |k: usize| 2.0 * lines.error[k] < LARGEST_UNCERTAINTY * lines.response[k].norm_sqr().sqrt();
+    let is_certain = |k: usize| 2.0 * lines.error[k] < LARGEST_UNCERTAINTY * magnitude(lines.response[k]);
     let mut bands: Vec<[f64; 2]> = Vec::new();
     let mut is_open = false;
     for (k, hz) in lines.hz.iter().enumerate() {

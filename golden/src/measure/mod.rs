@@ -25,6 +25,7 @@ mod vibrations;
 pub use channels::{Channel, Timing, read};
 pub use excited::Excited;
 pub use record::Record;
+pub(crate) use record::is_same as is_same_interval;
 pub use relations::Offset;
 pub use unit::{Quantity, Unit};
 pub use verdict::Verdict;
@@ -32,7 +33,7 @@ pub use vibrations::{Vibration, When, Windows};
 
 use generator::codes;
 use identification::excitation::Sequence;
-use identification::segments::{Kind, Segment};
+use identification::segments::{self, Kind, Segment};
 
 /// Whether a recording holds an excitation.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -175,7 +176,7 @@ fn of_moves(measured: &mut Measured, record: &Record, excited: Option<&Excited>)
         verdicts.push(Verdict::refusal(codes::MEASURED_AT_REST, "the command does not move the axis", instead));
         return;
     }
-    measured.segments = record.segments(&command);
+    measured.segments = segments::of(&command);
     measured.windows = Windows::of(&measured.segments, &command, record.cycle);
     let Windows { driving, ramps } = &measured.windows;
     if driving.is_empty() && ramps.is_empty() {

@@ -3,6 +3,7 @@
 use super::{Excited, Measured, Record};
 use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
 use identification::peaks::Spectrum;
+use stability::magnitude;
 use std::ops::Range;
 
 /// Points of a curve, at most.
@@ -84,7 +85,7 @@ fn response(excited: &Excited, band: [f64; 2]) -> Vec<Panel> {
         let all = lines.hz.iter().copied().zip(lines.response.iter().copied());
         all.zip(&lines.error).filter(|((hz, _), _)| (band[0]..=band[1]).contains(hz))
     };
-    let size = points().map(|((hz, p), _)| (hz, p.norm_sqr().sqrt())).collect();
+    let size = points().map(|((hz, p), _)| (hz, magnitude(p))).collect();
     let error = points().map(|((hz, _), error)| (hz, 2.0 * error)).collect();
     let phase = points().map(|((hz, p), _)| (hz, libm::atan2(p.im, p.re).to_degrees()));
     vec![

@@ -4,8 +4,7 @@ use super::channels::{Channel, Timing};
 use super::unit::{Quantity, Unit, is_near};
 use super::verdict::Verdict;
 use generator::codes;
-use identification::segments::{self, Segment};
-use portable::Extreme;
+use portable::{Extreme, peak};
 use std::borrow::Cow;
 
 /// Times over which the command is smoothed twice [s]: of a planned position only its digits need it, of a controller's output
@@ -34,14 +33,14 @@ impl Record {
     pub(super) fn new(mut channels: Vec<Channel>, verdicts: &mut Vec<Verdict>) -> Option<Self> {
         let of = |names: &[&str]| channels.iter().find(|channel| names.contains(&channel.signal));
         let cycle = of(&["v_motor"]).or(channels.first())?.timing.interval?;
-        let is_same = |timing: &Timing| timing.interval.is_some_and(|t| libm::fabs(t / cycle - 1.0) < SAME_INTERVAL);
+        let is_as_often = |timing: &Timing| timing.interval.is_some_and(|interval| is_same(interval, cycle));
         let (latest, mut apart) = (channels.iter().filter_map(|channel| channel.timing.begins).max(), Vec::new());
         for channel in &mut channels {
             let begins = channel.timing.begins.or(latest);
             #[expect(clippy::cast_precision_loss, reason = "the time between two channels of one file")]
             let late = latest.zip(begins).map_or(0.0, |(latest, begins)| (latest - begins) as f64 / 1e9 / cycle);
             let is_even = channel.timing.jitter <= TOGETHER * cycle;
-            if !is_same(&channel.timing) || libm::fabs(late - libm::round(late)) > TOGETHER || !is_even {
+            if !is_as_often(&channel.timing) || libm::fabs(late - libm::round(late)) > TOGETHER || !is_even {
                 apart.push(format!("{} every {} ms", channel.signal, shown(channel.timing.interval)));
                 channel.values.clear();
                 continue;
@@ -129,11 +128,6 @@ impl Record {
         Some((smooth, moves))
     }
 
-    /// Rest, driving, ramps.
-    pub(super) fn segments(&self, command: &[f64]) -> Vec<Segment> {
-        segments::of(command)
-    }
-
     /// The units that the columns do not state, and what does not fit: whether a response between both velocities is possible.
     pub(super) fn find_units(&mut self, verdicts: &mut Vec<Verdict>) -> bool {
         let velocity = ["v_motor", "v_cmd", "v_command"].into_iter().find_map(|name| self.channel(name));
@@ -194,6 +188,11 @@ impl Record {
     }
 }
 
+/// Whether two intervals are equal, nearly.
+pub(crate) fn is_same(a: f64, b: f64) -> bool {
+    libm::fabs(a / b - 1.0) < SAME_INTERVAL
+}
+
 fn shown(interval: Option<f64>) -> String {
     interval.map_or_else(|| "an unknown number of".to_owned(), |interval| (interval * 1e3).to_string())
 }
@@ -216,11 +215,6 @@ fn clipped(values: &[f64]) -> Option<usize> {
         }
     }
     None
-}
-
-/// The largest magnitude.
-pub(super) fn peak(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |peak: f64, value| peak.larger(libm::fabs(*value)))
 }
 
 /// Changes by s.

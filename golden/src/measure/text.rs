@@ -4,6 +4,7 @@ use super::{Channel, Excited, Measured, Offset, Vibration, When};
 use identification::response::in_db_and_degrees;
 use identification::segments::Kind;
 use identification::source::Side;
+use stability::magnitude;
 use std::fmt::Write;
 
 /// First line of the file of a response.
@@ -144,7 +145,7 @@ fn of_excited(measured: &Measured, excited: &Excited) -> String {
     }
     text += "\n";
     let mut relative: Vec<f64> =
-        lines.error.iter().zip(&lines.response).map(|(error, p)| error / p.norm_sqr().sqrt()).collect();
+        lines.error.iter().zip(&lines.response).map(|(error, p)| error / magnitude(*p)).collect();
     relative.sort_by(f64::total_cmp);
     if let Some(middle) = relative.get(relative.len() / 2) {
         let [db, degrees] = in_db_and_degrees(*middle);

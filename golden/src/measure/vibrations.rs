@@ -10,6 +10,7 @@ use identification::resonance;
 use identification::segments::Segment;
 use identification::source::{Side, ratio, side};
 use portable::Extreme;
+use stability::magnitude;
 use std::borrow::Cow;
 use std::ops::Range;
 
@@ -208,7 +209,7 @@ fn of_decay(line: Vibration, decay: &Decay, when: When) -> Vibration {
 /// The poles of the response that an excitation shows.
 pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
     let lines = &excited.lines;
-    let size: Vec<f64> = lines.response.iter().map(|p| p.norm_sqr().sqrt()).collect();
+    let size: Vec<f64> = lines.response.iter().map(|p| magnitude(*p)).collect();
     let is_largest = |k: &usize| {
         let near = |other: &usize| libm::fabs(lines.hz[*other] / lines.hz[*k] - 1.0) <= ABOUT;
         let about: Vec<f64> = (0..size.len()).filter(near).map(|other| size[other]).collect();

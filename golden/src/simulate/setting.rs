@@ -10,10 +10,11 @@ use generator::blocks::Designed;
 use machine::Machine;
 use machine::closed_loop::{self, Position, Record, Signals, UM};
 use machine::drive::Setup;
-use machine::measure::{self, figures, peak};
+use machine::measure::{self, figures};
 use machine::plant::{DEMONSTRATION, Plant};
 use machine::sequence::Sequence;
 use portable::Extreme;
+use portable::peak;
 
 /// Mode of the block (P-AXIS-00758).
 pub(super) const OFF: f64 = 0.0;

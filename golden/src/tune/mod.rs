@@ -14,18 +14,17 @@ mod stage;
 pub mod text;
 
 pub use chosen::Chosen;
-pub use proposal::{Kind, Predicted, Proposal};
+pub use identification::proposals::Kind;
+pub use proposal::{Predicted, Proposal};
 pub use stage::Stage;
 
-use crate::measure::{Measured, Record, Verdict};
+use crate::measure::{Measured, Record, Verdict, is_same_interval};
 use generator::blocks::Designed;
 use generator::codes;
 use identification::response::Lines;
 use identification::segments;
-use portable::Extreme;
+use portable::peak;
 
-/// Intervals that are equal, as a part.
-const SAME_INTERVAL: f64 = 1e-3;
 /// A motor that is slower than this part of its peak is at rest.
 const AT_REST: f64 = 0.05;
 
@@ -94,7 +93,7 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
 fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool {
     let cycle = tuning.cycle_time;
     let mut refuse = |code, found: String, instead| tuning.verdicts.push(Verdict::refusal(code, found, instead));
-    if let Some(other) = records.iter().find(|record| libm::fabs(record.cycle / cycle - 1.0) > SAME_INTERVAL) {
+    if let Some(other) = records.iter().find(|record| !is_same_interval(record.cycle, cycle)) {
         let found = format!("sampled every {} ms, the cycle of the set is {} ms", other.cycle * 1e3, cycle * 1e3);
         refuse(codes::OTHER_CYCLE, found, "record in the task that runs the block, in every cycle");
     }
@@ -108,7 +107,7 @@ fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool
         refuse(codes::NO_CHANNEL, found, "record v_motor, or name it with --map SCOPE=SIGNAL");
         return false;
     };
-    let peak = v_motor.iter().fold(0.0, |peak: f64, v| peak.larger(libm::fabs(*v)));
+    let peak = peak(v_motor);
     let is_moving = |v: Option<&f64>| v.is_some_and(|v| libm::fabs(*v) > AT_REST * peak);
     if is_moving(v_motor.first()) || is_moving(v_motor.last()) {
         let found = "the recording of the moves does not begin and end at rest".to_owned();

@@ -6,38 +6,12 @@ use crate::measure::{Record, Verdict};
 use generator::axis::Axis;
 use generator::codes;
 use identification::figures::{self, Vibration};
-use identification::proposals::{self, Refused, first, propose};
+use identification::proposals::{self, Kind, Refused, first, propose};
 use identification::response::Lines;
 use std::ops::Range;
 
 /// Micrometres of a metre.
 const UM: f64 = 1e6;
-
-/// Which proposal.
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
-pub enum Kind {
-    /// Ms within 1.75, within 2 half a cycle later and with 15 % more or less load
-    Recommended,
-    /// Ms within 2 in all these cases
-    Strong,
-    /// Ms within 1.4 in all these cases
-    Cautious,
-    /// a tenth of the weights that a usual drive bears
-    First,
-}
-
-impl Kind {
-    /// As reports call it.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::Recommended => "recommended",
-            Self::Strong => "strong",
-            Self::Cautious => "cautious",
-            Self::First => "first",
-        }
-    }
-}
 
 /// Stages, one for each vibration.
 #[derive(Clone, Debug, PartialEq)]
@@ -135,11 +109,6 @@ impl Task<'_> {
     }
 
     fn proposal(&self, of: proposals::Proposal) -> Proposal {
-        let kind = match of.kind {
-            proposals::Kind::Recommended => Kind::Recommended,
-            proposals::Kind::Strong => Kind::Strong,
-            proposals::Kind::Cautious => Kind::Cautious,
-        };
         let unit = self.record.unit("v_motor").filter(|_| !self.axis.control.is_rotary);
         let predicted = Predicted {
             residuals: of.left.residuals,
@@ -150,7 +119,7 @@ impl Task<'_> {
             is_useless: of.is_useless,
         };
         let stages = of.stages.iter().map(|(shape, weight)| Stage::rounded(shape, *weight)).collect();
-        Proposal { kind, stages, predicted: Some(predicted) }
+        Proposal { kind: of.kind, stages, predicted: Some(predicted) }
     }
 
     fn said(&self, refused: Refused) -> Verdict {

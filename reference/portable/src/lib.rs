@@ -16,7 +16,7 @@ mod literal;
 mod real;
 
 pub use block::{Block, Brake, Enable, Off};
-pub use extreme::Extreme;
+pub use extreme::{Extreme, peak};
 pub use intrinsic::{
     from_i32, from_u32, in_range, nearest, nearly_half, note, overlaid, stored, truncate, with_numbers, within,
 };

@@ -3,9 +3,10 @@
 
 use axgen_tests::subject::Subject;
 use machine::closed_loop::{self, Position, Record, Signals};
-use machine::measure::{amplitude, dwells, peak, ramps};
+use machine::measure::{amplitude, dwells, ramps};
 use machine::plant::DEMONSTRATION;
 use machine::sequence::Sequence;
+use portable::peak;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
