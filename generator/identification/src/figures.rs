@@ -71,12 +71,27 @@ impl Left {
     }
 }
 
+/// What stages do to the motor in a record.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Effect {
+    /// the peak of the following error by that without stages; none: it is not recorded, or always 0
+    pub following_error: Option<f64>,
+    /// the largest value that the stages add: C R `v_motor`
+    pub peak_v_add: f64,
+}
+
 /// A record whose figures are known without stages.
 pub struct Judge<'a> {
     vibrations: &'a [Vibration],
     record: Record<'a>,
     axis: Axis<'a>,
     what_if: WhatIf<'a>,
+    /// the same of `v_motor` alone, with all frequencies
+    of_motor: WhatIf<'a>,
+    /// the windows of dwells, of ramps and of ring-downs, in samples that are given back
+    dwells: Vec<Range<usize>>,
+    about_ramps: Vec<Range<usize>>,
+    rings: Vec<Range<usize>>,
     /// amplitude, and ring-down, of each vibration without stages
     without: Vec<[f64; 2]>,
 }
@@ -90,74 +105,45 @@ impl<'a> Judge<'a> {
         let is_there = |vibration: &Vibration| vibration.channel < record.channels.len() && vibration.hz > 0.0;
         vibrations.iter().all(is_there).then_some(())?;
         let what_if = WhatIf::new(axis, record.channels, Some(highest));
-        let mut judge = Self { vibrations, record, axis, what_if, without: Vec::new() };
-        judge.without = judge.amplitudes(&[]);
+        let place = |seconds: f64| whole((seconds / what_if.step()).larger(0.0));
+        let cycle = axis.cycle_time;
+        let about = |window: [f64; 2], of: fn(&Range<usize>) -> usize| {
+            let at = |ramp: &Range<usize>, time: f64| place(of(ramp) as f64 * cycle + time);
+            record.ramps.iter().map(|ramp| at(ramp, window[0])..at(ramp, window[1])).collect()
+        };
+        let dwells = dwells(&record, cycle).map(|[from, to]| place(from)..place(to)).collect();
+        let (about_ramps, rings) = (about(RAMP, |ramp| ramp.start), about(RING, |ramp| ramp.end));
+        let of_motor = WhatIf::new(axis, &[record.v_motor], None);
+        let mut judge =
+            Self { vibrations, record, axis, what_if, of_motor, dwells, about_ramps, rings, without: Vec::new() };
+        judge.without = judge.amplitudes(&vec![Complex64::from(1.0); judge.what_if.lines()]);
         judge.without.iter().all(|[amplitude, ring]| *amplitude > 0.0 && *ring > 0.0).then_some(judge)
     }
 
     /// What stages with weights leave.
     #[must_use]
     pub fn left(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Left {
-        self.of_response(&self.what_if.left(&self.what_if.controller(stages, of)))
-    }
-
-    fn of_response(&self, response: &[Complex64]) -> Left {
-        let with = self.amplitudes(response);
+        let with = self.amplitudes(&self.what_if.left(&self.what_if.controller(stages, of)));
         let is_ramp = |k: &usize| self.vibrations[*k].when == When::Ramps;
         let ring = |of: &[[f64; 2]]| (0..of.len()).filter(is_ramp).map(|k| of[k][1]).reduce(f64::larger);
         let ring = ring(&with).zip(ring(&self.without)).map(|(with, without)| with / without);
         Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
     }
 
-    /// Amplitude and ring-down of each vibration after a response at the lines; an empty one is 1.
+    /// Amplitude and ring-down of each vibration after a response at the lines.
     fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
-        let one = vec![Complex64::from(1.0); self.what_if.lines()];
-        let response = if response.is_empty() { &one } else { response };
         let of = |vibration: &Vibration| {
             let [signal, ringing] =
                 self.what_if.signal(vibration.channel, response, 1.0, OF_RING.map(|part| part * vibration.hz));
             match vibration.when {
-                When::Driving => {
-                    [self.amplitude(&signal, &self.dwells(), OF_DWELL.map(|part| part * vibration.hz)), 1.0]
-                }
+                When::Driving => [self.amplitude(&signal, &self.dwells, OF_DWELL.map(|part| part * vibration.hz)), 1.0],
                 When::Ramps => {
-                    let windows = self.about_ramps(RAMP, |ramp| ramp.start);
-                    let rings = self.about_ramps(RING, |ramp| ramp.end);
-                    let peaks = rings.iter().filter_map(|window| Some(peak(ringing.get(window.clone())?)));
-                    [self.amplitude(&signal, &windows, OF_RAMP.map(|part| part * vibration.hz)), mean(peaks)]
+                    let peaks = self.rings.iter().filter_map(|window| Some(peak(ringing.get(window.clone())?)));
+                    [self.amplitude(&signal, &self.about_ramps, OF_RAMP.map(|part| part * vibration.hz)), mean(peaks)]
                 }
             }
         };
         self.vibrations.iter().map(of).collect()
-    }
-
-    /// A sample of the record, among those of the signals that are given back.
-    fn place(&self, seconds: f64) -> usize {
-        whole((seconds / self.what_if.step()).larger(0.0))
-    }
-
-    /// From 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
-    /// third and the fourth.
-    fn dwells(&self) -> Vec<Range<usize>> {
-        let cycle = self.axis.cycle_time;
-        let dwell = |pair: &[Range<usize>]| {
-            let from = pair[0].end as f64 * cycle + DWELL_SETTLE;
-            let to = pair[1].start as f64 * cycle;
-            let middle = pair[0].end.midpoint(pair[1].start);
-            let drives = libm::fabs(*self.record.v_motor.get(middle)?) > self.standstill();
-            (from < to && drives).then(|| self.place(from)..self.place(to))
-        };
-        self.record.ramps.windows(2).filter_map(dwell).collect()
-    }
-
-    /// A velocity below which the axis does not drive: 5 % of the peak.
-    fn standstill(&self) -> f64 {
-        0.05 * peak(self.record.v_motor)
-    }
-
-    fn about_ramps(&self, window: [f64; 2], place: impl Fn(&Range<usize>) -> usize) -> Vec<Range<usize>> {
-        let at = |ramp: &Range<usize>, time: f64| self.place(place(ramp) as f64 * self.axis.cycle_time + time);
-        self.record.ramps.iter().map(|ramp| at(ramp, window[0])..at(ramp, window[1])).collect()
     }
 
     /// The mean over windows of the largest amplitude within a band [Hz]: Hann window, eight lines in 1/length.
@@ -172,27 +158,35 @@ impl<'a> Judge<'a> {
         mean(windows.iter().filter_map(of))
     }
 
-    /// The peak of the following error, as a part of that without stages; none: there is no record of it.
+    /// What stages with weights do to the motor.
     #[must_use]
-    pub fn following_error(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Option<f64> {
-        let error = self.record.error?;
-        let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
-        let left = what_if.whole(0, &what_if.left(&what_if.controller(stages, of)), 1.0);
-        let with = following_error(error, self.record.v_motor, &left, self.axis.cycle_time);
-        let without = peak(error);
-        (without > 0.0).then(|| peak(&with) / without)
-    }
-
-    /// The largest value that the stages add: C R `v_motor`.
-    #[must_use]
-    pub fn peak_v_add(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> f64 {
-        let what_if = WhatIf::new(self.axis, &[self.record.v_motor], None);
-        let controller = what_if.controller(stages, of);
-        let left = what_if.left(&controller);
+    pub fn effect(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Effect {
+        let controller = self.of_motor.controller(stages, of);
+        let left = self.of_motor.left(&controller);
         let added: Vec<Complex64> = left.iter().zip(&controller).map(|(left, c)| left * c).collect();
-        // C is 0 at 0 Hz.
-        peak(&what_if.whole(0, &added, 0.0))
+        let following_error = self.record.error.filter(|error| peak(error) > 0.0).map(|error| {
+            let left = self.of_motor.whole(0, &left, 1.0);
+            peak(&following_error(error, self.record.v_motor, &left, self.axis.cycle_time)) / peak(error)
+        });
+        Effect {
+            following_error,
+            // C is 0 at 0 Hz.
+            peak_v_add: peak(&self.of_motor.whole(0, &added, 0.0)),
+        }
     }
+}
+
+/// The dwells [s]: from 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
+/// third and the fourth. An axis drives above 5 % of its largest velocity.
+fn dwells(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
+    let standstill = 0.05 * peak(record.v_motor);
+    let v_motor = record.v_motor;
+    record.ramps.windows(2).filter_map(move |pair| {
+        let from = pair[0].end as f64 * cycle + DWELL_SETTLE;
+        let to = pair[1].start as f64 * cycle;
+        let drives = libm::fabs(*v_motor.get(pair[0].end.midpoint(pair[1].start))?) > standstill;
+        (from < to && drives).then_some([from, to])
+    })
 }
 
 /// The amplitude of a sine of w rad a sample in a windowed signal.

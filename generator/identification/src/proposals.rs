@@ -1,7 +1,7 @@
 //! What is proposed: recommended, strong and cautious stages from a response and a record; first ones without a
 //! response. The search stands elsewhere.
 
-use crate::figures::{Judge, Left, Record, Vibration};
+use crate::figures::{Effect, Judge, Left, Record, Vibration};
 use crate::response::{Lines, is_too_uncertain};
 use crate::scenarios::{MOST_STAGES, Scenarios, controller, most};
 use crate::search::{Judged, Search};
@@ -57,10 +57,8 @@ pub struct Proposal {
     pub stages: Vec<(Shape, f64)>,
     /// what is left of the vibrations
     pub left: Left,
-    /// the peak of the following error by that without stages; none: it is not recorded
-    pub following_error: Option<f64>,
-    /// the largest value that the stages add in the record
-    pub peak_v_add: f64,
+    /// what they do to the motor in the record
+    pub effect: Effect,
     /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more
     pub ms: [f64; 4],
     /// more than 0.8 is left of every vibration
@@ -150,8 +148,7 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
     let (stages, left) = (found.stages.clone(), found.left.clone());
     search.scenarios.are_stable(search.stages, &stages).then(|| Proposal {
         kind,
-        following_error: search.judge.following_error(search.stages, &stages),
-        peak_v_add: search.judge.peak_v_add(search.stages, &stages),
+        effect: search.judge.effect(search.stages, &stages),
         ms: search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0),
         is_useless: left.residuals.iter().all(|left| *left > USELESS),
         left,

@@ -113,8 +113,8 @@ impl Task<'_> {
         let predicted = Predicted {
             residuals: of.left.residuals,
             ring_down: of.left.ring,
-            following_error: of.following_error,
-            peak_v_add: of.peak_v_add * unit.map_or(1.0, |unit| unit.size * UM),
+            following_error: of.effect.following_error,
+            peak_v_add: of.effect.peak_v_add * unit.map_or(1.0, |unit| unit.size * UM),
             ms: of.ms,
             is_useless: of.is_useless,
         };

@@ -153,8 +153,8 @@ fn proposals_for_the_demonstration_plant() {
         for (stated, truth) in stated.iter().zip(truth) {
             assert!((stated / truth - 1.0).abs() < 0.1, "{kind:?}: {stated}, in truth {truth}");
         }
-        assert!((proposal.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02, "{proposal:?} {truth:?}");
-        assert!(proposal.peak_v_add > 1e-3 && proposal.peak_v_add < 0.1, "{proposal:?}");
+        assert!((proposal.effect.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02, "{proposal:?} {truth:?}");
+        assert!(proposal.effect.peak_v_add > 1e-3 && proposal.effect.peak_v_add < 0.1, "{proposal:?}");
     }
     assert!(found[1].left.worst_and_mean()[1] < found[0].left.worst_and_mean()[1], "the strong one leaves less");
 }

@@ -56,8 +56,12 @@ fn the_pair_of_the_manual() {
     let judge = Judge::new(axis, record, &VIBRATIONS).unwrap();
     let stages = |shape: &Shape| response(shape, CYCLE);
     let left = judge.left(&stages, &manual());
-    let found =
-        [left.residuals[0], left.residuals[1], left.ring.unwrap(), judge.following_error(&stages, &manual()).unwrap()];
+    let found = [
+        left.residuals[0],
+        left.residuals[1],
+        left.ring.unwrap(),
+        judge.effect(&stages, &manual()).following_error.unwrap(),
+    ];
     // Golden figures, and the simulation: 5 % is what a load's vibration and a mesh that follows the position make.
     // Of the ring-down the definition leaves open which cycle its window begins with.
     for (found, (golden, tolerance)) in found.iter().zip([(0.454, 0.01), (0.311, 0.01), (0.376, 0.03)]) {
@@ -71,7 +75,7 @@ fn the_pair_of_the_manual() {
     // Nothing added leaves everything.
     let nothing = judge.left(&stages, &[(manual()[0].0, 0.0)]);
     assert!(nothing.residuals.iter().chain(&nothing.ring).all(|left| (left - 1.0).abs() < 1e-9), "{nothing:?}");
-    let peak = judge.peak_v_add(&stages, &manual());
+    let peak = judge.effect(&stages, &manual()).peak_v_add;
     let mut block = running(&manual(), CYCLE);
     let mut largest = 0.0_f64;
     moved(&DEMONSTRATION, |v| {
