@@ -38,6 +38,7 @@ mod schema;
 mod shared;
 mod shell;
 mod simulate;
+mod times;
 mod tune;
 mod verify;
 

@@ -6,6 +6,7 @@ use crate::given::{self, name_of};
 use crate::messages::{self, Format};
 use crate::one_file::{self, Rule};
 use crate::output;
+use crate::times;
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use golden::measure::{self, Excitation, Excited, Measured, Verdict, Vibration, When, picture, text};
@@ -39,8 +40,7 @@ pub fn excitation(text: &str) -> Result<Excitation, String> {
 /// A time of `--cycle-time`: `1ms`, `62.5us`.
 pub fn interval(text: &str) -> Result<f64, String> {
     const UNITS: [(&str, f64); 4] = [("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("s", 1.0)];
-    let of = |(unit, size): &(&str, f64)| Some(text.strip_suffix(unit)?.trim().parse::<f64>().ok()? * size);
-    let time = UNITS.iter().find_map(of).filter(|time| INTERVALS.contains(time));
+    let time = times::seconds(text, &UNITS).filter(|time| INTERVALS.contains(time));
     time.ok_or_else(|| "a time from 1us to 100ms is allowed: 1ms, 62.5us".to_owned())
 }
 
@@ -49,13 +49,50 @@ pub struct Reading<'a> {
     pub map: &'a Map,
     /// the interval of rows without times [s]
     pub cycle_time: Option<f64>,
-    /// whether a name of the map may stand for a column of another recording
-    pub are_two: bool,
+    /// of the recording that has an excitation; none: not stated
+    pub excitation: Option<Excitation>,
 }
 
-impl Arguments {
-    fn reading(&self) -> Reading<'_> {
-        Reading { map: &self.map, cycle_time: self.cycle_time, are_two: self.excited.is_some() }
+/// A recording, and a second one with an excitation if there is one.
+pub struct Recordings<'a> {
+    pub own: (&'a Path, Measured),
+    pub excited: Option<(&'a Path, Measured)>,
+}
+
+impl<'a> Recordings<'a> {
+    /// Reads and measures both. Without a second recording the excitation that is stated is that of the first one.
+    pub fn read(own: &'a Path, excited: Option<&'a Path>, of: &Reading<'_>) -> Result<Self, Exit> {
+        let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
+        let excited = excited.map(|file| Ok((file, measured(file, of, true, stated, None)?))).transpose()?;
+        let (of_own, other) = match &excited {
+            Some((_, other)) => (Excitation::AsRecorded, Some(other)),
+            None => (of.excitation.unwrap_or(Excitation::AsRecorded), None),
+        };
+        Ok(Self { own: (own, measured(own, of, other.is_some(), of_own, other)?), excited })
+    }
+
+    /// The second one, as far as there is one.
+    pub fn second(&self) -> Option<&Measured> {
+        self.excited.as_ref().map(|(_, measured)| measured)
+    }
+
+    pub fn all(&self) -> impl Iterator<Item = &(&'a Path, Measured)> {
+        std::iter::once(&self.own).chain(&self.excited)
+    }
+
+    /// The verdicts as messages about the recordings: an error, if something is not measured.
+    pub fn said(&self) -> Report {
+        let mut report = Report::default();
+        self.all().for_each(|(file, measured)| say(&mut report, name_of(file), &measured.verdicts));
+        report
+    }
+
+    fn measured(&self) -> impl Iterator<Item = &Measured> {
+        self.all().map(|(_, measured)| measured)
+    }
+
+    fn response(&self) -> Option<&Excited> {
+        self.measured().find_map(|measured| measured.excited.as_ref())
     }
 }
 
@@ -70,65 +107,49 @@ pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exi
         one_file::kept_apart(out, [Some(recording), of.excited.as_deref()].into_iter().flatten())?;
         rule.allows(out)?;
     }
-    let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
-    let reading = of.reading();
-    let excited = of.excited.as_deref().map(|file| measured(file, &reading, stated, None)).transpose()?;
-    let own = if excited.is_some() { Excitation::AsRecorded } else { of.excitation.unwrap_or(Excitation::AsRecorded) };
-    let found = measured(recording, &reading, own, excited.as_ref())?;
-    let all: Vec<(&Path, &Measured)> =
-        std::iter::once((recording, &found)).chain(of.excited.as_deref().zip(excited.as_ref())).collect();
+    let reading = Reading { map: &of.map, cycle_time: of.cycle_time, excitation: of.excitation };
+    let all = Recordings::read(recording, of.excited.as_deref(), &reading)?;
     write(&all, of, rules)?;
     if of.json {
         output::line(format!("{:#}", as_json(&all)))?;
     } else {
-        for (_, measured) in &all {
+        for measured in all.measured() {
             output::print(text::report(measured))?;
         }
-        output::say(&messages::text(&said(&all), format));
+        output::say(&messages::text(&all.said(), format));
     }
-    Ok(if all.iter().any(|(_, measured)| measured.refuses()) { Exit::Different } else { Exit::Done })
+    Ok(if all.measured().any(Measured::refuses) { Exit::Different } else { Exit::Done })
 }
 
-/// Reads a recording and measures it.
-pub fn measured(
+/// Reads a recording and measures it. Of two a name of the map may stand for a column of the other one.
+fn measured(
     file: &Path,
     of: &Reading<'_>,
+    are_two: bool,
     excitation: Excitation,
     other: Option<&Measured>,
 ) -> Result<Measured, Exit> {
     let text = given::text(file)?;
     let wanted: Vec<&str> = of.map.iter().map(|(name, _)| name.as_str()).collect();
     let table = Table::read(&text, &wanted).without(of.map);
-    let unknown = if of.are_two { Vec::new() } else { signals::unknown(of.map, &[&table]) };
+    let unknown = if are_two { Vec::new() } else { signals::unknown(of.map, &[&table]) };
     let channels = given::checked(measure::read(&table, of.map), &unknown, file)?;
     Ok(measure::measure(channels, of.cycle_time, excitation, other))
 }
 
 /// Writes the files that were asked for, all or none.
-fn write(all: &[(&Path, &Measured)], of: &Arguments, [of_response, of_picture]: [Rule<'_>; 2]) -> Result<(), Exit> {
-    let refuses = all.iter().any(|(_, measured)| measured.refuses());
-    let response = match (of.response.as_deref(), excited(all)) {
+fn write(all: &Recordings<'_>, of: &Arguments, [of_response, of_picture]: [Rule<'_>; 2]) -> Result<(), Exit> {
+    let response = match (of.response.as_deref(), all.response()) {
         (Some(path), Some(excited)) => Some(one_file::stage(path, text::response(excited).as_bytes(), of_response)?),
-        (Some(_), None) if !refuses => {
+        (Some(_), None) if !all.measured().any(Measured::refuses) => {
             let found = "the recording has no excitation: record v_excite, or give --excitation or --excited";
             return Err(Exit::input(codes::USAGE, "--response", found));
         }
         _ => None,
     };
-    let drawn = of.picture.as_deref().zip(all.first().and_then(|(_, measured)| picture::svg(measured, excited(all))));
+    let drawn = of.picture.as_deref().zip(picture::svg(&all.own.1, all.response()));
     let picture = drawn.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture)).transpose()?;
     one_file::commit([response, picture].into_iter().flatten())
-}
-
-fn excited<'m>(all: &[(&Path, &'m Measured)]) -> Option<&'m Excited> {
-    all.iter().find_map(|(_, measured)| measured.excited.as_ref())
-}
-
-/// The verdicts as messages about the recordings: an error, if something is not measured.
-pub fn said(all: &[(&Path, &Measured)]) -> Report {
-    let mut report = Report::default();
-    all.iter().for_each(|(file, measured)| say(&mut report, name_of(file), &measured.verdicts));
-    report
 }
 
 /// Verdicts about a file, or about an axis.
@@ -145,9 +166,10 @@ pub fn verdicts_json<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> Vec<Val
     verdicts.map(|verdict| json!({ "code": verdict.code, "text": text(verdict) })).collect()
 }
 
-fn as_json(all: &[(&Path, &Measured)]) -> Value {
-    let each = || all.iter().map(|(_, measured)| *measured);
-    let channels: Vec<Value> = (all.iter().take(1).flat_map(|(_, measured)| &measured.channels))
+fn as_json(all: &Recordings<'_>) -> Value {
+    let each = || all.measured();
+    let own = &all.own.1;
+    let channels: Vec<Value> = (own.channels.iter())
         .map(|channel| {
             json!({
                 "name": channel.signal,
@@ -162,10 +184,10 @@ fn as_json(all: &[(&Path, &Measured)]) -> Value {
         let time = offset.time;
         json!({ "of": offset.of, "to": offset.to, "s": time.map(|time| time.seconds), "error_s": time.map(|time| time.error) })
     });
-    let segments = all.iter().take(1).flat_map(|(_, measured)| &measured.segments).map(
+    let segments = own.segments.iter().map(
         |segment| json!({ "kind": text::word(segment.kind), "from": segment.samples.start, "to": segment.samples.end }),
     );
-    let dead_time = excited(all).and_then(|excited| excited.dead_time);
+    let dead_time = all.response().and_then(|excited| excited.dead_time);
     json!({
         "channels": channels,
         "segments": segments.collect::<Vec<_>>(),
@@ -173,7 +195,7 @@ fn as_json(all: &[(&Path, &Measured)]) -> Value {
         "dead_time_error_s": dead_time.map(|time| time.error),
         "offsets": offsets.collect::<Vec<_>>(),
         "vibrations": each().flat_map(|measured| &measured.vibrations).map(vibration_json).collect::<Vec<_>>(),
-        "response": excited(all).map(response_json),
+        "response": all.response().map(response_json),
         "verdicts": verdicts_json(each().flat_map(|measured| &measured.verdicts)),
     })
 }

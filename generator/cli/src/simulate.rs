@@ -7,6 +7,7 @@ use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
 use crate::run::block_of;
+use crate::times;
 use generator::codes;
 use golden::simulate::{self, Moved, picture, text};
 use golden::svg;
@@ -18,12 +19,7 @@ const LONGEST: f64 = 600.0;
 
 /// A time of `--dwell`: `2s`, `1500ms`.
 pub fn dwell(text: &str) -> Result<f64, String> {
-    let number = |number: &str, factor: f64| number.trim().parse::<f64>().ok().map(|number| number * factor);
-    let time = match (text.strip_suffix("ms"), text.strip_suffix('s')) {
-        (Some(of), _) => number(of, 1e-3),
-        (None, Some(of)) => number(of, 1.0),
-        (None, None) => None,
-    };
+    let time = times::seconds(text, &[("ms", 1e-3), ("s", 1.0)]);
     let allowed = || format!("a time from {SHORTEST}s to {LONGEST}s is allowed: 2s, 1500ms");
     time.filter(|time| (SHORTEST..=LONGEST).contains(time)).ok_or_else(allowed)
 }

@@ -3,13 +3,12 @@
 use crate::arguments::{DriveArguments, SetArguments, Tuned};
 use crate::exit::Exit;
 use crate::input;
-use crate::measure::{self, Reading, say, verdicts_json};
+use crate::measure::{Reading, Recordings, say, verdicts_json};
 use crate::messages::{self, Format};
 use crate::output;
-use golden::measure::{Excitation, Measured, Verdict};
+use golden::measure::Verdict;
 use golden::tune::{self, Prefer, Proposal, Stage, Tuning, text};
 use serde_json::{Value, json};
-use std::path::Path;
 
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tuned) -> Result<Exit, Exit> {
@@ -17,28 +16,24 @@ pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tu
     let set = input::read_to_tune(arguments, drive.keys(), format)?;
     let designed = input::axis(&set, axis)?;
     let cycle_time = Some(designed.axis.cycle_time());
-    let reading = Reading { map: &of.map, cycle_time, are_two: of.excited.is_some() };
-    let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
-    let excited = of.excited.as_deref().map(|file| measure::measured(file, &reading, stated, None)).transpose()?;
-    let moves = measure::measured(&of.recording, &reading, Excitation::AsRecorded, excited.as_ref())?;
+    let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
+    let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;
     let prefer = if of.response.is_some() { Prefer::Set } else { Prefer::Excited };
-    let tuning = tune::tune(designed, &moves, excited.as_ref(), prefer);
-    let all: Vec<(&Path, &Measured)> =
-        std::iter::once((of.recording.as_path(), &moves)).chain(of.excited.as_deref().zip(excited.as_ref())).collect();
+    let tuning = tune::tune(designed, &all.own.1, all.second(), prefer);
     let name = &designed.axis.name;
     if of.json {
         output::line(format!("{:#}", as_json(name, &tuning, &all)))?;
     } else {
         output::print(text::report(&tuning, name))?;
-        let mut report = measure::said(&all);
+        let mut report = all.said();
         say(&mut report, format!("axis {name}"), &tuning.verdicts);
         output::say(&messages::text(&report, format));
     }
     Ok(if tuning.proposals.is_empty() { Exit::Different } else { Exit::Done })
 }
 
-fn as_json(axis: &str, tuning: &Tuning, all: &[(&Path, &Measured)]) -> Value {
-    let each = || all.iter().flat_map(|(_, measured)| &measured.verdicts).chain(&tuning.verdicts);
+fn as_json(axis: &str, tuning: &Tuning, all: &Recordings<'_>) -> Value {
+    let each = || all.all().flat_map(|(_, measured)| &measured.verdicts).chain(&tuning.verdicts);
     let of = |refuses: bool| verdicts_json(each().filter(move |verdict: &&Verdict| verdict.refuses == refuses));
     json!({
         "axis": axis,
