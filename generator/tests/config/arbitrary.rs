@@ -56,12 +56,12 @@ fn every_code_has_a_test() {
         include_str!("../../cli/tests/front_door/messages.rs"),
         include_str!("../../cli/tests/manifest/main.rs"),
         include_str!("../../cli/tests/manifest/ways.rs"),
-        include_str!("../../cli/tests/measure.rs"),
+        include_str!("../../cli/tests/measured/measure.rs"),
         include_str!("../../cli/tests/params_of.rs"),
         include_str!("../../cli/tests/recordings/evidence.rs"),
         include_str!("../../cli/tests/recordings/refused.rs"),
         include_str!("../../cli/tests/scenario.rs"),
-        include_str!("../../cli/tests/tune.rs"),
+        include_str!("../../cli/tests/measured/tune.rs"),
     ];
     for code in CODES {
         assert!(tests.iter().any(|test| test.contains(code.code)), "{} has no test", code.code);

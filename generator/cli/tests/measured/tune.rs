@@ -1,19 +1,12 @@
 //! `axgen tune`: proposals from recordings of the simulated demonstration plant, tried on it; and recordings that allow none.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
-use machine::closed_loop::{Position, UM};
-use machine::plant::DEMONSTRATION;
-use machine::sequence::Sequence;
-use machine::{Machine, Measured};
+use crate::plant::{self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, Run, V_MOTOR, axgen, moves, number};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 use std::fs;
-use std::process::Command;
 use tempfile::TempDir;
 
-const CYCLE: f64 = 1e-3;
 /// An axis whose stages are to be found.
 const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nkenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"\n\
     getriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n\
@@ -27,76 +20,16 @@ const NAMES: [&str; 7] = [
     "v_excite [um/s]",
     "a_load",
 ];
-const OF_MOVES: [usize; 5] = [0, 1, 2, 3, 6];
-const OF_EXCITED: [usize; 4] = [4, 3, 5, 6];
-const V_MOTOR: usize = 3;
-const A_LOAD: usize = 6;
-
-type Columns = [Vec<f64>; 7];
-
-/// The demonstration plant in its position loop, by a planned position [m] and velocity, and what is added to its command [m/s].
-fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
-    let mut machine = DEMONSTRATION.at_rest();
-    let mut actual = Measured::default();
-    let mut columns = Columns::default();
-    for ((x, v), excite) in x.iter().zip(v).zip(excite) {
-        let signals = Position::DEMONSTRATION.signals(*x, *v, &actual);
-        let v_cmd = signals.v_command / UM + excite;
-        let [x, x_actual] = [*x, actual.x].map(|x| x * 1e3);
-        let row = [x, x_actual, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
-        columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
-        actual = machine.step(v_cmd);
-    }
-    columns
-}
-
-fn moves() -> Columns {
-    let planned = Sequence::DEMONSTRATION.planned(CYCLE);
-    recorded(&planned.x, &planned.v, &vec![0.0; planned.x.len()])
-}
-
-/// Excited with 5 mm/s while it moves at 20 mm/s: a register of 11 bits, clocks of 2 cycles, 8 periods. The velocity of the
-/// motor has noise of 0.3 mm/s.
+/// Excited with 8 periods while it moves at 20 mm/s. The velocity of the motor has noise of 0.3 mm/s.
 fn excited() -> Columns {
-    let (mut register, mut signs) = (0x7ff_u32, Vec::new());
-    for _ in 0..2047 {
-        let sign = if register >> 10 & 1 == 1 { 1.0 } else { -1.0 };
-        signs.extend([sign; 2]);
-        register = (register << 1 | (register >> 10 ^ register >> 8) & 1) & 0x7ff;
-    }
-    let full = 9 * 4094;
-    let part = |n: usize| n.min(100).min(full + 100 - n) as f64 / 100.0;
-    let excite = (0..full + 100).map(|n| 5e-3 * part(n) * signs[n % 4094]);
-    let excite: Vec<f64> = std::iter::repeat_n(0.0, 500).chain(excite).chain([0.0; 100]).collect();
-    let x: Vec<f64> = (1..=excite.len()).map(|n| n as f64 * 0.02 * CYCLE).collect();
-    let mut columns = recorded(&x, &vec![0.02; x.len()], &excite);
+    let mut columns = plant::excited(8, 0.02);
     let mut noise = Noise(7);
     columns[V_MOTOR].iter_mut().for_each(|v| *v += 300.0 * noise.next());
     columns
 }
 
-/// White noise with an rms value of 1: a linear congruence, twelve of its values each.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut even = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| even()).sum::<f64>() - 6.0
-    }
-}
-
-/// Columns as CSV with a time.
 fn csv(columns: &Columns, of: &[usize]) -> String {
-    let mut text = format!("time [s],{}\n", of.iter().map(|at| NAMES[*at]).collect::<Vec<_>>().join(","));
-    for (n, _) in columns[of[0]].iter().enumerate() {
-        write!(text, "{:.3}", n as f64 * CYCLE).unwrap();
-        of.iter().for_each(|at| write!(text, ",{:.6}", columns[*at][n]).unwrap());
-        text.push('\n');
-    }
-    text
+    plant::csv(&NAMES, columns, of)
 }
 
 /// A drive with two equal time constants [s] after two cycles, as a file; its standard errors are a part of the magnitude.
@@ -112,18 +45,6 @@ fn drive(time_constant: f64, error: f64) -> String {
     text
 }
 
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn axgen(folder: &TempDir, arguments: &[&str]) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder.path()).args(arguments).output().unwrap();
-    let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
-    Run { code: output.status.code().unwrap(), out, err }
-}
-
 /// A folder with the set, and recordings.
 fn folder(files: &[(&str, &str)]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
@@ -134,14 +55,6 @@ fn folder(files: &[(&str, &str)]) -> TempDir {
 
 fn tune(folder: &TempDir, more: &[&str]) -> Run {
     axgen(folder, &[&["tune", "set.toml", "--axis", "X", "--recording", "moves.csv"], more].concat())
-}
-
-fn json(run: &Run) -> Value {
-    serde_json::from_str(&run.out).unwrap_or_else(|_| panic!("{}{}", run.out, run.err))
-}
-
-fn number(value: &Value, key: &str) -> f64 {
-    value[key].as_f64().unwrap_or_else(|| panic!("{key} of {value:#}"))
 }
 
 /// The stages of a proposal as keys of a set.
@@ -197,7 +110,7 @@ fn proposals_for_the_demonstration_plant() {
     }
     let machine = tune(&folder, &["--excited", "excited.csv", "--json"]);
     assert_eq!(machine.out, tune(&folder, &["--excited", "excited.csv", "--json"]).out, "the same bytes twice");
-    let found = json(&machine);
+    let found = machine.json();
     assert_eq!(found["axis"], "X");
     assert_eq!(found["refused"], Value::Array(Vec::new()));
     // What is left at most of 53 Hz, 11 Hz, the ring-down, and the largest |S|: the definition's figures and a few percent.
@@ -244,7 +157,7 @@ fn proposals_for_the_demonstration_plant() {
 fn assert_refused(what: &str, folder: &TempDir, more: &[&str], expected: &str) {
     let run = tune(folder, more);
     assert!(run.code == 1 && run.err.contains(&format!("error[{expected}]")), "{what}: {}{}", run.out, run.err);
-    let found = json(&tune(folder, &[more, &["--json"]].concat()));
+    let found = tune(folder, &[more, &["--json"]].concat()).json();
     assert_eq!(found["proposals"], Value::Array(Vec::new()), "{what}");
     let refused = found["refused"].as_array().unwrap();
     assert!(refused.iter().any(|of| of["code"] == expected), "{what}: {found:#}");
@@ -261,7 +174,7 @@ fn first_stages_without_a_response() {
         "{}",
         run.out
     );
-    let found = json(&tune(&folder, &["--json"]));
+    let found = tune(&folder, &["--json"]).json();
     let first = &found["proposals"][0];
     assert!(first["kind"] == "first" && first["ms"].is_null() && found["proposals"].as_array().unwrap().len() == 1);
     fs::write(folder.path().join("with.toml"), set_with(first)).unwrap();

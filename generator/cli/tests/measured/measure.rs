@@ -1,7 +1,6 @@
 //! `axgen measure`: recordings of the simulated demonstration plant, moved and excited, against the figures of an independent
 //! simulation; and recordings with a defect each.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -9,102 +8,27 @@
     reason = "numbers of samples"
 )]
 
-use machine::closed_loop::{Position, UM};
+use crate::plant::{
+    self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, Run, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, X_ACTUAL,
+    axgen, excited, moves, number, recorded,
+};
+use machine::Machine;
 use machine::measure::fourier;
 use machine::plant::DEMONSTRATION;
 use machine::sequence::Sequence;
-use machine::{Machine, Measured};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::fs;
-use std::process::Command;
 use std::sync::LazyLock;
-use tempfile::TempDir;
 
-const CYCLE: f64 = 1e-3;
 const NAMES: [&str; 7] = ["x_command [mm]", "x_actual [mm]", "v_command", "v_motor", "v_cmd", "v_excite", "a_load"];
-const X_COMMAND: usize = 0;
-const X_ACTUAL: usize = 1;
-const V_COMMAND: usize = 2;
-const V_MOTOR: usize = 3;
-const V_CMD: usize = 4;
-const V_EXCITE: usize = 5;
-const A_LOAD: usize = 6;
 
-/// Columns, as the task of the position controller records them: um/s, mm, m/s^2.
-type Columns = [Vec<f64>; 7];
-
-/// The demonstration plant in its position loop, by a planned position [m] and velocity, and what is added to its command [m/s].
-fn recorded(x: &[f64], v: &[f64], excite: &[f64]) -> Columns {
-    let mut machine = DEMONSTRATION.at_rest();
-    let mut actual = Measured::default();
-    let mut columns = Columns::default();
-    for ((x, v), excite) in x.iter().zip(v).zip(excite) {
-        let signals = Position::DEMONSTRATION.signals(*x, *v, &actual);
-        let v_cmd = signals.v_command / UM + excite;
-        let [x, x_actual] = [*x, actual.x].map(|x| x * 1e3);
-        let row = [x, x_actual, signals.v_command, signals.v_motor, v_cmd * UM, excite * UM, actual.a_load];
-        columns.iter_mut().zip(row).for_each(|(column, value)| column.push(value));
-        actual = machine.step(v_cmd);
-    }
-    columns
-}
-
-static MOVES: LazyLock<Columns> = LazyLock::new(|| {
-    let planned = Sequence::DEMONSTRATION.planned(CYCLE);
-    recorded(&planned.x, &planned.v, &vec![0.0; planned.x.len()])
-});
-
-/// Excited with 5 mm/s while it moves at a speed, 0.5 s after the start: a register of 11 bits, clocks of 2 cycles.
-fn excited(periods: usize, speed: f64) -> Columns {
-    let (mut register, mut signs) = (0x7ff_u32, Vec::new());
-    for _ in 0..2047 {
-        let sign = if register >> 10 & 1 == 1 { 1.0 } else { -1.0 };
-        signs.extend([sign; 2]);
-        register = (register << 1 | (register >> 10 ^ register >> 8) & 1) & 0x7ff;
-    }
-    let full = (periods + 1) * 4094;
-    let part = |n: usize| n.min(100).min(full + 100 - n) as f64 / 100.0;
-    let excite = (0..full + 100).map(|n| 5e-3 * part(n) * signs[n % 4094]);
-    let excite: Vec<f64> = std::iter::repeat_n(0.0, 500).chain(excite).chain([0.0; 100]).collect();
-    let x: Vec<f64> = (1..=excite.len()).map(|n| n as f64 * speed * CYCLE).collect();
-    recorded(&x, &vec![speed; x.len()], &excite)
-}
-
+static MOVES: LazyLock<Columns> = LazyLock::new(moves);
 static EXCITED: LazyLock<Columns> = LazyLock::new(|| excited(4, 0.02));
 
-/// Columns as CSV with a time.
 fn csv(columns: &Columns, of: &[usize]) -> String {
-    let mut text = format!("time [s],{}\n", of.iter().map(|at| NAMES[*at]).collect::<Vec<_>>().join(","));
-    for (n, _) in columns[of[0]].iter().enumerate() {
-        write!(text, "{:.3}", n as f64 * CYCLE).unwrap();
-        of.iter().for_each(|at| write!(text, ",{:.6}", columns[*at][n]).unwrap());
-        text.push('\n');
-    }
-    text
-}
-
-const OF_MOVES: [usize; 5] = [X_COMMAND, X_ACTUAL, V_COMMAND, V_MOTOR, A_LOAD];
-const OF_EXCITED: [usize; 4] = [V_CMD, V_MOTOR, V_EXCITE, A_LOAD];
-
-/// What a command gave.
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-impl Run {
-    fn json(&self) -> Value {
-        serde_json::from_str(&self.out).unwrap_or_else(|_| panic!("{}{}", self.out, self.err))
-    }
-}
-
-fn axgen(folder: &TempDir, arguments: &[&str]) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder.path()).args(arguments).output().unwrap();
-    let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
-    Run { code: output.status.code().unwrap(), out, err }
+    plant::csv(&NAMES, columns, of)
 }
 
 /// Measures a text.
@@ -120,10 +44,6 @@ fn vibration<'v>(json: &'v Value, channel: &str, when: &str, near: f64) -> &'v V
     };
     let all = json["vibrations"].as_array().unwrap();
     all.iter().find(is_it).unwrap_or_else(|| panic!("no {near} Hz of {channel}, {when}: {:#}", json["vibrations"]))
-}
-
-fn number(value: &Value, key: &str) -> f64 {
-    value[key].as_f64().unwrap_or_else(|| panic!("{key} of {value:#}"))
 }
 
 #[test]
@@ -228,19 +148,6 @@ fn an_excitation_that_was_not_recorded() {
     assert!((a - c).hypot(b - d) < 0.01, "{a} {b}, {c} {d}");
     assert!(measure(&text, &["--excitation", "default", "--json"]).json()["response"].is_object());
     assert_eq!(measure(&text, &["--excitation", "10x2"]).code, 1);
-}
-
-/// White noise with an rms value of 1: a linear congruence, twelve of its values each.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        let mut even = || {
-            self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| even()).sum::<f64>() - 6.0
-    }
 }
 
 /// The same column, some samples later, between two samples too.
