@@ -1,10 +1,11 @@
-//! Passes that decide: each decision of `settle` and of `choose`, on programs that are small enough to be read.
+//! Legalising passes that decide: each decision of `settle` and of `choose`, on programs that are small enough to be read.
 
 mod choice;
 mod settled;
 
+use super::{ON, S, X, Y, assign, binary, real, variable};
 use compiler::legalise::{WITH_DIGITS, WITH_OUTPUTS};
-use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var};
 use portable::{Binary, EnumDef, Literal, RealKind, Variant, VariantDef};
 
 static PHASE: EnumDef = EnumDef {
@@ -17,10 +18,6 @@ static PHASE: EnumDef = EnumDef {
         VariantDef { name: "Fall", doc: "falls" },
     ],
 };
-
-fn variable(path: &str, ty: Type, start: Literal) -> Variable {
-    Variable { path: path.to_owned(), doc: "", ty, start }
-}
 
 fn constant(path: &str, value: Literal, origin: Origin) -> Constant {
     Constant { path: path.to_owned(), doc: "", value, origin }
@@ -71,14 +68,10 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
     }
 }
 
-const X: Expr = Expr::Var(Var::Input(0));
-const ON: Expr = Expr::Var(Var::Input(1));
 const ALSO: Expr = Expr::Var(Var::Input(2));
 const N: Expr = Expr::Var(Var::Input(3));
-const Y: Var = Var::Output(0);
 const FLAG: Var = Var::Output(1);
 const Z: Var = Var::Output(2);
-const S: Var = Var::State(0);
 const COUNT: Var = Var::State(1);
 const PHASE_NOW: Var = Var::State(2);
 const OTHER: Var = Var::State(3);
@@ -87,20 +80,8 @@ fn var(var: Var) -> Expr {
     Expr::Var(var)
 }
 
-fn real(value: f64) -> Expr {
-    Expr::Literal(Literal::F64(value))
-}
-
 fn yes(value: bool) -> Expr {
     Expr::Literal(Literal::Bool(value))
-}
-
-fn binary(operator: Binary, left: Expr, right: Expr) -> Expr {
-    Expr::Binary(operator, Box::new(left), Box::new(right))
-}
-
-fn assign(target: Var, value: Expr) -> Statement {
-    Statement::Assign { target, value }
 }
 
 /// `y` gets a number.

@@ -1,14 +1,11 @@
-//! Each pass on a program that is small enough to be read; the random programs find what these do not think of.
+//! Each pass on its own.
 
+use super::{ON, S, X, Y, assign, binary, real, variable};
 use compiler::interp::Machine;
 use compiler::legalise;
 use compiler::pass::{Defect, PASSES, verify};
-use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
+use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var};
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
-
-fn variable(path: &str, ty: Type, start: Literal) -> Variable {
-    Variable { path: path.to_owned(), doc: "", ty, start }
-}
 
 /// One real input, one real output, one real part of the state, as many locals as asked for.
 fn program(locals: usize, step: Vec<Statement>) -> Program {
@@ -33,25 +30,8 @@ fn constant(path: &str, value: f64) -> Constant {
     Constant { path: path.to_owned(), doc: "", value: Literal::F64(value), origin: Origin::Function }
 }
 
-const X: Expr = Expr::Var(Var::Input(0));
-const ON: Expr = Expr::Var(Var::Input(1));
-const Y: Var = Var::Output(0);
-const S: Var = Var::State(0);
-
 fn local(index: usize) -> Expr {
     Expr::Var(Var::Local(index))
-}
-
-fn real(value: f64) -> Expr {
-    Expr::Literal(Literal::F64(value))
-}
-
-fn binary(operator: Binary, left: Expr, right: Expr) -> Expr {
-    Expr::Binary(operator, Box::new(left), Box::new(right))
-}
-
-fn assign(target: Var, value: Expr) -> Statement {
-    Statement::Assign { target, value }
 }
 
 fn choose(then: Vec<Statement>, otherwise: Vec<Statement>) -> Statement {
