@@ -10,8 +10,8 @@ pub(crate) struct Refused {
     pub(crate) place: Option<(usize, usize)>,
 }
 
-/// An element of a project has ten attributes, and a project three name spaces. The parser compares each attribute with those of its
-/// element, and takes all name spaces of an element to each element inside.
+/// An element of a project has ten attributes, and a project three name spaces. The parser compares each attribute with
+/// those of its element, and takes all name spaces of an element to each element inside.
 const MOST_ATTRIBUTES: usize = 1000;
 const MOST_NAME_SPACES: usize = 200;
 /// Of an attribute, with the blanks after it; of a longer one only the end is looked at.

@@ -286,7 +286,8 @@ pub fn verify(case: &Case) -> Result<Vec<String>, String> {
     differing(case, DIGEST_SAMPLES)
 }
 
-/// Compares all of the folder that follows from the first samples: everything but the digest of a stimulus, which covers a million.
+/// Compares all of the folder that follows from the first samples: everything but the digest of a stimulus, which covers a
+/// million.
 ///
 /// # Errors
 /// As [`inputs`].

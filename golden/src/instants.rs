@@ -69,7 +69,8 @@ impl<'t> Instants<'t> {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
 
-    /// The times since the first one [s]. A unit that is not stated is the one in which the usual step is the cycle of a controller, 31 us to
+    /// The times since the first one [s]. A unit that is not stated is the one in which the usual step is the cycle of a
+    /// controller, 31 us to
     /// 30 ms; none: no times, or there is no such unit.
     pub(crate) fn seconds(&self) -> Option<Vec<f64>> {
         let step = self.step().filter(|_| !self.is_text)?;

@@ -8,8 +8,9 @@ use golden::samples::Samples;
 
 /// Runs a block through every engine but the reference, whose outputs are `expected`.
 ///
-/// What is compiled has all samples. What is interpreted takes a hundred times as long for a sample and has the first half of them; the
-/// dialects of Structured Text, which differ in names and declarations, a quarter. All have all with `AXGEN_EVERY_LEVEL`.
+/// What is compiled has all samples. What is interpreted takes a hundred times as long for a sample and has the first half
+/// of them; the dialects of Structured Text, which differ in names and declarations, a quarter. All have all with
+/// `AXGEN_EVERY_LEVEL`.
 ///
 /// # Panics
 /// If an engine does not run, or gives another bit.

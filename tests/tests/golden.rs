@@ -163,7 +163,8 @@ const ALL_SHOWN: [&str; 142] = [
 /// In a plain run one case in so many has its whole digest computed.
 const DIGESTS: usize = 8;
 
-/// Files and recorded samples of every case; the digest of a million samples of every case in an exhaustive run, else of an eighth of them.
+/// Files and recorded samples of every case; the digest of a million samples of every case in an exhaustive run, else of an
+/// eighth of them.
 #[test]
 fn every_case_is_as_recorded() {
     let differing: Vec<String> = all()
@@ -199,9 +200,10 @@ fn every_case_shows_what_it_claims() {
     }
 }
 
-/// Samples of a case in an engine. Every event of a stimulus is in the first 5,000, but for one that comes again after 20,000 and one after
-/// 500,000. What needs more is a slow drift of rounding, the same in every engine: it has a million samples in the reference and in C, in
-/// an exhaustive run for one case in ten. The dialects of Structured Text differ in names and in their declarations.
+/// Samples of a case in an engine. Every event of a stimulus is in the first 5,000, but for one that comes again after
+/// 20,000 and one after
+/// 500,000. What needs more is a slow drift of rounding, the same in every engine: it has a million samples in the reference
+/// and in C, in an exhaustive run for one case in ten. The dialects of Structured Text differ in names and in their declarations.
 fn samples(engine: Engine, number: usize) -> usize {
     let is_long = is_exhaustive() && number.is_multiple_of(10);
     match engine {
@@ -214,7 +216,8 @@ fn samples(engine: Engine, number: usize) -> usize {
     }
 }
 
-/// Each case in both real types. The Rust, whose compiler takes longest, is compiled in one of them, in a plain run for every second case.
+/// Each case in both real types. The Rust, whose compiler takes longest, is compiled in one of them, in a plain run for
+/// every second case.
 #[test]
 fn all_engines_give_the_same_bits() {
     in_both_real_types().par_iter().enumerate().for_each(|(number, case)| {
@@ -237,7 +240,8 @@ fn all_engines_give_the_same_bits() {
     });
 }
 
-/// Which of two ways a case has; its twin in the other real type has the other one, and half of the cases in double precision have either.
+/// Which of two ways a case has; its twin in the other real type has the other one, and half of the cases in double
+/// precision have either.
 fn is_first_way(case: &Case) -> bool {
     (case.axis.axis.real == RealKind::F64) == title(case).len().is_multiple_of(2)
 }

@@ -199,8 +199,8 @@ fn crates_are_layers_too() {
     }
 }
 
-/// Examples in documents would be compiled as programs of their own, crate by crate, and no manifest asks for that (`doctest = false`): what
-/// stands in a fence is `text`.
+/// Examples in documents would be compiled as programs of their own, crate by crate, and no manifest asks for that (`doctest
+/// = false`): what stands in a fence is `text`.
 #[test]
 fn documents_in_the_source_hold_no_program() {
     let mut fences = 0;

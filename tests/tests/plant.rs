@@ -90,10 +90,11 @@ fn the_table_of_the_definition() {
     }
 }
 
-/// 0.70 and 2.31 mm are those of a command that is not ahead: `x[n] = x[n-1] + Ts v[n]`. To the controller, the one that is ahead by a
-/// cycle differs from it by `Kv Ts v[n+1]`, which is here a smaller feedforward. The amplitudes around the ramps are then 2 % smaller
-/// than those of the table: the definition's table and its following errors are of these two conventions, and no instant at which
-/// command and position are compared makes one of them (k cycles later: off is 0.70 mm at k = -0.2, INDIRECT 2.31 mm at -0.6).
+/// 0.70 and 2.31 mm are those of a command that is not ahead: `x[n] = x[n-1] + Ts v[n]`. To the controller, the one that is
+/// ahead by a cycle differs from it by `Kv Ts v[n+1]`, which is here a smaller feedforward. The amplitudes around the ramps
+/// are then 2 % smaller than those of the table: the definition's table and its following errors are of these two
+/// conventions, and no instant at which command and position are compared makes one of them (k cycles later: off is 0.70 mm
+/// at k = -0.2, INDIRECT 2.31 mm at -0.6).
 #[test]
 fn indirect_costs_following_error() {
     let Position { kv, feedforward } = Position::DEMONSTRATION;

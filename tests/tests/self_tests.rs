@@ -102,11 +102,11 @@ fn count(case: &Case, turn: usize, name: &str, (plant, part): (Plant, usize)) ->
     count
 }
 
-/// Each single fault that is planted, one in so many or with `AXGEN_EVERY_LEVEL` all, in each case's block: in each case some of each kind
-/// are found, and of those that the case's own stimulus shows at most one in 25 is missed. Many that are planted can be seen
-/// by nobody: a number next to a comparison, a value that is there already. The numbers of a spindle decide when it changes:
-/// a scenario in a closed loop shows what a self-test, which comes near few of them, does not. There at most as many are
-/// missed as are found, and of fused operations nothing is claimed.
+/// Each single fault that is planted, one in so many or with `AXGEN_EVERY_LEVEL` all, in each case's block: in each case
+/// some of each kind are found, and of those that the case's own stimulus shows at most one in 25 is missed. Many that are
+/// planted can be seen by nobody: a number next to a comparison, a value that is there already. The numbers of a spindle
+/// decide when it changes: a scenario in a closed loop shows what a self-test, which comes near few of them, does not. There
+/// at most as many are missed as are found, and of fused operations nothing is claimed.
 #[test]
 fn a_self_test_finds_planted_faults() {
     // A block has few numbers and places to fuse, and many statements.

@@ -1,6 +1,6 @@
-//! What the documents show of the command is what it prints, and their links lead somewhere. A fenced block below a line that begins with the name of a file is
-//! that file; a block that begins with `$ axgen` is a command and what it prints; below the README's first command stands
-//! what that prints.
+//! What the documents show of the command is what it prints, and their links lead somewhere. A fenced block below a line
+//! that begins with the name of a file is that file; a block that begins with `$ axgen` is a command and what it prints;
+//! below the README's first command stands what that prints.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 

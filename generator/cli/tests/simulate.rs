@@ -62,7 +62,8 @@ fn the_demonstration_plant_gives_its_table() {
             assert_near(&format!("{name}, column {column}"), found[column], expected, 0.02);
         }
     }
-    // The definition's following errors, 0.70 and 2.31 mm, are of a command that is not ahead by a cycle, its table is not (tests/tests/plant.rs).
+    // The definition's following errors, 0.70 and 2.31 mm, are of a command that is not ahead by a cycle, its table is not
+    // (tests/tests/plant.rs).
     assert_near("following error off", row(&text, "off")[3], 0.70, 0.12);
     assert_near("following error", row(&text, "stage 1 alone")[3], 2.31, 0.06);
 }

@@ -1,5 +1,5 @@
-//! Base 85 -> double precision numbers, as SINUMERIK writes the arrays of a measurement: the digits are not those of Ascii85 or of
-//! RFC 1924. No element is known here.
+//! Base 85 -> double precision numbers, as SINUMERIK writes the arrays of a measurement: the digits are not those of Ascii85
+//! or of RFC 1924. No element is known here.
 
 /// The digits, 0 first.
 const DIGITS: &str = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ!#$`()*+-/:;=?@[]^_{|}~";

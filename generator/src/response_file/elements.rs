@@ -1,5 +1,5 @@
-//! The elements of a SINUMERIK measurement: by their names, with their places; arrays and spectra. Which signal is which is not known
-//! here.
+//! The elements of a SINUMERIK measurement: by their names, with their places; arrays and spectra. Which signal is which is
+//! not known here.
 
 use super::Said;
 use super::base85::{self, At};

@@ -1,5 +1,6 @@
-//! A measured frequency response as text or XML -> the response from the commanded velocity to the motor's, or what is wrong with it. No parameter and
-//! no file system: bytes, where the response is from, the cycle time and the bands of the active stages arrive.
+//! A measured frequency response as text or XML -> the response from the commanded velocity to the motor's, or what is wrong
+//! with it. No parameter and no file system: bytes, where the response is from, the cycle time and the bands of the active
+//! stages arrive.
 //!
 //! ```text
 //! text        bytes -> lines -> cells

@@ -7,8 +7,9 @@
 //! coherence = |S_uy|^2/(S_uu S_yy)     of the spectra that were averaged; of one spectrum it is always 1
 //! ```
 //!
-//! That the first factor is the conjugate one was found in a real file, whose output follows its input (a wrong sign of the phase is
-//! found later, too). Ids of nodes and of units are numbers without a public meaning: the set states what the response is from.
+//! That the first factor is the conjugate one was found in a real file, whose output follows its input (a wrong sign of the
+//! phase is found later, too). Ids of nodes and of units are numbers without a public meaning: the set states what the
+//! response is from.
 
 use super::columns::Unit;
 use super::elements::{EXPORT, Elements, Spectrum, WHAT, text_of};

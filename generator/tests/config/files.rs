@@ -165,8 +165,8 @@ fn names_of_lists() {
     );
 }
 
-/// The signals of a measurement in XML have numbers: the default of what it is from would be a guess. Another XML is not read, whatever
-/// is stated.
+/// The signals of a measurement in XML have numbers: the default of what it is from would be a guess. Another XML is not
+/// read, whatever is stated.
 #[test]
 fn a_response_without_names_says_what_it_is_from() {
     let list = direct("").replace("ipc.", IPC);

@@ -151,8 +151,9 @@ x.lis:1:23: error[AX201]: `antr.nbr_delay_cycles` (P-AXIS-00191) is `abc`, no wh
     assert_said(&said("antr.nbr_delay_cycles 11\ngetriebe[0].kv 2000"), &[]);
 }
 
-/// What `check` says of a SET_POINT stage: the rest of the command at f0, and the rest where v_add comes a cycle late. By the formula of the
-/// simulated oscillation at its own frequency, where the band-pass is 1: H = -w (1 - j / (2 D)), late H e^(-j 2 pi f0 Ts).
+/// What `check` says of a SET_POINT stage: the rest of the command at f0, and the rest where v_add comes a cycle late. By
+/// the formula of the simulated oscillation at its own frequency, where the band-pass is 1: H = -w (1 - j / (2 D)), late H
+/// e^(-j 2 pi f0 Ts).
 #[test]
 fn a_set_point_stage_whose_addition_comes_late() {
     let (damping, weight, cycle) = (0.3f64, 0.26f64, 1e-3f64);

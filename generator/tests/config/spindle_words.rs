@@ -198,7 +198,8 @@ fn an_axis_that_is_no_spindle_is_what_it_was() {
     assert_eq!(after.control.spindle, None);
 }
 
-/// The gain that the controller and a drive that controls the position share, with the drive's own name for it: of a spindle as of any axis.
+/// The gain that the controller and a drive that controls the position share, with the drive's own name for it: of a spindle
+/// as of any axis.
 #[test]
 fn the_gain_of_the_drive() {
     let said = |lines: &str| {

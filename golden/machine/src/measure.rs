@@ -30,8 +30,8 @@ pub fn figures(record: &Record) -> Figures {
 }
 
 /// The largest difference between the command and the motor's position [m]: `max |x[n] - q1(n Ts)|`, with the command that the
-/// controller gets at the start of cycle n. The command of a [`Sequence`](super::sequence::Sequence) is ahead by a cycle: at constant
-/// speed, where the controller sees no difference to the position that it reads a cycle late, this one is -Ts v.
+/// controller gets at the start of cycle n. The command of a [`Sequence`](super::sequence::Sequence) is ahead by a cycle: at
+/// constant speed, where the controller sees no difference to the position that it reads a cycle late, this one is -Ts v.
 #[must_use]
 pub fn following_error(record: &Record) -> f64 {
     let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());

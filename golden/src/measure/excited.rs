@@ -19,8 +19,8 @@ const SAME_SIGNS: f64 = 0.99;
 /// Two periods of changes are equal above that correlation; of neighbours of one excitation it is that part of the largest.
 const REPEATS: f64 = 0.5;
 const OF_LARGEST: f64 = 0.98;
-/// A relative error that large says nothing of a magnitude when the dead time is looked for: known only where at most such a part of
-/// the lines up to this part of half the sampling frequency is so vague.
+/// A relative error that large says nothing of a magnitude when the dead time is looked for: known only where at most such a
+/// part of the lines up to this part of half the sampling frequency is so vague.
 const VAGUE: f64 = 0.25;
 const MOST_VAGUE: f64 = 0.1;
 const NEEDED: f64 = 0.8;

@@ -232,8 +232,8 @@ pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
 }
 
 /// On which side vibrations of a move enter; says for which it is not known. What decays after a ramp was excited by the
-/// command, at the motor; a decay has no ratio that the steady one of an excitation could be compared with. The others by the recording of an
-/// excitation.
+/// command, at the motor; a decay has no ratio that the steady one of an excitation could be compared with. The others by
+/// the recording of an excitation.
 pub(super) fn find_sides(
     vibrations: &mut [Vibration],
     record: &Record,

@@ -1,5 +1,6 @@
 //! Stages that recordings ask for: recommended, strong, cautious, with what they would leave of each vibration; first ones
-//! where the response of the drive is not known. The search is that of the crate `identification`. No file, nothing is written into a set.
+//! where the response of the drive is not known. The search is that of the crate `identification`. No file, nothing is
+//! written into a set.
 //!
 //! ```text
 //! chosen    the vibrations that get a stage

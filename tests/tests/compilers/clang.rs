@@ -39,8 +39,8 @@ fn what_clang_makes_for_arm_calls_no_library() {
     if !is_there() {
         return;
     }
-    // In a plain run one level and one of two processors each, in an exhaustive run one level and two processors, both in turn; of three
-    // cases their self-tests and runners too. All of them with AXGEN_EVERY_LEVEL.
+    // In a plain run one level and one of two processors each, in an exhaustive run one level and two processors, both in
+    // turn; of three cases their self-tests and runners too. All of them with AXGEN_EVERY_LEVEL.
     let mut seen = BTreeSet::new();
     let emitted: Vec<_> = in_both_real_types()
         .iter()

@@ -54,8 +54,8 @@ fn tools() -> Vec<Tool> {
     [GCC, CLANG].into_iter().filter(is_there).collect()
 }
 
-/// `count` of all levels, options or processors for the case of a number: each has its share of the cases, in both real types, which
-/// follow each other. All of them with `AXGEN_EVERY_LEVEL`.
+/// `count` of all levels, options or processors for the case of a number: each has its share of the cases, in both real
+/// types, which follow each other. All of them with `AXGEN_EVERY_LEVEL`.
 fn in_turn<T: Clone>(all: &[T], number: usize, count: usize) -> Vec<T> {
     let count = if environment::is_every_level() { all.len() } else { count };
     let start = (number + number / all.len()) * count;

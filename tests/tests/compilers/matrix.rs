@@ -1,5 +1,5 @@
-//! Every case, in both real types, with every compiler at one of its levels: the bits of the reference. `AXGEN_EVERY_LEVEL=1` takes every
-//! level and a million samples for each case.
+//! Every case, in both real types, with every compiler at one of its levels: the bits of the reference.
+//! `AXGEN_EVERY_LEVEL=1` takes every level and a million samples for each case.
 
 use crate::{in_turn, reference, tools};
 use axgen_tests::cases::{in_both_real_types, title};

@@ -205,7 +205,8 @@ fn a_parameter_is_found_by_id_path_and_end_of_path() {
     assert!(axgen(folder.path(), &["params"]).1.lines().count() >= 20);
 }
 
-/// What the manuals name and axgen does not read: by both commands, in the list of all, and on the page; never a parameter that is read.
+/// What the manuals name and axgen does not read: by both commands, in the list of all, and on the page; never a parameter
+/// that is read.
 #[test]
 fn what_the_manuals_name_besides_is_known() {
     let folder = started();

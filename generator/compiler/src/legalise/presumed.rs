@@ -1,5 +1,5 @@
-//! Gives a local the value that most branches leave in it before the branches, which then need not name it: Structured Text is read
-//! by people, and says once what mostly holds.
+//! Gives a local the value that most branches leave in it before the branches, which then need not name it: Structured Text
+//! is read by people, and says once what mostly holds.
 //!
 //! ```text
 //! if a { x := 1 } else if b { x := 0 } else { x := 0 }   ->   x := 0; if a { x := 1 }
@@ -87,12 +87,15 @@ fn always(statement: &Statement, local: Var) -> bool {
     }
 }
 
-/// Takes the assignments of this value out of a list and of what is inside it. A branch that explains itself keeps a statement: one of
-/// comments alone is none in Structured Text.
+/// Takes the assignments of this value out of a list and of what is inside it. A branch that explains itself keeps a
+/// statement: one of comments alone is none in Structured Text.
 fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
     list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, local, value));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
-    let is_it = |statement: &Statement| matches!(statement, Statement::Assign { target, value: other } if *target == local && other == value);
+    let is_it = |statement: &Statement| match statement {
+        Statement::Assign { target, value: other } => *target == local && other == value,
+        _ => false,
+    };
     if list.iter().any(is_it) && (list.len() == 1 || others(list) > 1) {
         list.retain(|statement| !is_it(statement));
     }

@@ -1,5 +1,5 @@
-//! Numbers of signals under their names, for callers: enumerations in TwinCAT and CODESYS, data blocks in SCL. The signals themselves are
-//! DINTs.
+//! Numbers of signals under their names, for callers: enumerations in TwinCAT and CODESYS, data blocks in SCL. The signals
+//! themselves are DINTs.
 
 use compiler::program::variant_name;
 use portable::{Portable, Ty};

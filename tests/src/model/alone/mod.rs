@@ -1,6 +1,7 @@
 //! An independent model of the block `ipc` that stands alone: with constants, with weights that the caller tunes, with parameter sets. What the
 //! stages, the fade, the ride-through and the watch do stands in [`super::ipc`] and [`super::watch`], which the block `axis` has too; here is what
-//! only this block has: the order of its faults, and the parameter sets (docs/parameter-sets.md, docs/decisions/faults.md, ipc.md and parameter-sets.md).
+//! only this block has: the order of its faults, and the parameter sets (docs/parameter-sets.md, docs/decisions/faults.md,
+//! ipc.md and parameter-sets.md).
 //!
 //! # What is compared ([`agree`])
 //!

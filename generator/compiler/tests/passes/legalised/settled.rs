@@ -129,7 +129,8 @@ fn several_writers() {
     assert_eq!(names, ["y_so_far", "y_until_now", "y_up_to_here", "y_so_far"]);
 }
 
-/// A way that does not write the output has its start; one that writes it, in every branch or with other statements, its own value.
+/// A way that does not write the output has its start; one that writes it, in every branch or with other statements, its own
+/// value.
 #[test]
 fn ways_that_write() {
     let inner = when(ALSO, vec![put(1.0)], vec![put(2.0)]);
