@@ -71,16 +71,6 @@ fn assert_said(said: &str, expected: &[&str]) {
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
 }
 
-/// Blocks, with an empty line between: after `> ` what is given, below it what is said about it.
-fn assert_transcript(say: impl Fn(&str) -> String, transcript: &str) {
-    for block in transcript.trim_matches('\n').split("\n\n") {
-        let lines: Vec<&str> = block.lines().collect();
-        let given: Vec<&str> = lines.iter().map_while(|line| line.strip_prefix("> ")).collect();
-        assert!(!given.is_empty(), "nothing is given: {block}");
-        assert_eq!(say(&given.join("\n")).lines().collect::<Vec<_>>(), lines[given.len()..], "{block}");
-    }
-}
-
 /// A DIRECT stage that nothing is said about, without what the test itself gives.
 fn direct(but: &str) -> String {
     stage(
