@@ -11,7 +11,7 @@ use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, init, params, refus
 use std::collections::BTreeSet;
 use std::path::Path;
 
-const SET: &str = include_str!("data/tunable.toml");
+const SET: &str = include_str!("../data/tunable.toml");
 
 /// The axis of the set, each `from` replaced by `to`; every one must be there.
 fn axis(changes: &[(&str, &str)]) -> Designed {

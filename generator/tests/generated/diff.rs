@@ -5,7 +5,7 @@ use generator::diff::lines;
 use generator::pipeline::{Set, read_to_look_at, read_with};
 use std::path::Path;
 
-const LIST: &str = include_str!("../../examples/rack-and-pinion.lis");
+const LIST: &str = include_str!("../../../examples/rack-and-pinion.lis");
 
 /// The axis list of the example as axis X, each `from` replaced by `to`; every one must be there.
 fn list(changes: &[(&str, &str)]) -> Set {
