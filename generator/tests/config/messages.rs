@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 /// The data files.
 pub fn files() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/config/messages");
-    let mut files: Vec<_> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    let entries = folder.read_dir().expect("the messages");
+    let mut files: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
     files.sort();
     files
 }
@@ -15,7 +16,7 @@ pub fn files() -> Vec<PathBuf> {
 #[test]
 fn what_is_reported() {
     for file in files() {
-        transcript::compare(file, |form, given| said_of(form, given));
+        transcript::compare(file, said_of);
     }
 }
 
