@@ -24,7 +24,7 @@ use generator::blocks::{self, Block};
 use generator::config::{self, ListOptions};
 use generator::diagnostics::Slashes;
 use generator::digest::digest;
-use generator::generate::header;
+use generator::generate::identity;
 use generator::pipeline;
 use generator::target::{File, TARGETS, Target};
 use generator::write;
@@ -227,7 +227,7 @@ fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
         |target: &&Target| case.emitted.as_ref().is_none_or(|kept| kept.iter().any(|name| name == target.name));
     let mut emitted = Vec::new();
     for target in TARGETS.iter().filter(is_kept) {
-        let files = target.files(&header(&case.axis.axis, &case.block), &case.block);
+        let files = target.files(&identity(&case.axis.axis, &case.block), &case.block);
         emitted.extend(files.map_err(|defect| defect.to_string())?);
     }
     // Self-tests follow from the blocks; tests run them, and the folder stays small.

@@ -5,7 +5,7 @@ use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
 use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
-use crate::target::{Header, Legal};
+use crate::target::{BlockIdentity, Legal};
 use askama::Template;
 use compiler::legalise::{Cycle, RealInput};
 use compiler::print::{signals, st};
@@ -65,7 +65,7 @@ struct Switch<'a> {
 }
 
 /// The self-test as a function block.
-pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
+pub(super) fn listing(axis: &BlockIdentity, block: &Legal<'_>, dialect: &Dialect) -> Listing {
     let (program, language) = (&block.program, dialect.language);
     let trial = &block.block.trial;
     let [inputs, outputs] = &signals(program, language);
