@@ -5,7 +5,7 @@ use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
 use crate::exercise::{self, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
-use compiler::legalise::{self, Own};
+use compiler::legalise::{self, AxisProgram};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
@@ -190,7 +190,7 @@ pub struct Block {
     /// verified
     pub program: Program,
     /// the same with the signals that the axis has
-    pub own: Own,
+    pub own: AxisProgram,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
     pub(crate) exercise: Arc<Exercise>,
