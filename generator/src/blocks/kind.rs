@@ -4,7 +4,7 @@ use super::designed::Designed;
 use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
-use crate::exercise::{self, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
+use crate::exercise::{self, Exercise, RecordedAnswers, Run, Running, SelfTest, Trial, Wanted};
 use compiler::legalise::{self, AxisProgram};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
@@ -197,7 +197,7 @@ pub struct Block {
     pub(crate) self_test: SelfTest,
     pub(crate) trial: Trial,
     /// what the reference answers in the trial
-    pub(crate) answers: Recording,
+    pub(crate) answers: RecordedAnswers,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
     /// what is certain of its outputs, whatever its state and its inputs hold
