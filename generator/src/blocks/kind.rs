@@ -28,7 +28,7 @@ pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
 }
 
 /// A block that an axis may have.
-pub trait Kind: Part {
+pub trait BlockKind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
@@ -39,7 +39,7 @@ pub trait Kind: Part {
     fn typed(&self, designed: &Designed) -> &dyn Typed;
 }
 
-impl<P: Part + Design> Kind for P {
+impl<P: Part + Design> BlockKind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
     }
@@ -56,7 +56,7 @@ impl<P: Part + Design> Kind for P {
     }
 }
 
-impl dyn Kind + '_ {
+impl dyn BlockKind + '_ {
     /// The program after the pass of that name; none: as the specialiser gives it.
     ///
     /// # Errors
@@ -97,11 +97,11 @@ impl dyn Kind + '_ {
     }
 }
 
-/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`Kind`] does.
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`BlockKind`] does.
 pub trait Typed: Sync {
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
