@@ -4,15 +4,15 @@ use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
 use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive};
-use crate::rules::{corrected, effective::Effective};
+use crate::rules::{corrected, effective::Effective, presence::Presence};
 use crate::{codes, config::values::key, diagnostics::Diagnostic};
 
-/// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
-pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
+/// Feedforward of one axis; none: an error, which has been reported.
+pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Presence<Feedforward>> {
     let words: Vec<FeedforwardWord> = e.validated_words(key(Name::FeedforwardMode))?;
     let has = |word| words.contains(&word);
     if has(FeedforwardWord::None) || words.is_empty() {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
@@ -30,12 +30,12 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
     let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
     let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
-    let velocity = drive.velocity(e, additive.any())?;
-    let torque_scale = if torque.any() { torque_of(e, drive)? } else { None };
+    let velocity = drive.velocity(e, additive.any())?.present();
+    let torque_scale = if torque.any() { torque_of(e, drive)?.present() } else { None };
     if torque_scale.is_none() {
         torque = Quantities::default();
     }
-    Some(Some(Feedforward {
+    Some(Presence::Present(Feedforward {
         conventional,
         additive,
         torque,
@@ -158,8 +158,8 @@ fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()>
     None
 }
 
-/// Scaling of the additive torque; inner none: a correction has switched it off.
-fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
+/// Scaling of the additive torque; absent: a correction has switched it off; none: an error, which has been reported.
+fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Presence<Torque>> {
     let motor: Option<Motor> = e.word(key(Name::Motor));
     let load = e.real((Name::Load, [drive.gear, 0]));
     let reference = e.real(key(Name::AccReferenceValue));
@@ -184,12 +184,12 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
         let found = format!("{} is 0: the additive torque is switched off", e.title(reference_key));
         let instead = "the nominal torque of the motor, from its data sheet".to_owned();
         e.warn(codes::NO_REFERENCE, reference_key, found, instead);
-        return Some(None);
+        return Some(Presence::Absent);
     }
     // Of a factor of 0 nothing comes: its input is not read either.
     if scale.num == 0 || load <= 0.0 {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     let width = drive.torque?;
-    Some(Some(Torque { resolution, motor, load, reference, scale, width }))
+    Some(Presence::Present(Torque { resolution, motor, load, reference, scale, width }))
 }
