@@ -27,7 +27,14 @@ fn drive(axis: &Axis) -> Vec<String> {
         DriveType::Simulation => {
             "drive: SIMULATION, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
         }
-        of => format!("drive: {} (P-AXIS-00020)", of.name()),
+        DriveType::Conventional
+        | DriveType::Sercos
+        | DriveType::Profidrive
+        | DriveType::Lightbus
+        | DriveType::Terminal
+        | DriveType::RtEthernet
+        | DriveType::CanOpen
+        | DriveType::CanBus => format!("drive: {} (P-AXIS-00020)", of.name()),
     });
     let in_drive = match (&control.spindle, &control.position_control) {
         (Some(of), _) => matches!(of.drive, Changeover::Drive { .. }) && !of.only_velocity(),
