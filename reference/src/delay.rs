@@ -72,7 +72,7 @@ pub fn interpolated<R: Real>(samples: &[R; LONGEST], coeffs: &Coeffs<R>, x: R) -
 #[portable]
 pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
     for k in 0..LONGEST {
-        // From the oldest on.
+        // From the oldest sample on.
         samples[LONGEST - 1 - k] = if k + 1usize < LONGEST { samples[LONGEST - 2 - k] } else { x };
     }
 }

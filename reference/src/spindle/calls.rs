@@ -1,4 +1,4 @@
-//! The rate of the calls of a spindle: an error that stays. No transition.
+//! The call rate of a spindle: an error that stays. No transition.
 
 use super::change::lead_time;
 use super::signals::Inputs;

@@ -1,5 +1,5 @@
-//! The change of the mode: whether the drive has done it, where position control is taken up, and what follows. No state is left here but
-//! TO_POSITION.
+//! The change of the mode: whether the drive has changed it, where position control begins, and what follows. Only
+//! TO_POSITION is left here.
 
 use super::motion::ahead;
 use super::signals::Inputs;
@@ -29,7 +29,7 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// needs for this velocity.
 #[portable]
 pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    // Only a spindle without position control goes on without its position.
+    // Only a spindle without position control continues without its position.
     let is_unknown = coeffs.only_velocity && !in_range(inputs.x_actual, position_limit());
     let x_from = if is_unknown { state.x } else { inputs.x_actual };
     let lead = lead_time(coeffs, inputs);

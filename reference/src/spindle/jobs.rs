@@ -46,7 +46,7 @@ pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, wai
 #[portable]
 pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let new_m19 = inputs.m19 && !state.before.m19;
-    // With M19, M3 and M4 are its direction.
+    // M3 or M4 together with M19 only gives its direction.
     let new_turn = !new_m19 && (inputs.m3 && !state.before.m3 || inputs.m4 && !state.before.m4);
     let new_m5 = inputs.m5 && !state.before.m5;
     let new_putax = inputs.putax && !state.before.putax;
@@ -93,7 +93,7 @@ pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub fn look<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let is_any = inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74;
     let mut request_error = error_none();
-    // Mostly nobody asks for anything, and nobody did.
+    // In most cycles there is no request, now or in the previous cycle.
     if is_any || state.before.any {
         request_error = take(state, coeffs, inputs);
         state.before.any = is_any;

@@ -8,8 +8,8 @@
 //!     +--------------- the drive says so ---  TO_POSITION  <--- |v_actual| has settled at Voff  ---     BRAKE
 //! ```
 //!
-//! Positions grow with positive velocities. What a cycle puts out follows the state with which it began; a transition acts from the
-//! next cycle on.
+//! Positions grow in the direction of positive velocity. The outputs of a cycle follow the state at its start; a transition
+//! takes effect in the next cycle.
 
 mod calls;
 mod change;
@@ -85,7 +85,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
-    // No usual cycle is next. The functions that begin a block have no named constants.
+    // The next cycle is not a usual one. The functions that begin a block have no named constants.
     state.usual = 0u32;
     call_rate::init(&mut state.call_rate);
 }
@@ -163,7 +163,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     outputs.spindle_state = state.control;
     let begins = is_at_start(state);
     let is_sound = state.lasting_error == error_none();
-    // The spindle keeps its velocity in the cycle in which the block takes hold of it.
+    // In the cycle in which the block takes over the spindle, the spindle keeps its velocity.
     let is_seized = inputs.drive_on && !is_sound && begins && state.cycles == 0u32;
     if begins && (!inputs.drive_on || is_sound || is_seized) {
         follow(state, coeffs, inputs, &mut cycle);

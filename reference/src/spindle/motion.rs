@@ -1,4 +1,4 @@
-//! What the spindle's commands do where the interpolator has no say. No transition.
+//! The spindle's commands where the interpolator does not move it. No transition.
 
 use super::state::{Coeffs, State};
 use portable::{Real, in_range, note, portable};

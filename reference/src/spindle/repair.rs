@@ -1,4 +1,4 @@
-//! What overwrote the memory is shown, and goes no further: a state that no cycle leaves stops the spindle with an error.
+//! Detects corrupted memory: a state that no cycle can produce stops the spindle with an error.
 
 use super::request::{Job, Request};
 use super::seen::forget;
@@ -24,7 +24,7 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
         || id == error_brake()
         || id == error_to_position()
         || id == error_takeover()
-        // A drive that has one mode alone is not asked for its mode.
+        // A drive with only one mode is not asked to change its mode.
         || coeffs.in_drive
             && (!coeffs.only_velocity && id == error_to_velocity()
                 || id == error_half_turn()

@@ -1,4 +1,4 @@
-//! What a spindle is asked to do. Data only.
+//! The requests to a spindle. Data only.
 
 use portable::portable;
 

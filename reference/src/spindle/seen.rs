@@ -1,4 +1,4 @@
-//! What the block knows of the velocity of a spindle that it does not move yet. No command.
+//! The measured velocity of a spindle that the block does not move yet. No command.
 
 use super::state::{Coeffs, Seen};
 use crate::signal::sample_limit;

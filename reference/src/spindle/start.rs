@@ -1,5 +1,5 @@
-//! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
-//! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
+//! The drive is switched on, or is off: what the block knows of a spindle that it does not move yet, and how it takes it
+//! over. A spindle that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
 use super::change::{complete, is_displayed, lead_time};
 use super::motion::{advance, ahead, slow_down};

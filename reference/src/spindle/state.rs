@@ -1,4 +1,4 @@
-//! What the changeover knows: coefficients, state, the five states. No motion.
+//! The data of the changeover: coefficients, state, the five states. No motion.
 
 use super::request::{Before, Request};
 use crate::{call_rate, process_data};

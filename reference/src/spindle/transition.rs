@@ -1,4 +1,4 @@
-//! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
+//! The five states: the outputs of each, and when it ends. An error that is set here stops the spindle in the same cycle.
 
 use super::change::{complete, is_displayed};
 use super::jobs::is_free;

@@ -1,5 +1,5 @@
-//! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong, and a
-//! position within one turn. It does what `any_cycle` does there, and asks for less. No transition.
+//! The usual cycle: POSITION or VELOCITY with valid samples, without a request, waiting job or error, and with a position
+//! within one turn. It has the same result as `any_cycle` with fewer checks. No transition.
 
 use super::change::is_displayed;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};

@@ -5,7 +5,7 @@
 //! axis      x_spindle, v_spindle, actual values      -> what the drive gets, while it follows the position
 //! ```
 //!
-//! In VELOCITY and BRAKE, and with position control in the CNC in TO_POSITION too, the drive gets v_spindle alone: no position
+//! In VELOCITY and BRAKE, and in TO_POSITION with position control in the CNC, the drive gets only v_spindle: no position
 //! controller, no feedforward, no improved position control.
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
@@ -199,7 +199,7 @@ pub fn any_cycle<R: Real>(
 ) {
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
-    // A spindle that is stopped, or goes on without the interpolator, moves by its velocity command alone.
+    // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only.
     let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
     let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
     if follows {

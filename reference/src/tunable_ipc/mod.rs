@@ -10,11 +10,11 @@
 //! fade in         as mode says
 //! ```
 //!
-//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a corrupted
-//! state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit that the block
-//! was generated with always applies, whatever the numbers are. A set is read once: the copy is checked, and the copy is taken
-//! over. A refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first
-//! set is taken over v_add is 0, and a refused set is a fault.
+//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a
+//! corrupted state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit
+//! in the generated block applies to every set. A set is read once: the copy is checked, and the copy is taken over. A
+//! refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first set is
+//! taken over v_add is 0, and a refused set is a fault.
 
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 

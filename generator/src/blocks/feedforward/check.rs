@@ -1,4 +1,4 @@
-//! The rules of feedforward: which quantities there are, which way they go, and what is corrected.
+//! The rules of feedforward: the available quantities, their destinations, and corrections.
 
 use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
 use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
@@ -7,7 +7,7 @@ use crate::rules::drive::{self, Drive};
 use crate::rules::{corrected, effective::Effective};
 use crate::{codes, config::values::key, diagnostics::Diagnostic};
 
-/// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
+/// Feedforward of one axis. Outer `None` after a reported error; inner `None` without feedforward.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
     let words: Vec<FeedforwardWord> = e.validated_words(key(Name::FeedforwardMode))?;
     let has = |word| words.contains(&word);
@@ -52,11 +52,11 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     }))
 }
 
-/// The ways of the quantities that the drive has a datum for.
+/// The destinations of the quantities, as far as the drive has a process datum for them.
 fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive) -> [Quantities; 3] {
     let [mut conventional, mut additive, mut torque] = ways(words);
     if drive.location == Location::Profidrive && words.contains(&FeedforwardWord::AddVel) {
-        // NSOLL_B takes the whole feedforward, not its velocity alone.
+        // NSOLL_B takes the whole feedforward, not only its velocity.
         additive = Quantities { velocity: true, ..conventional };
         conventional = Quantities::default();
     }
@@ -72,7 +72,7 @@ fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive
     [conventional, additive, torque]
 }
 
-/// The weights of all, of the acceleration and of the jerk; what a weight of 0 leaves out goes no way.
+/// The weights of the whole, of the acceleration and of the jerk. A quantity with the weight 0 has no destination.
 fn weights(e: &mut Effective<'_>, [conventional, additive, torque]: &mut [Quantities; 3]) -> [Option<Ratio>; 3] {
     let weight =
         corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
@@ -90,7 +90,8 @@ fn weights(e: &mut Effective<'_>, [conventional, additive, torque]: &mut [Quanti
     };
     let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
     if is_out(acceleration) {
-        // With the time constant goes all that it weights; inputs that nothing else reads are not validated either.
+        // Without the time constant, the quantities that it weights are dropped too. Inputs that nothing else reads are not
+        // validated.
         for sum in [&mut *conventional, &mut *additive] {
             *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
         }
@@ -113,8 +114,8 @@ fn weights(e: &mut Effective<'_>, [conventional, additive, torque]: &mut [Quanti
     [weight, acceleration, jerk]
 }
 
-/// Each quantity goes one way, conventional or as additive velocity or torque: an additive output takes it away from the
-/// position controller.
+/// Each quantity has one destination: conventional, additive velocity or additive torque. An additive output removes it from
+/// the position controller.
 fn ways(words: &[FeedforwardWord]) -> [Quantities; 3] {
     let has = |word| words.contains(&word);
     let velocity = has(FeedforwardWord::AddVel);
@@ -128,7 +129,7 @@ fn ways(words: &[FeedforwardWord]) -> [Quantities; 3] {
     [conventional, additive, Quantities { velocity: false, acceleration, jerk }]
 }
 
-/// ADD_JERK only where it is asked for by name.
+/// Rejects ADD_JERK unless it is selected by name.
 fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
     if !has_jerk || e.word::<AddJerk>(key(Name::AddJerk))? == AddJerk::Experimental {
         return Some(());
@@ -142,7 +143,7 @@ fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
     None
 }
 
-/// P-AXIS-00566 holds for VEL alone (110624).
+/// P-AXIS-00566 applies to VEL only (110624).
 fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()> {
     let key = key(Name::FeedforwardWithoutDelay);
     if e.word::<Boolean>(key)? == Boolean::False || words == [FeedforwardWord::Vel] {
@@ -158,7 +159,7 @@ fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()>
     None
 }
 
-/// Scaling of the additive torque; inner none: a correction has switched it off.
+/// Scaling of the additive torque. Inner `None` if a correction has switched it off.
 fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
     let motor: Option<Motor> = e.word(key(Name::Motor));
     let load = e.real((Name::Load, [drive.gear, 0]));
@@ -186,7 +187,7 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
         e.warn(codes::NO_REFERENCE, reference_key, found, instead);
         return Some(None);
     }
-    // Of a factor of 0 nothing comes: its input is not read either.
+    // With a factor of 0 the torque is 0: its input is not read either.
     if scale.num == 0 || load <= 0.0 {
         return Some(None);
     }

@@ -11,7 +11,7 @@ use reference::spindle::Coeffs;
 /// Half a turn [0.001 deg].
 const HALF_TURN: f64 = 180_000.0;
 
-/// Cycles by which the test of a spindle whose drive comes on takes longer than one.
+/// Number of extra cycles of the test of a spindle whose drive is switched on.
 const START: u32 = 2;
 
 /// Coefficients of the changeover of one axis; of an axis without it all zero.
