@@ -63,6 +63,7 @@ impl Part for Ipc {
         [if limit > 0.0 { limit / 16.0 } else { v_max }, (64.0 * limit).clamp(v_max, 16.0 * v_max)]
     }
 
+    /// The number of cycles of the fade.
     fn start_cycles(&self, designed: &Designed) -> usize {
         designed.ipc.fade_cycles as usize
     }
