@@ -8,17 +8,17 @@ use generator::config::{self, ListOptions};
 use generator::import_export;
 use std::path::Path;
 
-/// What the command takes, in addition to the list.
+/// The options of the command in addition to the list.
 pub struct Request<'r> {
-    /// the cycle time of the set; none: the set has a line to fill in
+    /// the cycle time of the set; with `None` the set has a line to complete
     pub cycle_time: Option<String>,
-    /// the name of the axis; none: from the file's name
+    /// the name of the axis; `None` for the file's name
     pub name: Option<String>,
-    /// the file to write; none, or `-`: standard output
+    /// the file to write; `None` or `-` for standard output
     pub out: Option<&'r Path>,
-    /// whether a file that is there may be replaced
+    /// whether an existing file may be replaced
     pub force: bool,
-    /// what messages look like
+    /// the format of messages
     pub format: Format,
 }
 

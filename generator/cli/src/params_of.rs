@@ -12,17 +12,17 @@ use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::params_of::{self, Form};
 use std::path::PathBuf;
 
-/// What the command takes, in addition to the set.
+/// The options of the command in addition to the set.
 pub struct Request {
-    /// the axis; none: the only one
+    /// the axis; `None` for the only one
     pub axis: Option<String>,
-    /// what the block on the machine was generated from
+    /// the set from which the block on the machine was generated
     pub on: PathBuf,
     /// the name of the form
     pub form: String,
-    /// the file to write; none, or `-`: standard output
+    /// the file to write; `None` or `-` for standard output
     pub out: Option<PathBuf>,
-    /// whether a file that is there may be replaced
+    /// whether an existing file may be replaced
     pub force: bool,
 }
 

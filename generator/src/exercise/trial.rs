@@ -95,7 +95,7 @@ impl Trial {
         for value in [exercise.beyond, exercise.huge[0], exercise.huge[1]] {
             reals.iter().for_each(|real| plan.add(real.position, value, 1, JUMP_DISTANCE));
         }
-        // After a huge value the block has reset its state, and then no output changes.
+        // What is huge is forgotten, and then nothing moves any more.
         let is_false = |(input, _): &&(usize, _)| exercise.usual[*input] == Literal::Bool(false);
         switches.clone().find(is_false).into_iter().for_each(|(input, _)| plan.ahead(0, *input, Literal::Bool(true)));
         Self {

@@ -28,7 +28,7 @@ pub(super) struct Spectrum {
     pub line: usize,
 }
 
-/// The children with this name. A message needs the place of the parent: the caller makes it if one is missing.
+/// The children with this name.
 fn named<'a, 'i>(of: Node<'a, 'i>, element: &str, name: &str) -> impl Iterator<Item = Node<'a, 'i>> {
     of.children().filter(move |node| node.has_tag_name(element) && node.attribute("name") == Some(name))
 }
