@@ -22,8 +22,7 @@
 //! | --- | --- |
 //! | `G135`, `G137` | feedforward of all axes on, off |
 //! | `G136 X80 Y0` | its percentages, integers; also with `G135` |
-//! | `S[G135]`, `S[G136=80]`, `S2[G135 G136=90]`, `S[G137]` | feedforward of a spindle on, its percentage, both, off; `S` is
-//! spindle 1 |
+//! | `S[G135]`, `S[G136=80]`, `S2[G135 G136=90]`, `S[G137]` | feedforward of a spindle; `S` is spindle 1 |
 //! | `S[PUTAX]` | the spindle becomes an axis |
 //! | `G74 X1 Y1`, `S[G74]` | homing of axes, all at once, or of a spindle |
 //! | `M3 S1000`, `M4`, `S500`, `M5` | spindle 1 turns, takes another speed [rpm] in the direction in force, stops |

@@ -14,7 +14,7 @@ use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 /// - limit = v_add_max_fact / 1000 * v_max (P-AXIS-00757, P-AXIS-00212), in the unit of v_max: um/s or 0.001 deg/s.
 /// - sum_limit: [`sum_limit`].
 /// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above the values that a
-/// section at rest decays to.
+///   section at rest decays to.
 /// - fade: [`fade_cycles`].
 /// - watch: [`watch`].
 pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>) {
