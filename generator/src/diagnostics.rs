@@ -111,7 +111,7 @@ pub struct Report {
 const MOST_MESSAGES: usize = 1000;
 
 impl Report {
-    /// The report with at most [`MOST_MESSAGES`] messages, and the number of the others.
+    /// The report with at most `MOST_MESSAGES` messages, and the number of the others.
     pub fn shortened(mut self) -> Self {
         if self.diagnostics.len() > MOST_MESSAGES {
             let rest = Self { diagnostics: self.diagnostics.split_off(MOST_MESSAGES) };

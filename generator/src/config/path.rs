@@ -41,7 +41,7 @@ const TAKEN_FOR: [(&str, &str); 4] = [
     ("vorsteuer.feedforward", "vorsteuer.vorsteuerung"),
 ];
 
-/// The vendor's paths and aliases, and the names in [`TAKEN_FOR`], by their last parts; each without its indices:
+/// The vendor's paths and aliases, and the names in `TAKEN_FOR`, by their last parts; each without its indices:
 /// `getriebe.kv`. The first of equals is a path.
 static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);

@@ -99,7 +99,7 @@ fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
 }
 
 /// Replaces the output by a local in the first of two statements that write it, and assigns the local to the output after
-/// the second one.
+/// that statement.
 fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, program: &mut Program) {
     let local = Var::Local(program.locals.len());
     let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };

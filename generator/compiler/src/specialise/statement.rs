@@ -243,14 +243,14 @@ impl Specialiser<'_> {
         Expr::Var(target)
     }
 
-    /// The Rust name that stands for a cell, innermost function first: of a struct, the field's.
+    /// The Rust name of a cell, from the innermost function; for a cell of a struct the name of the field.
     fn name_of(&self, cell: usize) -> String {
         let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
         let (root, name) = names.find_map(|named| Some((named.name, named.name_of(cell)?))).unwrap_or(("", "value"));
         self.distinct(root, name)
     }
 
-    /// What a local is called that is a field of a struct: with the struct, where the field has the name of a signal.
+    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal.
     fn distinct(&self, root: &str, field: &str) -> String {
         let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
         let is_signal = root != field && self.frame().context.is_empty() && signals.any(|signal| signal.path == field);
@@ -258,7 +258,7 @@ impl Specialiser<'_> {
     }
 }
 
-/// The value that a cell has after a branch.
+/// The value of a cell after a branch.
 fn value_of(cell: Cell) -> Expr {
     match cell {
         Cell::Known(literal) => Expr::Literal(literal),
