@@ -90,7 +90,7 @@ pub fn is_intact<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
     intact
 }
 
-/// One cycle: takes the input, gives the delayed one.
+/// One cycle: takes the input, returns the delayed one.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, delayed: &mut Delayed<R>) {
     delayed.overwritten = false;

@@ -359,7 +359,7 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
         && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
 
-/// One cycle. A block with tuning inputs starts with the fast path: tuning is settled, and only the sections change. It gives
+/// One cycle. A block with tuning inputs starts with the fast path: tuning is settled, and only the sections change. It has
 /// the same result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

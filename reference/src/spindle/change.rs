@@ -7,13 +7,13 @@ use super::state::{Coeffs, Cycle, SpindleState, State, leave_for};
 use crate::angle::{position_limit, wrapped};
 use portable::{Real, from_i32, in_range, note, portable};
 
-/// Whether the drive says that it is in a mode; the CNC always is, and a drive that has one mode alone.
+/// Whether the drive displays a mode; always true for the CNC, and for a drive with only one mode.
 #[portable]
 pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
     !coeffs.in_drive || coeffs.only_velocity || inputs.operation_mode_display == mode
 }
 
-/// By how long the position command leads the actual position [s].
+/// The time by which the position command leads the actual position [s].
 #[portable]
 pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut time = coeffs.lead_time;
@@ -25,8 +25,8 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     time
 }
 
-/// Position control is taken up in the next cycle: where the actual position is when the command arrives, and the lag that the controller
-/// needs for this velocity.
+/// Position control begins in the next cycle: at the actual position when the command arrives, with the lag that the
+/// controller needs for this velocity.
 #[portable]
 pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     // Only a spindle without position control continues without its position.
@@ -40,7 +40,7 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     leave_for(cycle, SpindleState::ToPosition);
 }
 
-/// The drive has the mode that the block has asked for: the interpolator takes over.
+/// The drive has the requested mode: the interpolator takes over.
 #[portable]
 pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
     state.takes_over = true;

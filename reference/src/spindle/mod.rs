@@ -45,7 +45,7 @@ use state::enter;
 use transition::{brake, coast, interpolated, to_position, velocity};
 use usual::next_usual;
 
-/// Before the first cycle: a request that is TRUE then is none.
+/// Before the first cycle: an input that is already TRUE then is not a request.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.control = SpindleState::ToPosition;
@@ -90,13 +90,13 @@ pub fn init<R: Real>(state: &mut State<R>) {
     call_rate::init(&mut state.call_rate);
 }
 
-/// Whether the block does not move the spindle yet: the drive is off, or has just come on.
+/// Whether the block does not move the spindle yet: the drive is off, or has just been switched on.
 #[portable]
 pub fn is_at_start<R: Real>(state: &State<R>) -> bool {
     state.control == SpindleState::ToPosition && !state.is_moving
 }
 
-/// A reset: nothing waits any more, and an error that stays is gone.
+/// A reset: clears the waiting requests, and an error that stays.
 #[portable]
 pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     state.queued = 0u32;
@@ -117,7 +117,7 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     }
 }
 
-/// The error of a cycle: one that stays before one of a sample, before one of a request.
+/// The error of a cycle: first one that stays, then one of a sample, then one of a request.
 #[portable]
 pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     if lasting != error_none() {
@@ -129,7 +129,7 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     }
 }
 
-/// What a cycle leads to: the spindle coasts, or the next cycle begins in another state.
+/// The end of a cycle: the spindle coasts, or the next cycle begins in another state.
 #[portable]
 pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     if cycle.lacking != error_none() {
@@ -219,7 +219,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// Turned off a spindle brakes as with a reset, and stands still under position control.
+/// A spindle that is turned off brakes as after a reset, and stands still under position control.
 pub const ENABLE: Enable = Enable {
     input: "reset",
     off: Off::Brake(Brake {

@@ -71,8 +71,8 @@ pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity that the drive gets,
-/// if that is slower.
+/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity of the drive's
+/// command, if that is slower.
 #[portable]
 pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
     let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
@@ -131,7 +131,7 @@ pub fn put_out<R: Real>(
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
 
-/// Shows the id of the tripped watch if there is no fault.
+/// Reports the id of the tripped watch if there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {
@@ -139,7 +139,7 @@ pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, o
     }
 }
 
-/// The drive gets the velocity alone.
+/// The drive gets only the velocity.
 #[portable]
 pub fn open<R: Real>(
     state: &mut State<R>,

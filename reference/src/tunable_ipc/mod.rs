@@ -272,7 +272,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
-/// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It gives the same
+/// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It has the same
 /// result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
