@@ -8,12 +8,12 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// The format of messages.
+/// What messages look like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Format {
     /// with the line of the file and a mark
     Human,
-    /// a JSON object on a separate line
+    /// a JSON object on a line of its own
     Json,
 }
 
