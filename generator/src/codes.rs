@@ -1,24 +1,24 @@
-//! The one list of diagnostics: code, title, what it means and what to do.
+//! The only list of diagnostics: code, title, meaning and remedy.
 //!
-//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings, AX5
-//! recordings that are measured. A code keeps its meaning for ever.
+//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings, AX5 recordings
+//! that are measured. The meaning of a code never changes.
 
 #[derive(Debug)]
 pub struct Code {
-    /// as it is printed
+    /// the printed code
     pub code: &'static str,
     pub title: &'static str,
-    /// why it is said, and what to do
+    /// the cause and the remedy
     pub explanation: &'static str,
 }
 
-/// The codes of what the controller reports as this error, which their titles name.
+/// The codes whose titles name this error of the controller.
 pub fn of_controller(error: u32) -> impl Iterator<Item = &'static Code> {
     let named = format!("({error})");
     CODES.iter().filter(move |code| code.title.ends_with(&named))
 }
 
-/// The meaning of a code, in any case.
+/// The entry of a code, in upper or lower case.
 pub fn explain(code: &str) -> Option<&'static Code> {
     CODES.iter().find(|known| known.code.eq_ignore_ascii_case(code))
 }

@@ -1,4 +1,4 @@
-//! The command line: what it takes, in the words of its help. Nothing is done here.
+//! The command line: its arguments, in the words of its help. Nothing is done here.
 
 use crate::emit;
 use crate::measure;

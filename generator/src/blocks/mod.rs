@@ -1,13 +1,13 @@
 //! The function blocks that an axis may have, a folder each, and their registry.
 //!
 //! ```text
-//! designed  an axis with everything that design makes of it, once
-//! part      what a block's folder says of it
-//! kind      what follows: verified program, self-test, recorded run
-//! values    named values next to each other, for the semantic diff
+//! designed  an axis with all results of the design
+//! part      the interface of a block's folder
+//! kind      its products: verified program, self-test, recorded run
+//! values    named values of two versions, for the semantic diff
 //! ```
-//! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
-//! needs next to them.
+//! A folder: `check` (rules), `design` (coefficients), `notes` (the meaning of each number), `diff`, `summary`, and other
+//! files that the block needs.
 
 pub(crate) mod axis;
 mod designed;
@@ -62,7 +62,7 @@ pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
-/// The signals of that name: the block, whether it is an output, and what it means.
+/// The signals of that name: the block, whether it is an output, and its meaning.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
     let of_block = |kind: &&'static dyn BlockKind| {
         let [inputs, outputs] = kind.signals();

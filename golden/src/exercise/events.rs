@@ -1,4 +1,4 @@
-//! The part of an exercise that nothing answers to: moves, vibrations, noise, and events.
+//! The part of an exercise that does not react to the block: moves, vibrations, noise, and events.
 
 use super::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
@@ -7,11 +7,12 @@ use compiler::program::Program;
 use generator::axis::{Axis, Filter};
 use portable::Extreme;
 
-/// The first cycle of those that search the boundaries of process data: early, so that a short run has them.
+/// The first cycle of the events at boundaries of process data: early, so that a short run contains them.
 const FIRST_BOUNDARY: u64 = 200;
 
-/// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both boundaries of process data. Of all this a block gets what it has a signal for.
+/// All events of a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode changes, resets, loss of
+/// position control, bad samples, wrong cycle times, rest, and both boundaries of process data. A block gets those for which
+/// it has a signal.
 pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
@@ -21,7 +22,7 @@ pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     Stimulus { signal, event }
 }
 
-/// The real inputs of all blocks, each with the size that it has at the largest velocity of the axis.
+/// The real inputs of all blocks, each with its size at the largest velocity of the axis.
 fn reals(axis: &Axis) -> [(&'static str, f64); 13] {
     let v_max = axis.ipc.v_max;
     [
@@ -52,7 +53,7 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
         part(Form::Constant, 0.5, Window { at: 31_000, length: 2_000, every: 40_000 }),
     ];
     for stage in axis.ipc.stage.iter().flatten() {
-        // As large as it takes for the stage alone to reach the limit.
+        // Large enough for the stage alone to reach the limit.
         let large = (1.5 * axis.ipc.limit() / stage.weight() / axis.ipc.v_max).smaller(2.0);
         for filter in stage.filter {
             if let Filter::Bandpass { f0, .. } = filter {
