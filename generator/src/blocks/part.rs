@@ -60,7 +60,7 @@ pub trait Part: Sync {
         values::description(&self.values(designed))
     }
 
-    /// The largest |v_add|, where it puts one out.
+    /// The largest |v_add| or |v_excite|, where it puts one out.
     fn limit(&self, _: &Designed) -> Option<Figure> {
         None
     }

@@ -5,6 +5,7 @@ mod arbitrary;
 mod canonical;
 mod control;
 mod every_rule;
+mod excitation;
 mod examples;
 mod files;
 mod gantry;
