@@ -115,6 +115,8 @@ static ROWS: &[Row] = rows! {
     error_lag: STAYS, "Take a larger Kv, a smaller P-AXIS-00767 or a lower speed of positioning: `axgen check` names them. Check the scaling of the \
                        manipulated variable and the direction of the encoder. Then a reset.";
     error_only_velocity: LOST, "M19, G74 and S[PUTAX] need a drive with position control.";
+    error_reversal: "Not a fault. v_excite fades out; the id stays until the next start. Nothing starts while the motor stands still.",
+        "Move in one direction, 2.5 times the amplitude or faster, from before the start until `done`. Then press the button again.";
     error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
 };
 

@@ -2,7 +2,10 @@
 
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::spindle::advice as spindle;
-use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
+use crate::blocks::{
+    Designed, excitation::check as excitation, feedforward::advice as feedforward,
+    position_control::advice as position_control,
+};
 use crate::check::{assumed, gear, inert, units};
 use crate::design::rounding::{largest, sample_limit};
 use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
@@ -13,6 +16,7 @@ use portable::Extreme;
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     sections::validate(designed, e);
+    excitation::validate(axis, e);
     if !e.report.has_errors() {
         overflow(designed, gear, e);
     }

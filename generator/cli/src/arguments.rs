@@ -72,7 +72,7 @@ pub enum Command {
         /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block: ipc, feedforward, position_control, spindle, axis or spindle_axis
+        /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
         /// The engine: reference, program, c, rust, st, twincat, codesys or scl

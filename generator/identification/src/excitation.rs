@@ -155,8 +155,10 @@ impl Excitation {
         self.sequence.period()..(self.periods + 1) * self.sequence.period()
     }
 
+    /// The cycles in which it rises, and falls.
+    #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    fn fade(&self) -> usize {
+    pub fn fade(&self) -> usize {
         libm::ceil(FADE / self.cycle_time - 1e-9).larger(1.0) as usize
     }
 

@@ -2,12 +2,14 @@
 
 mod control;
 mod drive_model;
+mod excitation;
 mod ipc;
 mod spindle;
 
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
 pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use drive_model::{DriveModel, MeasuredDrive};
+pub use excitation::Excitation;
 pub use ipc::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
 pub use reference::position_control::Location;
 pub use spindle::{Bus, Changeover, Spindle};
@@ -31,6 +33,8 @@ pub struct Axis {
     pub counts_calls: bool,
     pub ipc: Ipc,
     pub control: Control,
+    /// the excitation, if the set asks for it
+    pub excitation: Option<Excitation>,
     /// the known behaviour of the drive, for the stability of the loop
     pub drive: DriveModel,
     /// every effective parameter, one `path value` a line, in the order of the parameter table

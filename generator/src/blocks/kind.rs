@@ -181,7 +181,7 @@ fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed
 fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
     // If nothing adds a velocity, the limit is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
-    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
+    ranges::run(program, &["v_add", "v_add_calculated", "v_excite"].map(|path| (path, limit)))
 }
 
 /// A block of one axis, ready to be printed.

@@ -11,6 +11,7 @@
 
 pub(crate) mod axis;
 mod designed;
+pub(crate) mod excitation;
 pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
@@ -33,13 +34,14 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn BlockKind; 6] = [
+pub(crate) const BLOCKS: [&dyn BlockKind; 7] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,
     &reference::axis::Axis,
     &reference::spindle_axis::SpindleAxis,
+    &reference::excitation::Excitation,
 ];
 
 /// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
@@ -47,6 +49,7 @@ pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
+pub(crate) const EXCITATION: &str = <reference::excitation::Excitation as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn BlockKind> {

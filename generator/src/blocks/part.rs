@@ -60,7 +60,7 @@ pub trait Part: Sync {
         values::description(&self.values(designed))
     }
 
-    /// The largest |v_add|, if it has this output.
+    /// The largest |v_add| or |v_excite|, if it has this output.
     fn limit(&self, _: &Designed) -> Option<Figure> {
         None
     }

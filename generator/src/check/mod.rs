@@ -21,8 +21,10 @@ pub(crate) mod units;
 use crate::axis::{Axis, Control, DriveModel, Ipc};
 use crate::blocks::ipc::{check as ipc, drive_model};
 use crate::blocks::spindle::check as spindle;
-use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
-use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
+use crate::blocks::{EXCITATION, FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
+use crate::blocks::{
+    excitation::check as excitation, feedforward::check as feedforward, position_control::check as position_control,
+};
 use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -85,18 +87,20 @@ pub(crate) fn axis<'v>(
     effective.block = Some(IPC);
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
+    effective.block = Some(EXCITATION);
+    let excitation = excitation::check(&mut effective, cycle_time);
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
     let has_drive = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
     let drive = if has_drive { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
-    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control) {
+    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control.zip(excitation)) {
         (
             Some(real),
             Some((short_names, counts_calls)),
             Some(cycle_time_ns),
             Some((ipc, drive)),
-            Some((control, _)),
+            Some(((control, _), excitation)),
         ) if !effective.report.has_errors() => {
-            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
+            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE, EXCITATION];
             let (canonical, own) = effective.canonical(blocks);
             let canonical_of = blocks.into_iter().zip(own).collect();
             Some(Axis {
@@ -107,6 +111,7 @@ pub(crate) fn axis<'v>(
                 counts_calls,
                 ipc,
                 control,
+                excitation,
                 drive,
                 canonical,
                 canonical_of,

@@ -4,7 +4,7 @@ use super::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use compiler::program::Program;
-use generator::axis::{Axis, Filter};
+use generator::axis::{Axis, Excitation, Filter};
 use portable::Extreme;
 
 /// The first cycle of the events at boundaries of process data: early, so that a short run contains them.
@@ -18,6 +18,7 @@ pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
     let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
+    event.extend(axis.excitation.iter().filter(|_| has("hold_to_run")).flat_map(excited));
     event.extend(boundaries::events(block, axis.real, FIRST_BOUNDARY));
     Stimulus { signal, event }
 }
@@ -66,6 +67,24 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
         }
     }
     components
+}
+
+/// A run to its end, if the samples suffice, between short ones; the motor turns round, stands, and sends bad samples.
+fn excited(of: &Excitation) -> Vec<Event> {
+    let speed = format!("{}", 4.0 * of.amplitude);
+    let whole = (of.periods as u64 + 1) * of.sequence.period() as u64 + 3_000;
+    let event = Event::new;
+    vec![
+        event("v_motor", &speed, 0, 0, 0),
+        event("hold_to_run", "1", 20, 700, 1_000),
+        event("v_motor", &format!("-{speed}"), 400, 400, 3_000),
+        event("v_motor", "0", 2_010, 20, 5_000),
+        event("v_motor", "nan", 2_300, 1, 7_000),
+        event("task_cycle_ns", "1", 3_300, 2, 11_000),
+        event("v_motor", &speed, 5_000, whole, 0),
+        event("hold_to_run", "0", 5_000, 2, 0),
+        event("hold_to_run", "1", 5_002, whole, 0),
+    ]
 }
 
 fn events() -> Vec<Event> {

@@ -19,6 +19,8 @@ pub enum Off {
     Mode(&'static Fn, &'static str),
     /// false, at once
     False,
+    /// false: the block fades out; the part of the state that is true until it has
+    Fade(&'static str),
     /// true: the block brakes
     Brake(Brake),
 }

@@ -9,10 +9,16 @@ pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorI
 /// The output with the id of a notice, which is not a fault.
 pub const NOTICE: &str = "NoticeID";
 /// The ids that `error_id` may have without a fault, by the names of their functions in the reference.
-pub const NOTICES: [&str; 5] =
-    ["error_tuning", "error_unstable", "error_set_structure", "error_set_unsound", "error_set_damaged"];
+pub const NOTICES: [&str; 6] = [
+    "error_tuning",
+    "error_unstable",
+    "error_set_structure",
+    "error_set_unsound",
+    "error_set_damaged",
+    "error_reversal",
+];
 /// The ids among [`NOTICES`] that are never a fault.
-pub const ONLY_NOTICES: [&str; 2] = ["error_tuning", "error_unstable"];
+pub const ONLY_NOTICES: [&str; 3] = ["error_tuning", "error_unstable", "error_reversal"];
 
 /// The data for the signals of a cycle, for callers that know the block's own outputs.
 #[derive(Clone, Copy, Debug)]
@@ -56,11 +62,11 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::Brake(brake) => {
             Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
         }
-        Off::Mode(..) | Off::False => None,
+        Off::Mode(..) | Off::False | Off::Fade(_) => None,
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
     let works = match &switch.off {
-        Off::Mode(_, fades) => fades.map(Expr::Var),
+        Off::Mode(_, fades) | Off::Fade(fades) => fades.map(Expr::Var),
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
@@ -186,6 +192,11 @@ fn docs(off: &Off) -> [&'static str; 3] {
             "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
             "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
             "TRUE: keep calling the block; it is enabled",
+        ],
+        Off::Fade(_) => [
+            "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
+            "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
+            "TRUE: keep calling the block; it is enabled or still fades out",
         ],
         Off::Brake(_) => [
             "FALSE: acts as reset TRUE, the spindle brakes to standstill under position control; TRUE: the input reset applies",

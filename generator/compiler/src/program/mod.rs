@@ -61,6 +61,8 @@ pub enum Off {
     Mode(Constant, Option<Var>),
     /// FALSE, at once
     False,
+    /// FALSE, and the part of the state that is TRUE until the block has faded out
+    Fade(Option<Var>),
     /// TRUE: the block brakes
     Brake(Brake),
 }
@@ -70,7 +72,7 @@ impl Off {
     pub fn value(&self) -> Literal {
         match self {
             Self::Mode(off, _) => off.value,
-            Self::False => Literal::Bool(false),
+            Self::False | Self::Fade(_) => Literal::Bool(false),
             Self::Brake(_) => Literal::Bool(true),
         }
     }

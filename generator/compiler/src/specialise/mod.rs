@@ -131,6 +131,9 @@ impl Specialiser<'_> {
             find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
         let (off, fades) = match enable.off {
             portable::Off::False => return Switch { input, off: Off::False },
+            portable::Off::Fade(fades) => {
+                return Switch { input, off: Off::Fade(find(&self.program.state, fades).map(Var::State)) };
+            }
             portable::Off::Brake(brake) => return Switch { input, off: Off::Brake(brake) },
             portable::Off::Mode(off, fades) => (off, fades),
         };

@@ -72,7 +72,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         let instead = Some("the stages in the list of the master".to_owned());
         e.warn(codes::SLAVE_STAGES, key(Name::GantryMaster), found, instead);
     }
-    let does_nothing = axis.control.is_empty();
+    let does_nothing = axis.control.is_empty() && axis.excitation.is_none();
     if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
         let found = match does_nothing {
             true => "no stage is active: the block puts out 0".to_owned(),
