@@ -19,28 +19,28 @@ use golden::samples::{Samples, Shape};
 use std::path::{Path, PathBuf};
 
 /// What the command takes, in addition to the set.
-pub struct Request {
+pub struct RunArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
     /// the block
     pub block: String,
     /// the engine
     pub engine: String,
-    /// where the inputs are; none: in `compare`, or in the scenario
+    /// file of the inputs; `None` if they are in `compare` or in the scenario
     pub stimulus: Option<PathBuf>,
-    /// the NC program that makes the inputs
+    /// the NC program that generates the inputs
     pub scenario: Option<PathBuf>,
-    /// how that program is run
+    /// the options of that program
     pub options: golden::scenario::Options,
     /// a recording of the outputs
     pub compare: Option<PathBuf>,
-    /// which column of the recording or the stimulus is which signal, where the names do not say it
+    /// the column of each signal in the recording or the stimulus, where the names differ
     pub map: Vec<(String, String)>,
-    /// where the outputs go; none: nowhere if they are compared, else standard output
+    /// file for the outputs; `None`: no output if they are compared, else standard output
     pub out: Option<PathBuf>,
-    /// whether any file there may be replaced, not only an earlier output
+    /// whether any existing file may be replaced, not only an earlier output
     pub force: bool,
-    /// reals as the digits of their bits
+    /// whether reals are written as the digits of their bits
     pub hex: bool,
 }
 
@@ -51,7 +51,7 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, request: &RunArguments) -> Result<Exit, Exit> {
     let (set, _) = input::read(arguments, format)?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of(designed, &request.block)?;
@@ -63,7 +63,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
     let rule = Rule::own(request.force, &is_output);
     if let Some(out) = out {
-        let Request { stimulus, scenario, compare, .. } = request;
+        let RunArguments { stimulus, scenario, compare, .. } = request;
         let inputs = [Some(arguments.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
         rule.allows(out)?;
@@ -103,7 +103,7 @@ pub fn engine_named(name: &str) -> Result<Engine, Exit> {
     found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))
 }
 
-/// Whether a path stands for standard input or output.
+/// Whether a path means standard input or output.
 pub fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }

@@ -1,11 +1,11 @@
-//! What follows from what a block's folder says: verified program, self-test, recorded run, whatever the types of its reference are.
+//! The products of a block's folder for any type of its reference: verified program, self-test, recorded run.
 
 use super::designed::Designed;
 use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
-use crate::exercise::{self, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
-use compiler::legalise::{self, Own};
+use crate::exercise::{self, Exercise, RecordedAnswers, Run, Running, SelfTest, Trial, Wanted};
+use compiler::legalise::{self, AxisProgram};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
@@ -21,25 +21,25 @@ pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
 
-    /// What an axis runs in its place, if it does.
+    /// The block that an axis runs instead, if any.
     fn other(_: &Designed) -> Option<&'static dyn Typed> {
         None
     }
 }
 
 /// A block that an axis may have.
-pub trait Kind: Part {
+pub trait BlockKind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
-    /// Its inputs and its outputs, with what they mean.
+    /// Its inputs and its outputs with their meanings.
     fn signals(&self) -> [&'static [Field]; 2];
 
     /// The reference that an axis runs as this block.
     fn typed(&self, designed: &Designed) -> &dyn Typed;
 }
 
-impl<P: Part + Design> Kind for P {
+impl<P: Part + Design> BlockKind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
     }
@@ -56,7 +56,7 @@ impl<P: Part + Design> Kind for P {
     }
 }
 
-impl dyn Kind + '_ {
+impl dyn BlockKind + '_ {
     /// The program after the pass of that name; none: as the specialiser gives it.
     ///
     /// # Errors
@@ -65,7 +65,7 @@ impl dyn Kind + '_ {
         self.typed(designed).program(self, designed, last)
     }
 
-    /// What is certain of its outputs, whatever its state and its inputs hold.
+    /// The ranges of its outputs for any state and any inputs.
     ///
     /// # Errors
     /// A defect of the block or of a pass.
@@ -81,7 +81,7 @@ impl dyn Kind + '_ {
         self.typed(designed).block(self, designed)
     }
 
-    /// A run of N samples for a user's own board, of a block of that axis.
+    /// A run of N samples of an axis's block, for a user's own board.
     pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
         runner::record(&block.exercise, &mut *self.start(designed), samples)
     }
@@ -97,11 +97,11 @@ impl dyn Kind + '_ {
     }
 }
 
-/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`Kind`] does.
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`BlockKind`] does.
 pub trait Typed: Sync {
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
@@ -139,7 +139,7 @@ impl<B: Design> Typed for B {
     }
 }
 
-/// The program after the pass of that name; none: as the specialiser gives it.
+/// The program after the pass of that name; with `None`, the output of the specialiser.
 fn program<R: Real, B: Design + Reference<R>>(
     part: &dyn Part,
     designed: &Designed,
@@ -150,7 +150,7 @@ fn program<R: Real, B: Design + Reference<R>>(
     if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
 }
 
-/// Specialises one block and records what it does.
+/// Specialises one block and records its run.
 fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
     let coeffs = || rounded(&B::design(designed), R::KIND);
     let notes = part.notes(designed).into_iter().collect();
@@ -177,37 +177,37 @@ fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed
     Ok(Block { program, own, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }
 
-/// What is certain of the outputs of a program.
+/// The ranges of the outputs of a program.
 fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
-    // Where nothing adds a velocity, it is 0.
+    // If nothing adds a velocity, the limit is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
-    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
+    ranges::run(program, &["v_add", "v_add_calculated", "v_excite"].map(|path| (path, limit)))
 }
 
 /// A block of one axis, ready to be printed.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// verified
+    /// after the last pass
     pub program: Program,
     /// the same with the signals that the axis has
-    pub own: Own,
+    pub own: AxisProgram,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
     pub(crate) exercise: Arc<Exercise>,
     pub(crate) self_test: SelfTest,
     pub(crate) trial: Trial,
     /// what the reference answers in the trial
-    pub(crate) answers: Recording,
+    pub(crate) answers: RecordedAnswers,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
-    /// what is certain of its outputs, whatever its state and its inputs hold
+    /// the ranges of its outputs for any state and any inputs
     pub shown: Shown,
-    /// what is in it, without the values of its coefficients: the same text, the same structure
+    /// its structure without the values of its coefficients: equal text, equal structure
     pub structure: String,
 }
 
 impl Block {
-    /// The inputs of the run that its self-test on the controller has, sample by sample.
+    /// The inputs of its self-test on the controller, sample by sample.
     pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
         self.trial.inputs()
     }

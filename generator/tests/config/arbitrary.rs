@@ -30,6 +30,7 @@ fn deep_nesting() {
 fn every_code_has_a_test() {
     let tests = [
         include_str!("every_rule.rs"),
+        include_str!("excitation.rs"),
         include_str!("arbitrary.rs"),
         include_str!("files.rs"),
         include_str!("looks_wrong.rs"),

@@ -40,6 +40,7 @@ fn rack_and_pinion(real: RealKind) -> Axis {
 /// An axis with a limit of 530000.
 fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
     Axis {
+        excitation: None,
         short_names: false,
         counts_calls: false,
         name: "X".to_owned(),

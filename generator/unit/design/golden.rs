@@ -110,6 +110,7 @@ fn rack_and_pinion() -> Axis {
         None,
     ];
     Axis {
+        excitation: None,
         short_names: false,
         counts_calls: false,
         name: "X".to_owned(),

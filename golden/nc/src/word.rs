@@ -1,11 +1,11 @@
-//! A word: which there are, and what each says by itself. Nothing of what may stand with it, and no messages.
+//! The words and the meaning of each by itself. Nothing about combinations of words, and no messages.
 
 use super::bracket::{self, Bracket};
 use super::foreign::{self, Foreign};
 use super::lexical::Piece;
 use super::mistake::Mistakes;
 use super::number;
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::{Axis, Direction};
 
 /// A word of a block.
@@ -35,29 +35,29 @@ pub(crate) enum Word {
     Bracket(Bracket),
     /// F
     Feed(f64),
-    /// X, Y1: what the number is, the function says
+    /// X, Y1: the function decides the meaning of the number
     Axis(Axis, f64),
-    /// P, Q, R, L, I, J, K: of another word of the block; whether the number is an integer without a point
+    /// P, Q, R, L, I, J, K: of another word of the block; also whether the number is an integer without a point
     Parameter { value: f64, letter: char, is_integer: bool },
     /// #TIME, in s
     Wait(f64),
     /// without effect; whether words of the letters above belong to it
-    Passed(Kind, Parameters),
+    Passed(PassedKind, Parameters),
     /// of another language, or not read
     Foreign(Foreign),
 }
 
-/// Which words of its block belong to a word that is passed over.
+/// The words of a block that belong to a skipped word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parameters {
     No,
     /// P, Q, R, L
     Letters,
-    /// those, and if the block has no G word also S, F and axes: they are neither speed nor feed nor position
+    /// those, and if the block has no G word also S, F and axes, which are then not speed, feed or position
     All,
 }
 
-/// A word and where it stands.
+/// A word and its place.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed<'t> {
     /// character of the line, from 1
@@ -66,7 +66,7 @@ pub(crate) struct Placed<'t> {
     pub(crate) word: Word,
 }
 
-/// What the axis words of a block are for.
+/// The use of the axis words of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Function {
     Rapid,
@@ -82,7 +82,7 @@ pub(crate) enum Function {
     FeedforwardOff,
 }
 
-/// What the numbers of later axis words are.
+/// The meaning of the numbers of later axis words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Modal {
     Absolute,
@@ -93,7 +93,7 @@ pub(crate) enum Modal {
     NoPreset,
 }
 
-/// What a word says, if it is one.
+/// The meaning of a word, if it is one.
 pub(crate) fn parse(text: &str) -> Option<Word> {
     let upper = text.to_ascii_uppercase();
     let first = upper.chars().next()?;
@@ -129,11 +129,11 @@ pub(crate) fn parse(text: &str) -> Option<Word> {
         'N' => number::count(number).map(Word::Number),
         'G' => Some(g_word(&plain()?)),
         'M' => Some(m_word(&plain()?)),
-        // The direction of a spindle is its M word, never a sign.
+        // The M word gives the direction of a spindle, never a sign.
         'S' => speed(number::decimal(number)?),
         'F' => feed(number::decimal(number)?),
-        'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(Kind::Tool, Parameters::No)),
-        'O' => number::count(number).map(|_| Word::Passed(Kind::Setting, Parameters::No)),
+        'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(PassedKind::Tool, Parameters::No)),
+        'O' => number::count(number).map(|_| Word::Passed(PassedKind::Setting, Parameters::No)),
         'P' | 'Q' | 'R' | 'L' | 'I' | 'J' | 'K' => {
             let is_integer = number::count(number).is_some();
             number::decimal(number).map(|value| Word::Parameter { value, letter: first, is_integer })
@@ -150,22 +150,22 @@ fn feed(feed: f64) -> Option<Word> {
     (feed > 0.0).then_some(Word::Feed(feed))
 }
 
-/// A word that begins with a sign.
+/// A word that begins with a special character.
 fn command(upper: &str) -> Option<Word> {
     let (first, rest) = upper.split_at(1);
     let name = rest.split(|letter: char| !letter.is_ascii_alphanumeric()).next().unwrap_or_default();
     Some(match (first, name) {
         ("/", _) => Word::Skip,
-        (":", _) => number::count(rest).map(|_| Word::Passed(Kind::Setting, Parameters::No))?,
+        (":", _) => number::count(rest).map(|_| Word::Passed(PassedKind::Setting, Parameters::No))?,
         ("#", "TIME") => Word::Wait(number::decimal(rest["TIME".len()..].trim()).filter(|seconds| *seconds >= 0.0)?),
-        ("#", "MSG" | "FLUSH") => Word::Passed(Kind::Setting, Parameters::No),
-        ("#", "SLOPE" | "HSC" | "CONTOUR" | "FILTER") => Word::Passed(Kind::PathMode, Parameters::No),
+        ("#", "MSG" | "FLUSH") => Word::Passed(PassedKind::Setting, Parameters::No),
+        ("#", "SLOPE" | "HSC" | "CONTOUR" | "FILTER") => Word::Passed(PassedKind::PathMode, Parameters::No),
         ("#" | "$", _) => Word::Foreign(foreign::text(upper)),
         _ => return None,
     })
 }
 
-/// By its number without leading zeros.
+/// A G word by its number without leading zeros.
 fn g_word(number: &str) -> Word {
     let passed = |kind| Word::Passed(kind, Parameters::Letters);
     match number {
@@ -183,12 +183,14 @@ fn g_word(number: &str) -> Word {
         "20" | "70" => Word::Modal(Modal::Inches),
         "21" | "71" => Word::Modal(Modal::Millimetres),
         "92.1" | "92.2" => Word::Modal(Modal::NoPreset),
-        "40" | "43" | "44" | "49" => Word::Passed(Kind::Tool, Parameters::No),
+        "40" | "43" | "44" | "49" => Word::Passed(PassedKind::Tool, Parameters::No),
         "17" | "18" | "19" | "15" | "50.1" | "64.1" | "69" | "80" | "90.1" | "91.1" | "94" | "97" => {
-            Word::Passed(Kind::Setting, Parameters::No)
+            Word::Passed(PassedKind::Setting, Parameters::No)
         }
-        "5.1" | "8" | "9" | "60" | "61" | "61.1" | "64" | "187" | "260" | "261" => passed(Kind::PathMode),
-        "54" | "55" | "56" | "57" | "58" | "59" | "54.1" | "54.2" | "59.1" | "59.2" | "59.3" => passed(Kind::Offset),
+        "5.1" | "8" | "9" | "60" | "61" | "61.1" | "64" | "187" | "260" | "261" => passed(PassedKind::PathMode),
+        "54" | "55" | "56" | "57" | "58" | "59" | "54.1" | "54.2" | "59.1" | "59.2" | "59.3" => {
+            passed(PassedKind::Offset)
+        }
         _ => Word::Foreign(foreign::g_word(number)),
     }
 }
@@ -200,14 +202,14 @@ fn m_word(number: &str) -> Word {
         "3" => Word::Turn(Direction::Positive),
         "4" => Word::Turn(Direction::Negative),
         "5" => Word::Stop,
-        "6" => Word::Passed(Kind::Tool, Parameters::No),
+        "6" => Word::Passed(PassedKind::Tool, Parameters::No),
         "19" => Word::Position,
         "17" | "96" | "97" | "98" | "99" => Word::Foreign(Foreign::Subprogram),
         "29" => Word::Foreign(Foreign::Cycle),
         // M66 E0 L0; of printers: M92 E415, M205 X8.
         _ if number.len() > 2 || number.starts_with(['6', '8', '9']) && number.len() == 2 => {
-            Word::Passed(Kind::Machine, Parameters::All)
+            Word::Passed(PassedKind::Machine, Parameters::All)
         }
-        _ => Word::Passed(Kind::Machine, Parameters::Letters),
+        _ => Word::Passed(PassedKind::Machine, Parameters::Letters),
     }
 }

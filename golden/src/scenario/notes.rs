@@ -1,18 +1,18 @@
-//! What a scenario does otherwise than its program says: a note for each kind, with its first place and the number of them.
+//! Differences between a scenario and its program: a note for each kind, with its first place and the count.
 
 use generator::codes;
-use nc::{Kind, Passed};
+use nc::{Passed, PassedKind};
 
 /// A warning about a program, or about a program on an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// from the list of the generator
+    /// from the generator's list
     pub code: &'static str,
-    /// line of the file, from 1, and character of the line; 0: the whole
+    /// line of the file, from 1, and character in the line; 0 for the whole
     pub line: usize,
     pub column: usize,
     pub found: String,
-    /// what the user can do; empty: nothing has to be done
+    /// what the user can do; empty if nothing is necessary
     pub instead: String,
 }
 
@@ -22,32 +22,34 @@ impl Note {
     }
 }
 
-/// What the reader has passed over.
+/// The note about words that the reader has skipped.
 pub(super) fn of(passed: &Passed) -> Note {
     let Passed { kind, line, column, words, count } = passed;
     let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
     let words_of = |what: &str| format!("{}{listed} of {what} passed over", counted(*count, "word"));
     let (code, found, instead) = match kind {
-        Kind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
-        Kind::Machine => (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", ""),
-        Kind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
-        Kind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
-        Kind::Offset => (
+        PassedKind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
+        PassedKind::Machine => {
+            (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", "")
+        }
+        PassedKind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
+        PassedKind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
+        PassedKind::Offset => (
             codes::NC_OFFSET,
             words_of("zero offsets") + ": all offsets are taken as 0",
             "positions of the machine, if several offsets are used",
         ),
-        Kind::MachinePosition => (
+        PassedKind::MachinePosition => (
             codes::NC_OFFSET,
             format!("{}{listed} to positions of the machine not made: they are unknown", counted(*count, "move")),
             "`G74 X1`, or `G00` and the position",
         ),
-        Kind::Skip => (
+        PassedKind::Skip => (
             codes::NC_ASSUMED,
             format!("{} with `/` run, as with the switch off", counted(*count, "block")),
             "the program without them, if they are skipped on the machine",
         ),
-        Kind::DwellUnit => (
+        PassedKind::DwellUnit => (
             codes::NC_ASSUMED,
             format!(
                 "{}{listed} with a time of unknown unit: taken as ms from 100 on, below as s",
@@ -55,20 +57,20 @@ pub(super) fn of(passed: &Passed) -> Note {
             ),
             "`G04 X` and seconds",
         ),
-        Kind::Preset => (
+        PassedKind::Preset => (
             codes::NC_ASSUMED,
             format!("{} with `G92` taken as another number for the present position", counted(*count, "block")),
             "positions without `G92`, if the controller adds its numbers to them",
         ),
-        Kind::NoFeed => (
+        PassedKind::NoFeed => (
             codes::NC_ASSUMED,
             format!("{} with `G01` before any F: made with vb_max (P-AXIS-00212)", counted(*count, "move")),
             "`F` and a feed in mm/min",
         ),
-        Kind::NoEnd => {
+        PassedKind::NoEnd => {
             (codes::NC_ASSUMED, "a program without `M30` or `M2`: its end is the end of the file".to_owned(), "`M30`")
         }
-        Kind::AfterEnd => (
+        PassedKind::AfterEnd => (
             codes::NC_ASSUMED,
             format!("{} after the end of the program not read", counted(*count, "line")),
             "a file of one program",
@@ -77,7 +79,7 @@ pub(super) fn of(passed: &Passed) -> Note {
     Note { code, line: *line, column: *column, found, instead: instead.to_owned() }
 }
 
-/// Things of one kind as they are found: the first one's line, and the number of them.
+/// Things of one kind as they are found: the line of the first one, and their number.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counted {
     pub(super) line: usize,
@@ -92,7 +94,7 @@ impl Counted {
         self.count += 1;
     }
 
-    /// The note, if there is one to make.
+    /// The note, if anything was found.
     pub(super) fn note(self, code: &'static str, what: &str, rest: &str, instead: &str) -> Option<Note> {
         (self.count > 0).then(|| Note::new(code, self.line, counted(self.count, what) + rest, instead))
     }

@@ -1,22 +1,24 @@
-//! The rules of position control, and whether an axis gets it.
+//! The rules of position control, and the condition for an axis to get it.
 
 use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Resolution, Width};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive, ratio};
-use crate::{codes, config::values::key, rules::effective::Effective};
+use crate::rules::{effective::Effective, presence::Presence};
+use crate::{codes, config::values::key};
 
-/// Position control of one axis; outer none: an error, which has been said; inner none: nothing asks for it.
+/// Position control of one axis; absent: nothing asks for it; none: an error, which has been reported.
 ///
-/// An axis gets it where its list gives Kv, where there is feedforward, where its drive controls the position and improved
-/// position control needs a way there, and where it is a gantry slave: else it could not put out what its master adds.
+/// An axis gets it if its list gives Kv, if there is feedforward, if its drive controls the position and improved position
+/// control needs an output there, and if it is a gantry slave: otherwise it could not output the velocity that its master
+/// adds.
 pub(crate) fn check(
     e: &mut Effective<'_>,
     drive: &Drive,
     ipc: Option<&Ipc>,
     feedforward: Option<&Feedforward>,
     is_slave: bool,
-) -> Option<Option<PositionControl>> {
+) -> Option<Presence<PositionControl>> {
     let is_active = ipc.is_some_and(Ipc::is_active);
     let in_drive = drive.location != Location::Cnc;
     if in_drive && is_active && !is_slave && drive.velocity.is_none() {
@@ -25,12 +27,12 @@ pub(crate) fn check(
     let kv_key = (Name::Kv, [drive.gear, 0]);
     let asked = e.given(kv_key).is_some() || feedforward.is_some() || is_slave || in_drive && is_active;
     if !asked {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
     let adds = (is_active || is_slave) && in_drive;
     let additive = feedforward.is_some_and(|feedforward| feedforward.additive.any());
-    let velocity = drive.velocity(e, additive || adds)?;
+    let velocity = drive.velocity(e, additive || adds)?.present();
     let leads = feedforward.is_some_and(|feedforward| feedforward.conventional.any());
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
     let gear = drive.gear;
@@ -52,11 +54,12 @@ pub(crate) fn check(
         drive.no_increments(e, &why);
         return None;
     }
-    // A feedforward that is switched off leads nothing: the position must not come later for it. A torque leads as a velocity does.
+    // A feedforward that is switched off has no lead: the position must not be delayed for it. A torque leads as a velocity
+    // does.
     let torque = feedforward.is_some_and(|feedforward| feedforward.torque.any());
     let shift_time =
         if is_profidrive && (leads || additive || torque) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
-    Some(Some(PositionControl {
+    Some(Presence::Present(PositionControl {
         location: drive.location,
         kv: kv?,
         multi_gain,
@@ -67,7 +70,7 @@ pub(crate) fn check(
     }))
 }
 
-/// Improved position control that the drive's process data have no room for: an error where it is enabled.
+/// Improved position control for which the drive's process data have no room: an error if it is enabled.
 fn no_way_out(e: &mut Effective<'_>, is_enabled: bool) {
     let (code, severity, how) = match is_enabled {
         true => (codes::NO_WAY_OUT, Severity::Error, "enabled"),

@@ -6,7 +6,7 @@ pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{File, Header, Legal, rendered};
+use super::{BlockIdentity, File, LegalBlock, rendered};
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
@@ -20,7 +20,7 @@ use portable::{Intrinsic, Literal, RealKind};
 #[template(path = "c/file.h")]
 struct CFile<'a, T: Template> {
     file: &'a str,
-    axis: &'a Header,
+    axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
     body: T,
@@ -30,7 +30,7 @@ struct CFile<'a, T: Template> {
 #[template(path = "c/header_body.h")]
 struct CHeader<'a> {
     guard: String,
-    /// what the names of macros and enumerators begin with
+    /// the beginning of the names of macros and enumerators
     names: String,
     real: &'a str,
     bits: usize,
@@ -64,7 +64,7 @@ struct CSelfTest<'a> {
 
 /// A block.
 struct CBlock {
-    /// what the names that its caller sees begin with
+    /// the beginning of the names that its caller sees
     prefix: String,
     inputs: Vec<Member>,
     /// the parameter set, if it takes one
@@ -75,18 +75,18 @@ struct CBlock {
     shared: Vec<Group>,
     /// those of `step`
     constants: Vec<Group>,
-    /// those of what stands apart
+    /// constants of the separate function
     constants_apart: Vec<Group>,
     init: String,
-    /// what rarely runs, a function of its own; empty where `step` is one function
+    /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
-    /// what is certain of its range, and its measured response
+    /// its proven range, and its measured response
     certificate: String,
 }
 
 /// The header, the source and the self-test of a block.
-pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(super) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
     let prefix = names::prefix(axis, program.block);
     let (header, source, test) = (format!("{prefix}.h"), format!("{prefix}.c"), format!("{prefix}_self_test.c"));
