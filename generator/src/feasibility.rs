@@ -3,7 +3,10 @@
 
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::spindle::advice as spindle;
-use crate::blocks::{Designed, excitation::check as excitation, feedforward::advice as feedforward, position_control::advice as position_control};
+use crate::blocks::{
+    Designed, excitation::check as excitation, feedforward::advice as feedforward,
+    position_control::advice as position_control,
+};
 use crate::check::{assumed, gear, inert, units};
 use crate::design::rounding::{largest, sample_limit};
 use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};

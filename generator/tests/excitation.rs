@@ -55,7 +55,9 @@ impl Running {
         // It says that it is done, and the button that stays pressed starts nothing.
         for _ in 0..1000 {
             let after = block.step(true, 1e5);
-            assert!(after.done && !after.active && !after.fault && after.v_excite.to_bits() == 0 && after.error_id == 0);
+            assert!(
+                after.done && !after.active && !after.fault && after.v_excite.to_bits() == 0 && after.error_id == 0
+            );
         }
         assert!(block.step(false, 1e5).done, "it stays so when the button is released");
         assert!(!block.step(true, 1e5).done, "until the next start");

@@ -13,8 +13,8 @@
 //! `v_motor`: friction would act as an excitation of its own. A fault ends it at once. Each start needs a rising edge.
 
 use crate::call_rate;
-use crate::signal::{error_call_rate, error_cycle_time, error_none, error_reversal, error_state, error_v_motor};
 use crate::signal::sample_limit;
+use crate::signal::{error_call_rate, error_cycle_time, error_none, error_reversal, error_state, error_v_motor};
 use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable};
 
 /// Coefficients.
@@ -263,13 +263,7 @@ pub fn refuse<R: Real>(state: &mut State, outputs: &mut Outputs<R>, error_id: u3
 
 /// A cycle without a fault. `rises`: the button was pressed.
 #[portable]
-pub fn act<R: Real>(
-    state: &mut State,
-    coeffs: &Coeffs<R>,
-    inputs: &Inputs<R>,
-    outputs: &mut Outputs<R>,
-    rises: bool,
-) {
+pub fn act<R: Real>(state: &mut State, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>, rises: bool) {
     if state.active {
         if !state.ends && is_reversed(state.forward, inputs.v_motor) {
             state.reversed = true;

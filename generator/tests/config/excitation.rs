@@ -64,7 +64,9 @@ fn what_does_not_fit_together() {
     );
     has(
         "amplitude = 4000, bits = 7, clock = 1, periods = 4",
-        &["warning[AX493]: a period of the excitation, (2^7 - 1) * 1 cycles, lasts 0.127 s: its lines are 7.87402 Hz apart"],
+        &[
+            "warning[AX493]: a period of the excitation, (2^7 - 1) * 1 cycles, lasts 0.127 s: its lines are 7.87402 Hz apart",
+        ],
     );
     let slow = said_of_axis("excitation = { amplitude = 20000 }\ngetriebe = [{ dynamik.vb_max = 60000 }]");
     let found = "warning[AX494]: the move while exciting needs 50000 um/s, with the excitation 70000; vb_max is 60000 (P-AXIS-00212)";
@@ -72,6 +74,7 @@ fn what_does_not_fit_together() {
     let brief = super::said_of_set(
         "cycle_time = '500us'\n[axis.X]\nexcitation = { bits = 7, clock = 1 }\ngetriebe = [{ dynamik.vb_max = 500000 }]",
     );
-    let found = "error[AX347]: a period of the excitation, (2^7 - 1) * 1 cycles, lasts 0.0635 s; the excitation rises in 0.1 s";
+    let found =
+        "error[AX347]: a period of the excitation, (2^7 - 1) * 1 cycles, lasts 0.0635 s; the excitation rises in 0.1 s";
     assert!(brief.contains(found) && brief.contains("allowed: at least 0.1 s"), "{brief}");
 }
