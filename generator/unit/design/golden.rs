@@ -129,6 +129,7 @@ fn rack_and_pinion() -> Axis {
         },
         control: crate::axis::Control::default(),
         canonical: String::new(),
+        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     }

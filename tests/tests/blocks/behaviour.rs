@@ -111,6 +111,7 @@ fn largest(mode: Mode, filter: [Filter; 2]) -> f64 {
         ipc,
         control: generator::axis::Control::default(),
         canonical: String::new(),
+        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     };
