@@ -443,6 +443,10 @@ pub struct Tuned {
     /// Which column of the CSV files is which signal, where the names differ; `SCOPE=-` leaves a column out
     #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
     pub map: Vec<(String, String)>,
+    /// A stage of one's own instead of proposals, up to three times: keys of a stage as a set has them, such as
+    /// mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5,allpass=24.5/2; `set`: the stages of the set
+    #[arg(long, value_name = "KEY=VALUE,...")]
+    pub stage: Vec<String>,
     /// Print it for machines: JSON
     #[arg(long)]
     pub json: bool,

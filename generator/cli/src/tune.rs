@@ -6,20 +6,26 @@ use crate::input;
 use crate::measure::{Reading, Recordings, say, verdicts_json};
 use crate::messages::{self, Format};
 use crate::output;
+use generator::axis::{Filter, Mode, Stage};
+use generator::config;
+use generator::parameters::words::Words;
 use golden::measure::Verdict;
-use golden::tune::{self, Prefer, Proposal, Stage, Tuning, text};
+use golden::tune::{self, Prefer, Proposal, Stages, Tuning, text};
 use serde_json::{Value, json};
 
 /// Runs the command.
 pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tuned) -> Result<Exit, Exit> {
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
-    let set = input::read_to_tune(arguments, drive.keys(), format)?;
+    let is_set = of.stage == ["set"];
+    let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
+    let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
     let designed = input::axis(&set, axis)?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
     let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;
     let prefer = if of.response.is_some() { Prefer::Set } else { Prefer::Excited };
-    let tuning = tune::tune(designed, &all.own.1, all.second(), prefer);
+    let stages = if of.stage.is_empty() { Stages::Proposed } else { Stages::Given };
+    let tuning = tune::tune(designed, &all.own.1, all.second(), prefer, stages);
     let name = &designed.axis.name;
     if of.json {
         output::line(format!("{:#}", as_json(name, &tuning, &all)))?;
@@ -62,17 +68,28 @@ fn proposal_json(tuning: &Tuning, proposal: &Proposal) -> Value {
 }
 
 fn stage_json((index, stage): (usize, &Stage)) -> Value {
-    let parameters = stage.parameters();
+    let (direct_source, damping) = match stage.mode {
+        Mode::Direct { source } => (Some(source.name()), None),
+        Mode::Indirect { osc_damping } | Mode::SetPoint { osc_damping } => (None, Some(osc_damping)),
+    };
+    let bandpass = stage.filter.iter().find_map(|filter| match filter {
+        Filter::Bandpass { prototype, order, f0, q_factor } => Some((prototype.name(), *order, *f0, *q_factor)),
+        Filter::NoFilter | Filter::Allpass { .. } => None,
+    });
+    let allpass = stage.filter.iter().find_map(|filter| match filter {
+        Filter::Allpass { f0, q_factor } => Some(json!({ "f0": f0, "q": q_factor })),
+        Filter::NoFilter | Filter::Bandpass { .. } => None,
+    });
     json!({
         "stage": index,
-        "mode": parameters.mode,
-        "direct_source": parameters.direct_source,
-        "f0": stage.shape.f0,
-        "q": stage.shape.q,
-        "damping": parameters.damping,
+        "mode": stage.mode.word(),
+        "direct_source": direct_source,
+        "f0": bandpass.map(|of| of.2),
+        "q": bandpass.map(|of| of.3),
+        "damping": damping,
         "weight": stage.weight(),
-        "prototype": parameters.prototype,
-        "order": parameters.order,
-        "allpass": stage.shape.allpass.map(|of| json!({ "f0": of.f0, "q": of.q })),
+        "prototype": bandpass.map(|of| of.0),
+        "order": bandpass.map(|of| of.1),
+        "allpass": allpass,
     })
 }

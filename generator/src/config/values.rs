@@ -93,6 +93,11 @@ impl Values {
         }
     }
 
+    /// Keeps those of some keys only.
+    pub(crate) fn retain(&mut self, is_kept: impl Fn(Key) -> bool) {
+        self.settings.retain(|key, _| is_kept(*key));
+    }
+
     /// The values of a list; those of its set take their place.
     pub(crate) fn overridden_by(mut self, other: Self) -> Self {
         self.settings.extend(other.settings);

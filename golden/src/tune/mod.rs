@@ -17,7 +17,6 @@ pub mod text;
 pub use chosen::Chosen;
 pub use identification::proposals::Kind;
 pub use proposal::{Predicted, Proposal};
-pub use stage::Stage;
 
 use crate::measure::{Measured, Record, Verdict, is_same_interval};
 use generator::blocks::Designed;
@@ -38,6 +37,15 @@ pub enum Prefer {
     Set,
 }
 
+/// Which stages the report is about.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Stages {
+    /// those that are proposed
+    Proposed,
+    /// those that the axis has
+    Given,
+}
+
 /// What is proposed for an axis.
 #[derive(Clone, Debug)]
 pub struct Tuning {
@@ -49,11 +57,20 @@ pub struct Tuning {
     pub chosen: Vec<Chosen>,
     pub proposals: Vec<Proposal>,
     pub verdicts: Vec<Verdict>,
+    /// the response of the drive; none: it is not known
+    pub lines: Option<Lines>,
 }
 
-/// Proposes stages for an axis from its moves with the stages off, and from an excited recording of the same machine.
+/// Proposes stages for an axis from its moves with the stages off, and from an excited recording of the same machine; or says
+/// what the stages that the axis has would do.
 #[must_use]
-pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, prefer: Prefer) -> Tuning {
+pub fn tune(
+    designed: &Designed,
+    moves: &Measured,
+    excited: Option<&Measured>,
+    prefer: Prefer,
+    stages: Stages,
+) -> Tuning {
     let axis = &designed.axis;
     let mut tuning = Tuning {
         cycle_time: axis.cycle_time(),
@@ -61,6 +78,7 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
         chosen: Vec::new(),
         proposals: Vec::new(),
         verdicts: Vec::new(),
+        lines: None,
     };
     let all = [Some(moves), excited];
     if all.iter().flatten().any(|measured| measured.refuses()) {
@@ -83,10 +101,24 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
         return tuning;
     }
     let of = proposal::Task { axis, record, ramps: segments::ramps(&moves.segments).collect(), chosen: &tuning.chosen };
-    tuning.proposals = match lines {
-        Some(lines) => of.proposals(&lines, &mut tuning.verdicts),
-        None => of.first(&mut tuning.verdicts),
+    let given = match stages {
+        Stages::Proposed => None,
+        Stages::Given => match of.given(&mut tuning.verdicts) {
+            None => return tuning,
+            given => given,
+        },
     };
+    tuning.proposals = match (&lines, &given) {
+        (Some(lines), given) => of.proposals(lines, given.as_deref(), &mut tuning.verdicts),
+        (None, Some(_)) => {
+            let instead = "measure it: --excited FILE, --response FILE, or drive.response of the set";
+            let found = "the response of the drive is not known";
+            tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+            Vec::new()
+        }
+        (None, None) => of.first(&mut tuning.verdicts),
+    };
+    tuning.lines = lines;
     tuning
 }
 
