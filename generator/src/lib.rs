@@ -10,6 +10,7 @@
 #![warn(unreachable_pub)] // what no other crate can see does not look as if it could
 
 pub mod analysis;
+pub mod apply;
 pub mod axis;
 // A new word or variant does not pass here unseen.
 #[deny(clippy::wildcard_enum_match_arm)]

@@ -5,6 +5,7 @@
 //! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
 //! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
 //! slot      where the value stands in a line
+//! stages    other stages in the text of an axis: stages_in_set, stages_in_list
 //! ```
 //! The set has each value once, where a reader of TOML looks for it. The lines of the list stay in the set too, with `=`
 //! where a value was: they give order, blanks, comments and the parameters of other functions back.
@@ -15,7 +16,11 @@ mod fill;
 mod import;
 mod slot;
 mod spelling;
+mod stages;
+mod stages_in_list;
+mod stages_in_set;
 mod tables;
 
 pub use export::export;
 pub use import::import;
+pub use stages::with_stages;

@@ -181,6 +181,12 @@ impl Record {
         }
     }
 
+    /// The same with other samples of each channel, which its place among them and the channel give; without those of none.
+    pub(crate) fn with(&self, samples: impl Fn(usize, &Channel) -> Option<Vec<f64>>) -> Self {
+        let changed = |(k, channel): (usize, &Channel)| Some(Channel { values: samples(k, channel)?, ..channel.clone() });
+        Self { cycle: self.cycle, channels: self.channels.iter().enumerate().filter_map(changed).collect() }
+    }
+
     /// Channels with their units, for a report.
     #[must_use]
     pub fn channels(&self) -> &[Channel] {

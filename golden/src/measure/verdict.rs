@@ -15,7 +15,8 @@ pub struct Verdict {
 
 impl Verdict {
     /// Something is not measured.
-    pub(crate) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+    #[must_use]
+    pub fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: true, found: found.into(), instead }
     }
 

@@ -6,11 +6,13 @@
 //! chosen    the vibrations that get a stage
 //! stage     a stage as parameters
 //! proposal  what is proposed, and why not
+//! signals   the moves as they would have been
 //! text      the report
 //! ```
 
 mod chosen;
 mod proposal;
+pub mod signals;
 mod stage;
 pub mod text;
 
