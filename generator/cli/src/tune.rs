@@ -114,7 +114,7 @@ fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is
         ..ListOptions::default()
     };
     let path = &arguments.set;
-    let (applied, report) = generator::apply::stages(path, &options, axis, &of.stages);
+    let (applied, report) = generator::apply::stages(path, &options, axis, &of.stages, &config::load);
     let applied = input::said(applied, &report, format)?;
     let is_same = config::load(path).is_ok_and(|now| now == applied.before);
     if !is_same {

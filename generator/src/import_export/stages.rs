@@ -102,7 +102,8 @@ pub(super) fn keys(stage: &Stage) -> Vec<Given> {
     add(Name::WeightFactDenom, 0, stage.weight_fact_denom.to_string(), true);
     for (k, filter) in (0..).zip(&stage.filter) {
         let is_first = k == 0;
-        add(Name::FilterType, k, filter.kind().name().to_owned(), is_first != matches!(filter, Filter::Bandpass { .. }));
+        let kind = filter.kind().name();
+        add(Name::FilterType, k, kind.to_owned(), kind != if is_first { "BANDPASS" } else { "NO_FILTER" });
         if let Filter::Bandpass { prototype, order, .. } = filter {
             add(Name::FilterPrototype, k, prototype.name().to_owned(), !is_first || *order > 1);
             add(Name::FilterOrder, k, order.to_string(), true);
@@ -112,8 +113,5 @@ pub(super) fn keys(stage: &Stage) -> Vec<Given> {
             add(Name::FilterQ, k, q_factor.to_string(), true);
         }
     }
-    // A second filter that is none is the default.
-    let is_none = |key: &Given| key.name == Name::FilterType && key.filter == 1 && key.text == "NO_FILTER";
-    keys.iter_mut().filter(|key| is_none(key)).for_each(|key| key.is_needed = false);
     keys
 }

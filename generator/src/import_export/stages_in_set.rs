@@ -114,7 +114,12 @@ impl Set<'_> {
                 let spans: Option<Vec<Range<usize>>> = old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
                 let spans = spans.ok_or("a stage has no place")?;
                 for (k, span) in spans.iter().enumerate() {
-                    let lines = self.line_start(span.start)..self.line_end(span.end);
+                    let mut lines = self.line_start(span.start)..self.line_end(span.end);
+                    // Blank lines between two stages go with the second one.
+                    let before = k.checked_sub(1).map(|k| self.line_end(spans[k].end));
+                    if let Some(before) = before.filter(|at| self.text[*at..lines.start].trim().is_empty()) {
+                        lines.start = before;
+                    }
                     let new = if k == 0 { above.clone() + &self.tables(&name, stages) } else { String::new() };
                     let new = if self.text[lines.clone()].ends_with('\n') { new } else { new.trim_end().to_owned() };
                     edits.push((lines, new));
