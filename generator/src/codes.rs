@@ -677,4 +677,7 @@ codes! {
         "--apply writes the stages where the axis has its parameters: in the set, or in an axis list that is given as the set. It \
          writes nothing where both have values of an axis, or where a key has a form that it cannot edit. The message says where \
          to write instead.";
+    FOREIGN_LINE = "AX526", "a response with a line that the excitation does not make",
+        "Something that turns with the axis, such as the mesh of a pinion, makes a line of its own. It repeats with the excitation, so \
+         that its coherence is high, while the response is wrong there by up to 18 dB. Excite at another speed.";
 }

@@ -47,7 +47,7 @@ fn over_time(record: &Record) -> Vec<Panel> {
     for channel in record.channels() {
         let unit = channel.unit.map_or("unit unknown", |unit| unit.name);
         let kind = match channel.signal {
-            "following_error" | "v_add" | "v_excite" => channel.signal,
+            "following_error" | "v_add" | "v_add_calculated" | "v_excite" => channel.signal,
             _ => "",
         };
         let name = if kind.is_empty() { unit.to_owned() } else { format!("{kind} [{unit}]") };

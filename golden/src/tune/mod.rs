@@ -21,14 +21,18 @@ pub use identification::proposals::Kind;
 pub use proposal::{Predicted, Proposal};
 
 use crate::measure::{Measured, Record, Verdict, is_same_interval};
+use generator::axis::{Axis, Stage};
 use generator::blocks::Designed;
 use generator::codes;
+use identification::offset;
 use identification::response::Lines;
 use identification::segments;
-use portable::peak;
+use portable::{Extreme, peak};
 
 /// A motor that is slower than this part of its peak is at rest.
 const AT_REST: f64 = 0.05;
+/// An offset of that part of a cycle is one.
+const LATE: f64 = 0.25;
 
 /// Which response of the drive counts.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -53,6 +57,8 @@ pub enum Stages {
 pub struct Tuning {
     /// [s]
     pub cycle_time: f64,
+    /// degrees instead of millimetres
+    pub is_rotary: bool,
     /// Kv [1/s]; none: the set does not state it
     pub position_gain: Option<f64>,
     /// the vibrations, in the order of the stages
@@ -76,6 +82,7 @@ pub fn tune(
     let axis = &designed.axis;
     let mut tuning = Tuning {
         cycle_time: axis.cycle_time(),
+        is_rotary: axis.control.is_rotary,
         position_gain: axis.drive.position_gain,
         chosen: Vec::new(),
         proposals: Vec::new(),
@@ -88,6 +95,9 @@ pub fn tune(
     }
     let records: Vec<&Record> = all.iter().flatten().filter_map(|measured| measured.record.as_ref()).collect();
     let (Some(record), true) = (moves.record.as_ref(), is_usable(moves, &records, &mut tuning)) else { return tuning };
+    if records.iter().any(|record| !is_of_block(axis, record, &mut tuning.verdicts)) {
+        return tuning;
+    }
     tuning.chosen = chosen::choose(moves, &mut tuning.verdicts);
     let of_set = axis.drive.response.as_ref().map(|measured| Lines::of(&measured.response));
     let of_excited = excited.and_then(|measured| Some(measured.excited.as_ref()?.lines.clone()));
@@ -122,6 +132,31 @@ pub fn tune(
     };
     tuning.lines = lines;
     tuning
+}
+
+/// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C of the stages that
+/// the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
+fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
+    let stages: Vec<Stage> = axis.ipc.stage.iter().flatten().cloned().collect();
+    let pair = record.get("v_motor").zip(record.get("v_add_calculated"));
+    let Some((v_motor, calculated)) = pair.filter(|_| !stages.is_empty() && stages.iter().all(stage::looks_at_motor))
+    else {
+        return true;
+    };
+    let (cycle, of) = (axis.cycle_time(), stage::controller(&stages, axis.cycle_time(), None));
+    let c = |hz: f64| (of.stage)(libm::tan(std::f64::consts::PI * hz * cycle)).iter().sum();
+    let Some(time) = offset::between(v_motor, calculated, cycle, c) else { return true };
+    let is_late = libm::fabs(time.seconds) > (LATE * cycle).larger(3.0 * time.error);
+    if is_late {
+        let found = format!(
+            "v_add_calculated is {:.3} +-{:.3} ms later than the stages of the set make it from v_motor",
+            time.seconds * 1e3,
+            time.error * 1e3
+        );
+        let instead = "record v_motor in the cycle in which the block takes it, with the stages that are in the set";
+        verdicts.push(Verdict::refusal(codes::CHANNEL_LATE, found, instead));
+    }
+    !is_late
 }
 
 /// Whether what stages would do to the moves can be known.

@@ -91,8 +91,9 @@ fn next(tuning: &Tuning) -> String {
         None => Sequence::for_cycle(tuning.cycle_time),
     };
     let excitation = Excitation { sequence, cycle_time: tuning.cycle_time, amplitude: AMPLITUDE, periods: PERIODS };
+    let unit = if tuning.is_rotary { "deg/s" } else { "mm/s" };
     format!(
-        "measure next: an excitation {}x{} of {} mm/s, {PERIODS} periods, {:.1} s, at a constant speed of at least {} mm/s\n",
+        "measure next: an excitation {}x{} of {} {unit}, {PERIODS} periods, {:.1} s, at a constant speed of at least {} {unit}\n",
         sequence.bits(),
         sequence.clock(),
         AMPLITUDE * 1e3,

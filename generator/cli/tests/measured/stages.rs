@@ -1,7 +1,7 @@
 //! `axgen tune` with stages of one's own, its files, and proposals that are written into a set or a list.
 
 use crate::plant::{OF_EXCITED, OF_MOVES, axgen, moves, number};
-use crate::tune::{SET, csv, drive, excited, folder, row, tune};
+use crate::tune::{SET, csv, drive, excited, folder, row, seen_error, tune};
 use serde_json::Value;
 use std::fs;
 use std::sync::LazyLock;
@@ -56,7 +56,6 @@ fn stages_of_ones_own() {
         (number(&of["residuals"][0], "ratio"), 0.454, 0.05),
         (number(&of["residuals"][1], "ratio"), 0.311, 0.05),
         (number(of, "ring_down"), 0.376, 0.05),
-        (number(of, "following_error_ratio"), 3.45, 0.06),
         (number(of, "ms_half_cycle"), 2.08, 0.03),
     ];
     assert!(figures.iter().all(|(found, golden, part)| (found / golden - 1.0).abs() < *part), "{figures:?}");
@@ -79,6 +78,9 @@ fn stages_of_ones_own() {
     // And the simulation with the stages, sample by sample: the load's acceleration and the following error.
     let truth = axgen(&folder, &["simulate", "set.toml", "--plant", "demonstration", "--csv", "true.csv"]);
     assert_eq!(truth.code, 0, "{}", truth.err);
+    // The controller sees the position of the cycle before: the golden 3.45 is of the same instant.
+    let seen = seen_error(&folder, "true.csv");
+    assert!((number(of, "following_error_ratio") / seen - 1.0).abs() < 0.03, "{of:#} {seen}");
     assert!((row(&truth.out, "all")[0] / row(&truth.out, "off")[0] / left - 1.0).abs() < 0.03, "{}", truth.out);
     let picture = read(&folder, "p.svg");
     roxmltree::Document::parse(&picture).unwrap();
@@ -108,9 +110,9 @@ fn stages_that_are_none() {
     let good = "mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5";
     assert_said(&folder, &[good], 0, &[]);
     let said = |spec: &str, parts: &[&str]| assert_said(&folder, &[spec], 2, parts);
-    said("mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5", &["error[AX202]", "--stage: ", "`fg_f0"]);
-    said("mode=DIRECT,fg_f0=53,q_factor=100", &["error[AX202]"]);
-    said("mode=DIRECT,fgf0=53", &["error[AX104]: --stage: `fgf0` is no key of a stage", "fg_f0"]);
+    said("mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5", &["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"]);
+    said("mode=DIRECT,fg_f0=53,q_factor=100", &["--stage: error[AX203]"]);
+    said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is no key of a stage", "write instead: fg_f0"]);
     said("mode=DIRECT,fg_f0=53,q_factor=10,weight=0.12345", &["error[AX011]", "weight=0.12345", "up to 3 digits"]);
     said("mode=DIRECT,fg_f0=53,fg_f0=54", &["error[AX011]", "`fg_f0` is given twice"]);
     said("mode=DIRECT,fg_f0=53,allpass=20", &["error[AX011]", "allpass=F0/Q"]);
@@ -169,12 +171,10 @@ fn a_proposal_into_the_set() {
     cautious.json();
     assert_ne!(read(&folder, "set.toml"), set);
     // What a killed run left is cleared; no file of a run stays.
-    write(&folder, ".set.toml.axgen-staged-1", "");
+    write(&folder, "set.toml.axgen-staged-1", "half a f");
     assert_eq!(tune(&folder, &["--excited", "excited.csv", "--apply", "strong"]).code, 0);
     let names = fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let mut names: Vec<String> = names.filter(|name| name.starts_with('.') || name.contains("staged")).collect();
-    names.retain(|name| name != ".set.toml.axgen-staged-1");
-    assert_eq!(names, Vec::<String>::new());
+    assert_eq!(names.filter(|name| name.contains("axgen-")).collect::<Vec<_>>(), Vec::<String>::new());
 }
 
 #[test]
@@ -186,9 +186,9 @@ fn proposals_that_are_not_written() {
         assert!(run.code == code && run.err.contains(part), "{more:?}: {}{}", run.out, run.err);
         assert_eq!(read(&folder, "set.toml"), before);
     };
-    assert_kept(1, &["--apply", "strong"], "error[AX519]: axis X: there is no proposal strong; there are: first");
-    assert_kept(2, &["--apply", "best"], "AX011");
-    assert_kept(2, &["--apply", "first", "--stage", "set"], "AX011");
+    assert_kept(1, &["--apply", "strong"], "axis X: error[AX519]: there is no proposal strong; there are: first");
+    assert_kept(2, &["--apply", "best"], "possible values: recommended, strong, cautious, first");
+    assert_kept(2, &["--apply", "first", "--stage", "set"], "cannot be used with");
     write(&folder, "set.toml", &SET.replace("kopf.achs_nr = 1", "kopf.achs_nr = \"one\""));
     assert_kept(2, &["--apply", "first"], "error[");
     write(&folder, "set.toml", &SET.replace("kopf", "drive.response = \"vague.csv\"\nkopf"));
@@ -199,7 +199,7 @@ fn proposals_that_are_not_written() {
         lr_param.improved_position_control.v_add_max_fact 1000\n";
     write(&folder, "x.lis", list);
     write(&folder, "set.toml", "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n");
-    assert_kept(2, &["--apply", "first"], "error[AX525]: set.toml:3:8: the axis X takes its values from `x.lis`");
+    assert_kept(2, &["--apply", "first"], "set.toml:3:8: error[AX525]: the axis X takes its values from `x.lis` and from keys");
     let of_list = ["tune", "x.lis", "--cycle-time", "1ms", "--recording", "moves.csv", "--apply", "first"];
     let run = axgen(&folder, &of_list);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);

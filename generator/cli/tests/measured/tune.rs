@@ -90,8 +90,8 @@ pub fn row(text: &str, name: &str) -> Vec<f64> {
 }
 
 /// The peak of the following error that the controller sees, on by off, of a simulation as CSV.
-fn seen_error(folder: &TempDir) -> f64 {
-    let text = fs::read_to_string(folder.path().join("s.csv")).unwrap();
+pub fn seen_error(folder: &TempDir, file: &str) -> f64 {
+    let text = fs::read_to_string(folder.path().join(file)).unwrap();
     let row = |line: &str| line.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>();
     let rows: Vec<Vec<f64>> = text.lines().skip(1).map(row).collect();
     let peak = |x: usize| rows.windows(2).map(|pair| (pair[1][1] - pair[0][x]).abs()).fold(0.0, f64::max);
@@ -146,7 +146,7 @@ fn proposals_for_the_demonstration_plant() {
             );
         }
         // The controller sees the position of the cycle before; the table has that of the same instant.
-        let [seen, error] = [seen_error(&folder), on[3] / off[3]];
+        let [seen, error] = [seen_error(&folder, "s.csv"), on[3] / off[3]];
         assert!((predicted[3] / seen - 1.0).abs() < 0.03 && error <= left[3], "{kind}: {predicted:?}, {seen}, {error}");
         assert!((number(proposal, "peak_v_add") / on[4] - 1.0).abs() < 0.1, "{kind}: {proposal:#}\n{}", truth.out);
         assert!(on[5] <= 2.0 && (ms[0] / on[5] - 1.0).abs() < 0.05, "{kind}: {ms:?}, in truth {}", on[5]);
