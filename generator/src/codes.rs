@@ -678,4 +678,20 @@ codes! {
     FIRST_STAGES = "AX521", "first stages without a response",
         "The response of the drive is not known. A tenth of the weight that a usual drive bears is safe on nearly every axis, \
          and leaves about 0.9 of a vibration. Measure the response with an excitation, and give it with --excited or --response.";
+    NOT_PREDICTED = "AX522", "stages whose effect is not known",
+        "What stages would do to a recording follows from the response of the drive to v_motor. Without a response, for a stage \
+         that takes another velocity, and without an active stage, nothing is predicted.";
+    LIMIT_TOO_LOW = "AX523", "a limit of v_add below what the stages add",
+        "P-AXIS-00757 limits v_add to a part of the largest velocity. Stages that reach the limit act less than predicted. The \
+         message has the least v_add_max_fact for each proposal.";
+    OSCILLATES = "AX524", "stages with which the loop oscillates",
+        "With the response of the drive as measured, half a cycle later, or with 15 % less or more load the loop is unstable. \
+         Where it is unstable as measured, nothing is predicted. Choose smaller weights.";
+    NOT_WRITTEN = "AX525", "stages that cannot be written there",
+        "--apply writes the stages where the axis has its parameters: in the set, or in an axis list that is given as the set. It \
+         writes nothing where both have values of an axis, or where a key has a form that it cannot edit. The message says where \
+         to write instead.";
+    FOREIGN_LINE = "AX526", "a response with a line that the excitation does not make",
+        "Something that turns with the axis, such as the mesh of a pinion, makes a line of its own. It repeats with the excitation, so \
+         that its coherence is high, while the response is wrong there by up to 18 dB. Excite at another speed.";
 }

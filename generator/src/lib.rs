@@ -10,6 +10,7 @@
 #![warn(unreachable_pub)] // an item that no other crate can use must not look public
 
 pub mod analysis;
+pub mod apply;
 pub mod axis;
 // A new word or variant must be handled here.
 #[deny(clippy::wildcard_enum_match_arm)]

@@ -443,9 +443,26 @@ pub struct TuneArguments {
     /// Which column of the CSV files is which signal, where the names differ; `SCOPE=-` leaves a column out
     #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
     pub map: Vec<(String, String)>,
+    /// A stage of one's own instead of proposals, up to three times: keys of a stage as a set has them, such as
+    /// mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5,allpass=24.5/2; `set`: the stages of the set
+    #[arg(long, value_name = "KEY=VALUE,...")]
+    pub stage: Vec<String>,
+    /// Write a proposal into the set, or into the axis list that is given as the set: its stages in the place of those of the axis, and
+    /// enable DRYRUN
+    #[arg(long, value_name = "PROPOSAL", value_parser = ["recommended", "strong", "cautious", "first"], conflicts_with = "stage")]
+    pub apply: Option<String>,
+    /// CSV file for the recorded moves as they would have been with the stages: those of --stage, of --apply, else the first proposal
+    #[arg(long, value_name = "FILE")]
+    pub signals: Option<PathBuf>,
+    /// SVG file for a picture of the same
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
     /// Print it for machines: JSON
     #[arg(long)]
     pub json: bool,
+    /// Replace any files of these names, not only earlier pictures
+    #[arg(long)]
+    pub force: bool,
 }
 
 /// Where a single file goes.

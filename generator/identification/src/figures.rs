@@ -52,7 +52,10 @@ const PADDED: f64 = 8.0;
 /// 16 samples per period.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
 
-/// The remaining parts.
+/// Stages that leave more than that of every vibration are useless.
+const USELESS: f64 = 0.8;
+
+/// What is left, as parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Left {
     /// the remaining part of the amplitude of each vibration
@@ -68,6 +71,11 @@ impl Left {
         let all = || self.residuals.iter().copied().chain(self.ring);
         let worst = all().fold(0.0, f64::larger);
         [worst, all().sum::<f64>() / all().count().max(1) as f64]
+    }
+
+    /// Whether more than 0.8 is left of every vibration.
+    pub(crate) fn is_useless(&self) -> bool {
+        self.residuals.iter().all(|left| *left > USELESS)
     }
 }
 
@@ -123,7 +131,12 @@ impl<'a> Judge<'a> {
     /// The remaining parts with these stages and weights.
     #[must_use]
     pub fn left(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Left {
-        let with = self.amplitudes(&self.what_if.left(&self.what_if.controller(stages, of)));
+        self.left_of(&self.what_if.controller(stages, of))
+    }
+
+    /// What a controller C, given at the lines, leaves.
+    fn left_of(&self, controller: &[Complex64]) -> Left {
+        let with = self.amplitudes(&self.what_if.left(controller));
         let is_ramp = |k: &usize| self.vibrations[*k].when == When::Ramps;
         let ring = |of: &[[f64; 2]]| (0..of.len()).filter(is_ramp).map(|k| of[k][1]).reduce(f64::larger);
         let ring = ring(&with).zip(ring(&self.without)).map(|(with, without)| with / without);
@@ -161,9 +174,18 @@ impl<'a> Judge<'a> {
     /// The effect of stages and weights on the motor.
     #[must_use]
     pub fn effect(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Effect {
-        let controller = self.of_motor.controller(stages, of);
-        let left = self.of_motor.left(&controller);
-        let added: Vec<Complex64> = left.iter().zip(&controller).map(|(left, c)| left * c).collect();
+        self.effect_of(&self.of_motor.controller(stages, of))
+    }
+
+    /// What a controller C leaves, and what it does to the motor: a function of t = tan(pi f T).
+    pub fn figures(&self, controller: impl Fn(f64) -> Complex64) -> (Left, Effect) {
+        let left = self.left_of(&self.what_if.at_lines(&controller));
+        (left, self.effect_of(&self.of_motor.at_lines(&controller)))
+    }
+
+    fn effect_of(&self, controller: &[Complex64]) -> Effect {
+        let left = self.of_motor.left(controller);
+        let added: Vec<Complex64> = left.iter().zip(controller).map(|(left, c)| left * c).collect();
         let following_error = self.record.error.filter(|error| peak(error) > 0.0).map(|error| {
             let left = self.of_motor.whole(0, &left, 1.0);
             peak(&following_error(error, self.record.v_motor, &left, self.axis.cycle_time)) / peak(error)

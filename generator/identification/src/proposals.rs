@@ -8,15 +8,13 @@ use crate::search::{Judged, Search};
 use crate::shape::{Mode, Shape, Stages};
 use crate::what_if::Axis;
 use portable::Extreme;
-use stability::{Drive, Loop, Points};
+use stability::{Complex64, Controller, Drive, Loop, Points};
 
 /// The largest |S| at P, half a cycle later, and with other loads.
 const RECOMMENDED: [f64; 4] = [1.75, 2.0, 2.0, 2.0];
 const STRONG: [f64; 4] = [2.0; 4];
 const CAUTIOUS: [f64; 4] = [1.4; 4];
-/// Stages are useless if more than this part of every vibration remains.
-const USELESS: f64 = 0.8;
-/// The assumed drive if none is known [cycles, s], and the part of its largest weight.
+/// The drive where none is known [cycles, s], and the part of its largest weight.
 const UNKNOWN: [f64; 2] = [1.5, 0.003];
 const FIRST: f64 = 0.1;
 /// The shapes for it: quality factors of DIRECT and INDIRECT, damping.
@@ -34,6 +32,8 @@ pub enum Kind {
     Cautious,
     /// a tenth of the largest weights with a usual drive: the response is not known
     First,
+    /// stages that somebody else chose
+    Given,
 }
 
 impl Kind {
@@ -45,6 +45,7 @@ impl Kind {
             Self::Strong => "strong",
             Self::Cautious => "cautious",
             Self::First => "first",
+            Self::Given => "given",
         }
     }
 }
@@ -95,24 +96,65 @@ pub struct Task<'a, 's> {
     pub stages: &'a Stages<'s>,
 }
 
+impl Task<'_, '_> {
+    /// The drives; the lowest f0 [Hz] of the stages, if it may lie below all vibrations.
+    fn scenarios(&self, lowest: f64) -> Result<Scenarios, Refused> {
+        let count = self.vibrations.len();
+        if count == 0 || count > MOST_STAGES {
+            return Err(Refused::Vibrations(count));
+        }
+        let lowest = self.vibrations.iter().fold(lowest, |lowest: f64, vibration| lowest.smaller(vibration.hz));
+        Scenarios::new(self.lines, self.cycle_time, self.position_gain, lowest).ok_or(Refused::NoResponse)
+    }
+
+    fn judge<'a>(&'a self, scenarios: &'a Scenarios) -> Result<Judge<'a>, Refused> {
+        let response = &scenarios.drives[0];
+        if let Some(vibration) = self.vibrations.iter().find(|vibration| is_too_uncertain(response, vibration.hz)) {
+            return Err(Refused::TooUncertain(vibration.hz));
+        }
+        let axis = Axis { cycle_time: self.cycle_time, position_gain: self.position_gain, response };
+        Judge::new(axis, self.record, self.vibrations).ok_or(Refused::NotRecorded)
+    }
+}
+
+/// What given stages do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trial {
+    /// what is left of the vibrations; without meaning if the first loop is not stable
+    pub left: Left,
+    pub effect: Effect,
+    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more; infinite: not stable
+    pub ms: [f64; 4],
+    pub is_useless: bool,
+}
+
+/// What given stages do, as a controller; the stages of the task have no effect.
+///
+/// # Errors
+/// [`Refused`]
+pub fn try_out(task: &Task<'_, '_>, controller: Controller<'_>) -> Result<Trial, Refused> {
+    let lowest = controller.bands.iter().fold(f64::INFINITY, |lowest: f64, band| lowest.smaller(band.centre));
+    let scenarios = task.scenarios(lowest)?;
+    let judge = task.judge(&scenarios)?;
+    let of = |t: f64| -> Complex64 {
+        (controller.stage)(t).iter().zip(controller.weight).map(|(stage, weight)| stage * weight).sum()
+    };
+    let (left, effect) = judge.figures(of);
+    let mut ms = scenarios.ms(&scenarios.at_places(of), 1.0);
+    for (ms, is_stable) in ms.iter_mut().zip(scenarios.stable(controller)) {
+        *ms = if is_stable { *ms } else { f64::INFINITY };
+    }
+    Ok(Trial { is_useless: left.is_useless(), left, effect, ms })
+}
+
 /// The recommended, the strong and the cautious proposal.
 ///
 /// # Errors
 /// [`Refused`]
 pub fn propose(task: &Task<'_, '_>) -> Result<Vec<Proposal>, Refused> {
     let count = task.vibrations.len();
-    if count == 0 || count > MOST_STAGES {
-        return Err(Refused::Vibrations(count));
-    }
-    let lowest = task.vibrations.iter().fold(f64::INFINITY, |lowest: f64, vibration| lowest.smaller(vibration.hz));
-    let scenarios =
-        Scenarios::new(task.lines, task.cycle_time, task.position_gain, lowest).ok_or(Refused::NoResponse)?;
-    let response = &scenarios.drives[0];
-    if let Some(vibration) = task.vibrations.iter().find(|vibration| is_too_uncertain(response, vibration.hz)) {
-        return Err(Refused::TooUncertain(vibration.hz));
-    }
-    let axis = Axis { cycle_time: task.cycle_time, position_gain: task.position_gain, response };
-    let judge = Judge::new(axis, task.record, task.vibrations).ok_or(Refused::NotRecorded)?;
+    let scenarios = task.scenarios(f64::INFINITY)?;
+    let judge = task.judge(&scenarios)?;
     let search = |limits| Search {
         scenarios: &scenarios,
         judge: &judge,
@@ -150,7 +192,7 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
         kind,
         effect: search.judge.effect(search.stages, &stages),
         ms: search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0),
-        is_useless: left.residuals.iter().all(|left| *left > USELESS),
+        is_useless: left.is_useless(),
         left,
         stages,
     })

@@ -96,13 +96,24 @@ impl Scenarios {
     /// lines are uncertain.
     #[must_use]
     pub fn are_stable(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> bool {
+        self.stable(controller(stages, of, self.cycle_time, self.position_gain)).into_iter().all(|is_stable| is_stable)
+    }
+
+    /// The same of any controller, for each loop.
+    #[must_use]
+    pub fn stable(&self, controller: Controller<'_>) -> [bool; 4] {
         let drives: Vec<Drive<'_>> = self.drives.iter().map(Drive::Measured).collect();
-        let points = Points::new(controller(stages, of, self.cycle_time, self.position_gain), &drives);
-        let is_stable = |drive: Drive<'_>| {
-            let closed = Loop::new(&points, drive);
+        let points = Points::new(controller, &drives);
+        let is_stable = |scenario: usize| {
+            let closed = Loop::new(&points, drives[scenario]);
             closed.is_stable() || !closed.with([0.0; STAGES]).is_stable()
         };
-        drives.into_iter().all(is_stable)
+        std::array::from_fn(is_stable)
+    }
+
+    /// A response, a function of t = tan(pi f T), at the points.
+    pub fn at_places(&self, response: impl Fn(f64) -> Complex64) -> Vec<Complex64> {
+        self.t.iter().map(|t| response(*t)).collect()
     }
 }
 

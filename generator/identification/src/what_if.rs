@@ -107,7 +107,12 @@ impl<'a> WhatIf<'a> {
         sum(stages, of, &self.t)
     }
 
-    /// R = S/S0 = (1 + L0)/(1 + L0 - C P) at the lines without 0 Hz.
+    /// A response, a function of t = tan(pi f T), at the lines from the first one on.
+    pub fn at_lines(&self, response: impl Fn(f64) -> Complex64) -> Vec<Complex64> {
+        self.t.iter().map(|t| response(*t)).collect()
+    }
+
+    /// R = S/S0 = (1 + L0)/(1 + L0 - C P) at the lines from the first one on.
     #[must_use]
     pub fn left(&self, controller: &[Complex64]) -> Vec<Complex64> {
         let of = |((rest, p), c): ((&Complex64, &Complex64), &Complex64)| rest / (rest - c * p);

@@ -153,7 +153,7 @@ impl Mode {
     }
 
     /// Its word (P-AXIS-00753).
-    pub(crate) fn word(self) -> &'static str {
+    pub fn word(self) -> &'static str {
         let word = match self {
             Self::Direct { .. } => StageMode::Direct,
             Self::Indirect { .. } => StageMode::Indirect,

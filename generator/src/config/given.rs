@@ -5,6 +5,7 @@ use super::list::{self, List};
 use super::other_functions::{self, Found, OtherFunctions};
 use super::project::{self, AxisList};
 use super::set::{self, AxisTable};
+use super::stage_option::is_of_stage;
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
 use super::{axis_name, file, file::Load, other_kind, source::Source};
@@ -28,8 +29,10 @@ pub struct ListOptions {
 #[derive(Clone, Debug)]
 pub struct OptionKey {
     /// `--delay`
-    pub option: &'static str,
+    pub option: String,
     pub name: Name,
+    /// those of the parameter; 0 where it has none
+    pub index: [u32; 2],
     pub text: String,
 }
 
@@ -61,12 +64,15 @@ pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result
     let mut given =
         if file::is_set(path) { of_set(path, &source, options, load)? } else { of_lists(path, &source, options)? };
     let mut keys = Values::default();
-    for OptionKey { option, name, text } in &options.keys {
+    for OptionKey { option, name, index, text } in &options.keys {
         let setting = setting_of_option(option, *name, text, &mut given.report);
-        keys.insert(key(*name), setting);
+        keys.insert((*name, *index), setting);
     }
-    for axis in given.axes.iter_mut().filter(|_| !keys.is_empty()) {
-        axis.values = axis.values.take().map(|values| values.overridden_by(keys.clone()));
+    let has_stages = keys.iter().any(|((name, _), _)| is_of_stage(name));
+    for values in given.axes.iter_mut().filter(|_| !keys.is_empty()).filter_map(|axis| axis.values.as_mut()) {
+        // A stage that is given as an option takes nothing from those of the axis.
+        values.retain(|(name, _)| !has_stages || !is_of_stage(name));
+        *values = std::mem::take(values).overridden_by(keys.clone());
     }
     Ok(given)
 }

@@ -11,8 +11,9 @@
 //! other_functions  used parameters of other functions
 //! path         path -> parameter and indices       closest  the name that was meant
 //! value        text -> value of the parameter's kind
-//! values       the given values, each with its place
-//! given        the contents of a set or of a list
+//! values       what was given, each with its place
+//! given        all of it, for a set or for a list
+//! stage_option stages of the command line as keys
 //! ```
 
 pub(crate) mod axis_name;
@@ -30,6 +31,7 @@ pub(crate) mod path;
 pub(crate) mod project;
 pub(crate) mod set;
 pub(crate) mod source;
+pub(crate) mod stage_option;
 pub(crate) mod toml_fault;
 pub(crate) mod value;
 pub(crate) mod values;
@@ -40,6 +42,7 @@ pub use given::{ListOptions, OptionKey};
 pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;
 pub(crate) use source::Source;
+pub use stage_option::stage_keys;
 pub(crate) use value::{of_text, of_toml, shown, spelled};
 pub(crate) use values::{Key, Setting, Values, key};
 

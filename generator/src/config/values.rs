@@ -93,7 +93,12 @@ impl Values {
         }
     }
 
-    /// The values of a list, overridden by those of its set.
+    /// Keeps those of some keys only.
+    pub(crate) fn retain(&mut self, is_kept: impl Fn(Key) -> bool) {
+        self.settings.retain(|key, _| is_kept(*key));
+    }
+
+    /// The values of a list; those of its set take their place.
     pub(crate) fn overridden_by(mut self, other: Self) -> Self {
         self.settings.extend(other.settings);
         self

@@ -4,7 +4,8 @@
 //! import    list -> set: values to tables, lines with holes        tables    parameters by their paths, with the comments
 //! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
 //! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
-//! slot      the position of the value in a line
+//! slot      where the value stands in a line
+//! stages    other stages in the text of an axis: stages_in_set, stages_in_list
 //! ```
 //! The set contains each value once, as TOML. The lines of the list stay in the set too, with `=` in place of the values:
 //! they preserve order, blanks, comments and the parameters of other functions.
@@ -15,7 +16,11 @@ mod fill;
 mod import;
 mod slot;
 mod spelling;
+mod stages;
+mod stages_in_list;
+mod stages_in_set;
 mod tables;
 
 pub use export::export;
 pub use import::import;
+pub use stages::with_stages;

@@ -46,6 +46,7 @@ fn every_code_has_a_test() {
         include_str!("../../cli/tests/manifest/main.rs"),
         include_str!("../../cli/tests/manifest/ways.rs"),
         include_str!("../../cli/tests/measured/measure.rs"),
+        include_str!("../../cli/tests/measured/stages.rs"),
         include_str!("../../cli/tests/params_of.rs"),
         include_str!("../../cli/tests/recordings/evidence.rs"),
         include_str!("../../cli/tests/recordings/refused.rs"),

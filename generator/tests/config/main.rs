@@ -1,6 +1,7 @@
 //! What the readers and the check say, to the letter; files are in memory.
 
 mod advice;
+mod apply;
 mod arbitrary;
 mod canonical;
 mod control;

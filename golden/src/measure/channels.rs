@@ -11,25 +11,25 @@ use compiler::program::Type;
 use portable::{Literal, RealKind};
 
 /// The signals that are measured.
-pub const SIGNALS: [(&str, Quantity); 10] = [
+pub const SIGNALS: [(&str, Quantity); 11] = [
     ("v_command", Quantity::Velocity),
     ("v_cmd", Quantity::Velocity),
     ("v_motor", Quantity::Velocity),
     ("v_direct", Quantity::Velocity),
     ("v_add", Quantity::Velocity),
+    ("v_add_calculated", Quantity::Velocity),
     ("v_excite", Quantity::Velocity),
     ("x_command", Quantity::Position),
     ("x_actual", Quantity::Position),
     ("following_error", Quantity::Position),
     ("a_load", Quantity::Acceleration),
 ];
-/// Signals of blocks that a recording may contain, too.
-const OTHERS: [&str; 9] = [
+/// Signals of blocks that a recording may have too.
+const OTHERS: [&str; 8] = [
     "mode",
     "position_controlled",
     "reset",
     "task_cycle_ns",
-    "v_add_calculated",
     "limited",
     "fault",
     "error_id",

@@ -96,8 +96,9 @@ pub(super) fn measure(
     let load = load.map(|load| load.up_to(half).smoothed(record.cycle));
     let is_of_task = dead_time_is_possible(dead_time, record.cycle, verdicts);
     find_uncertain(&lines, verdicts);
+    let is_alone = has_no_foreign_line(&raw.up_to(half), verdicts);
     let excited = Excited { sequence, measured, raw: raw.up_to(half), lines, dead_time, load };
-    (fits && is_of_task).then_some(excited)
+    (fits && is_of_task && is_alone).then_some(excited)
 }
 
 /// The reason why there is no response.
@@ -237,6 +238,32 @@ fn dead_time_is_possible(time: Option<Time>, cycle: f64, verdicts: &mut Vec<Verd
             false
         }
     }
+}
+
+/// Whether the excitation makes all lines. What turns with the axis, as the mesh of a pinion, makes a line of its own, which repeats
+/// from period to period where its frequency is near a multiple of 1/(N T): its standard error is small, and it is wrong by much. A line
+/// is foreign if it is away from the middle of its neighbours by half of it, by 5 standard errors of those around, and by three times
+/// what these are away from each other.
+fn has_no_foreign_line(lines: &Lines, verdicts: &mut Vec<Verdict>) -> bool {
+    const AROUND: usize = 4;
+    let [part, errors_away, steps_away] = [0.5, 5.0, 3.0];
+    let p = &lines.response;
+    let is_foreign = |k: &usize| {
+        let mut errors: Vec<f64> = (k - AROUND..=k + AROUND).filter(|i| i != k).map(|i| lines.error[i]).collect();
+        errors.sort_by(f64::total_cmp);
+        let middle = (p[k - 1] + p[k + 1]) / 2.0;
+        let away = magnitude(p[*k] - middle);
+        let steps = [[k - 2, k - 1], [k + 1, k + 2], [k - 1, k + 1]].map(|[a, b]| magnitude(p[a] - p[b]));
+        let step = steps.into_iter().fold(0.0, f64::larger);
+        away > part * magnitude(middle) && away > errors_away * errors[AROUND] && away > steps_away * step
+    };
+    let foreign = (AROUND..p.len().saturating_sub(AROUND)).find(is_foreign);
+    if let Some(k) = foreign {
+        let found = format!("at {:.1} Hz something else than the excitation makes a line", lines.hz[k]);
+        let instead = "excite at another speed, so that the mesh frequency (speed/pitch) is below the band";
+        verdicts.push(Verdict::refusal(codes::FOREIGN_LINE, found, instead));
+    }
+    foreign.is_none()
 }
 
 /// Bands in which nothing can be proposed.

@@ -23,7 +23,7 @@ pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
         panels: over_time(record),
     };
     let to = if BAND[1] < 0.5 / record.cycle { BAND[1] } else { 0.5 / record.cycle };
-    let mut panels = spectra(measured, record, [BAND[0], to]);
+    let mut panels = spectra(measured, record, [BAND[0], to], "");
     panels.extend(excited.into_iter().flat_map(|excited| response(excited, [BAND[0], to])));
     let mut events: Vec<(f64, String)> = measured
         .vibrations
@@ -43,17 +43,15 @@ pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
 
 /// A panel for each channel; velocities with one unit share a panel.
 fn over_time(record: &Record) -> Vec<Panel> {
-    let step = record.samples().div_ceil(MOST).max(1);
     let mut panels: Vec<(String, Vec<Curve>)> = Vec::new();
     for channel in record.channels() {
         let unit = channel.unit.map_or("unit unknown", |unit| unit.name);
         let kind = match channel.signal {
-            "following_error" | "v_add" | "v_excite" => channel.signal,
+            "following_error" | "v_add" | "v_add_calculated" | "v_excite" => channel.signal,
             _ => "",
         };
         let name = if kind.is_empty() { unit.to_owned() } else { format!("{kind} [{unit}]") };
-        let points = channel.values.iter().enumerate().step_by(step).map(|(n, v)| (n as f64 * record.cycle, *v));
-        let curve = Curve::new(channel.signal, points.collect());
+        let curve = Curve::new(channel.signal, thinned(&channel.values, record.cycle));
         match panels.iter_mut().find(|(known, curves)| *known == name && curves.len() < 4) {
             Some((_, curves)) => curves.push(curve),
             None => panels.push((name, vec![curve])),
@@ -62,8 +60,14 @@ fn over_time(record: &Record) -> Vec<Panel> {
     panels.into_iter().map(|(name, curves)| Panel::curves(name, curves)).collect()
 }
 
-/// The spectra of the most informative channel: of the load, else of the motor.
-fn spectra(measured: &Measured, record: &Record, band: [f64; 2]) -> Vec<Panel> {
+/// The points of a curve over time.
+pub(crate) fn thinned(values: &[f64], cycle: f64) -> Vec<(f64, f64)> {
+    let step = values.len().div_ceil(MOST).max(1);
+    values.iter().enumerate().step_by(step).map(|(n, value)| (n as f64 * cycle, *value)).collect()
+}
+
+/// Of the channel that shows most: the load's, else the motor's. A label says which record it is.
+pub(crate) fn spectra(measured: &Measured, record: &Record, band: [f64; 2], label: &str) -> Vec<Panel> {
     let channel = ["a_load", "v_direct", "v_motor"].into_iter().find_map(|name| record.channel(name));
     let Some(channel) = channel else { return Vec::new() };
     let driving: Vec<Range<usize>> = measured.windows.driving.iter().flat_map(|(_, of)| of.iter().cloned()).collect();
@@ -76,7 +80,8 @@ fn spectra(measured: &Measured, record: &Record, band: [f64; 2]) -> Vec<Panel> {
     let curves: Vec<Curve> =
         [of("driving", &driving), of("after ramps", &measured.windows.ramps)].into_iter().flatten().collect();
     let unit = channel.unit.map_or("unit unknown", |unit| unit.name);
-    if curves.is_empty() { Vec::new() } else { vec![Panel::curves(format!("{} [{unit}]", channel.signal), curves)] }
+    let name = if label.is_empty() { channel.signal.to_owned() } else { format!("{}, {label}", channel.signal) };
+    if curves.is_empty() { Vec::new() } else { vec![Panel::curves(format!("{name} [{unit}]"), curves)] }
 }
 
 fn response(excited: &Excited, band: [f64; 2]) -> Vec<Panel> {

@@ -135,10 +135,11 @@ impl Record {
         let of_velocity = velocity.and_then(|of| of.unit.or_else(|| Unit::of_velocity(peak(&of.values))));
         let speed = velocity.map(|of| of.values.clone());
         let cycle = self.cycle;
+        let is_rotary = self.channels.iter().any(|channel| channel.unit.is_some_and(Unit::is_rotary));
         for channel in self.channels.iter_mut().filter(|channel| channel.unit.is_none()) {
             let largest = peak(&channel.values);
             channel.unit = match (channel.quantity, channel.signal) {
-                (Quantity::Velocity, "v_add" | "v_excite") => of_velocity,
+                (Quantity::Velocity, "v_add" | "v_add_calculated" | "v_excite") => of_velocity,
                 (Quantity::Velocity, _) => Unit::of_velocity(largest),
                 (Quantity::Position, "following_error") => Unit::of_error(largest),
                 (Quantity::Position, _) => of_velocity
@@ -146,6 +147,10 @@ impl Record {
                     .and_then(|(unit, speed)| Unit::of_position(slope(speed, &rate(&channel.values, cycle))?, unit)),
                 (Quantity::Acceleration, _) => Unit::of_acceleration(largest),
             };
+            // A sensor at the load of a rotary axis measures along its path all the same.
+            if is_rotary && channel.quantity != Quantity::Acceleration {
+                channel.unit = channel.unit.map(|unit| unit.rotary().unwrap_or(unit));
+            }
         }
         self.velocities_fit(verdicts)
     }
@@ -180,6 +185,12 @@ impl Record {
             let found = format!("{name} stays at its largest value, first at {:.3} s", at as f64 * self.cycle);
             verdicts.push(Verdict::note(codes::CLIPPED, found, "choose a larger range of the sensor or the recorder"));
         }
+    }
+
+    /// The same with other samples of each channel, which its place among them and the channel give; without those of none.
+    pub(crate) fn with(&self, samples: impl Fn(usize, &Channel) -> Option<Vec<f64>>) -> Self {
+        let changed = |(k, channel): (usize, &Channel)| Some(Channel { values: samples(k, channel)?, ..channel.clone() });
+        Self { cycle: self.cycle, channels: self.channels.iter().enumerate().filter_map(changed).collect() }
     }
 
     /// Channels with their units, for a report.

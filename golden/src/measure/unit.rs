@@ -8,11 +8,11 @@ pub enum Quantity {
     Acceleration,
 }
 
-/// A unit of a translatory axis.
+/// A unit. Blocks take um/s, of rotary axes 0.001 deg/s: a degree of a rotary axis stands for a millimetre of another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     pub name: &'static str,
-    /// in m, m/s, m/s^2
+    /// in m, m/s, m/s^2; of a rotary axis in 1000 deg, 1000 deg/s, 1000 deg/s^2
     pub size: f64,
 }
 
@@ -26,10 +26,20 @@ const PEAK_ACCELERATION: [f64; 2] = [0.05, 50.0];
 
 impl Quantity {
     fn units(self) -> &'static [Unit] {
-        const VELOCITY: [Unit; 4] =
-            [unit("um/s", 1e-6), unit("mm/s", 1e-3), unit("m/s", 1.0), unit("m/min", 1.0 / 60.0)];
-        const POSITION: [Unit; 3] = [unit("um", 1e-6), unit("mm", 1e-3), unit("m", 1.0)];
-        const ACCELERATION: [Unit; 3] = [unit("mm/s^2", 1e-3), unit("m/s^2", 1.0), unit("g", 9.80665)];
+        const VELOCITY: [Unit; 8] = [
+            unit("um/s", 1e-6),
+            unit("mm/s", 1e-3),
+            unit("m/s", 1.0),
+            unit("m/min", 1.0 / 60.0),
+            unit("0.001 deg/s", 1e-6),
+            unit("deg/s", 1e-3),
+            unit("1/min", 6e-3),
+            unit("rpm", 6e-3),
+        ];
+        const POSITION: [Unit; 5] =
+            [unit("um", 1e-6), unit("mm", 1e-3), unit("m", 1.0), unit("0.001 deg", 1e-6), unit("deg", 1e-3)];
+        const ACCELERATION: [Unit; 4] =
+            [unit("mm/s^2", 1e-3), unit("m/s^2", 1.0), unit("g", 9.80665), unit("deg/s^2", 1e-3)];
         match self {
             Self::Velocity => &VELOCITY,
             Self::Position => &POSITION,
@@ -39,7 +49,7 @@ impl Quantity {
 
     /// The units that can be inferred from the numbers alone: neighbours differ by a factor of 1000.
     fn by_numbers(self) -> impl Iterator<Item = Unit> {
-        self.units().iter().copied().filter(|unit| !matches!(unit.name, "m/min" | "g"))
+        self.units().iter().copied().filter(|unit| !matches!(unit.name, "m/min" | "g") && !unit.is_rotary())
     }
 }
 
@@ -50,11 +60,28 @@ const fn unit(name: &'static str, size: f64) -> Unit {
 impl Unit {
     /// The unit in a name.
     pub(super) fn named(quantity: Quantity, name: &str) -> Option<Self> {
-        let plain = name.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "^2").replace("s2", "s^2");
+        let plain = name.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "^2").replace("s2", "s^2").replace('\u{b0}', "deg");
         quantity.units().iter().find(|unit| unit.name == plain).copied()
     }
 
-    /// The unit of a velocity, from its peak.
+    pub(super) fn is_rotary(self) -> bool {
+        self.name.contains("deg") || matches!(self.name, "1/min" | "rpm")
+    }
+
+    /// The unit of a rotary axis that stands for a translatory one; none: there is none.
+    pub(super) fn rotary(self) -> Option<Self> {
+        let name = match self.name {
+            "um/s" => "0.001 deg/s",
+            "mm/s" => "deg/s",
+            "um" => "0.001 deg",
+            "mm" => "deg",
+            "mm/s^2" => "deg/s^2",
+            _ => return None,
+        };
+        Some(Self { name, ..self })
+    }
+
+    /// Of a velocity, by its peak.
     pub(super) fn of_velocity(peak: f64) -> Option<Self> {
         plausible(Quantity::Velocity, peak, PEAK_VELOCITY)
     }

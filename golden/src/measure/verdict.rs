@@ -14,8 +14,9 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// A verdict that prevents a measurement.
-    pub(crate) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
+    /// Something is not measured.
+    #[must_use]
+    pub fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: true, found: found.into(), instead }
     }
 

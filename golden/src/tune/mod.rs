@@ -5,29 +5,34 @@
 //! ```text
 //! chosen    the vibrations that get a stage
 //! stage     a stage as parameters
-//! proposal  the proposals, or the reasons against them
+//! proposal  what is proposed, and why not
+//! signals   the moves as they would have been
 //! text      the report
 //! ```
 
 mod chosen;
 mod proposal;
+pub mod signals;
 mod stage;
 pub mod text;
 
 pub use chosen::Chosen;
 pub use identification::proposals::Kind;
 pub use proposal::{Predicted, Proposal};
-pub use stage::Stage;
 
 use crate::measure::{Measured, Record, Verdict, is_same_interval};
+use generator::axis::{Axis, Stage};
 use generator::blocks::Designed;
 use generator::codes;
+use identification::offset;
 use identification::response::Lines;
 use identification::segments;
-use portable::peak;
+use portable::{Extreme, peak};
 
 /// A motor that is slower than this part of its peak is at rest.
 const AT_REST: f64 = 0.05;
+/// An offset of that part of a cycle is one.
+const LATE: f64 = 0.25;
 
 /// The response of the drive to be used.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
@@ -38,29 +43,51 @@ pub enum Prefer {
     Set,
 }
 
-/// The proposals for an axis.
+/// Which stages the report is about.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Stages {
+    /// those that are proposed
+    Proposed,
+    /// those that the axis has
+    Given,
+}
+
+/// What is proposed for an axis.
 #[derive(Clone, Debug)]
 pub struct Tuning {
     /// [s]
     pub cycle_time: f64,
-    /// Kv [1/s]; `None` if the set does not state it
+    /// degrees instead of millimetres
+    pub is_rotary: bool,
+    /// Kv [1/s]; none: the set does not state it
     pub position_gain: Option<f64>,
     /// the vibrations, in the order of the stages
     pub chosen: Vec<Chosen>,
     pub proposals: Vec<Proposal>,
     pub verdicts: Vec<Verdict>,
+    /// the response of the drive; none: it is not known
+    pub lines: Option<Lines>,
 }
 
-/// Proposes stages for an axis from its moves with the stages off, and from an excited recording of the same machine.
+/// Proposes stages for an axis from its moves with the stages off, and from an excited recording of the same machine; or says
+/// what the stages that the axis has would do.
 #[must_use]
-pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, prefer: Prefer) -> Tuning {
+pub fn tune(
+    designed: &Designed,
+    moves: &Measured,
+    excited: Option<&Measured>,
+    prefer: Prefer,
+    stages: Stages,
+) -> Tuning {
     let axis = &designed.axis;
     let mut tuning = Tuning {
         cycle_time: axis.cycle_time(),
+        is_rotary: axis.control.is_rotary,
         position_gain: axis.drive.position_gain,
         chosen: Vec::new(),
         proposals: Vec::new(),
         verdicts: Vec::new(),
+        lines: None,
     };
     let all = [Some(moves), excited];
     if all.iter().flatten().any(|measured| measured.refuses()) {
@@ -68,6 +95,9 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
     }
     let records: Vec<&Record> = all.iter().flatten().filter_map(|measured| measured.record.as_ref()).collect();
     let (Some(record), true) = (moves.record.as_ref(), is_usable(moves, &records, &mut tuning)) else { return tuning };
+    if records.iter().any(|record| !is_of_block(axis, record, &mut tuning.verdicts)) {
+        return tuning;
+    }
     tuning.chosen = chosen::choose(moves, &mut tuning.verdicts);
     let of_set = axis.drive.response.as_ref().map(|measured| Lines::of(&measured.response));
     let of_excited = excited.and_then(|measured| Some(measured.excited.as_ref()?.lines.clone()));
@@ -83,14 +113,53 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
         return tuning;
     }
     let of = proposal::Task { axis, record, ramps: segments::ramps(&moves.segments).collect(), chosen: &tuning.chosen };
-    tuning.proposals = match lines {
-        Some(lines) => of.proposals(&lines, &mut tuning.verdicts),
-        None => of.first(&mut tuning.verdicts),
+    let given = match stages {
+        Stages::Proposed => None,
+        Stages::Given => match of.given(&mut tuning.verdicts) {
+            None => return tuning,
+            given => given,
+        },
     };
+    tuning.proposals = match (&lines, &given) {
+        (Some(lines), given) => of.proposals(lines, given.as_deref(), &mut tuning.verdicts),
+        (None, Some(_)) => {
+            let instead = "measure it: --excited FILE, --response FILE, or drive.response of the set";
+            let found = "the response of the drive is not known";
+            tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+            Vec::new()
+        }
+        (None, None) => of.first(&mut tuning.verdicts),
+    };
+    tuning.lines = lines;
     tuning
 }
 
-/// Whether the effect of stages on the moves can be predicted.
+/// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C of the stages that
+/// the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
+fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
+    let stages: Vec<Stage> = axis.ipc.stage.iter().flatten().cloned().collect();
+    let pair = record.get("v_motor").zip(record.get("v_add_calculated"));
+    let Some((v_motor, calculated)) = pair.filter(|_| !stages.is_empty() && stages.iter().all(stage::looks_at_motor))
+    else {
+        return true;
+    };
+    let (cycle, of) = (axis.cycle_time(), stage::controller(&stages, axis.cycle_time(), None));
+    let c = |hz: f64| (of.stage)(libm::tan(std::f64::consts::PI * hz * cycle)).iter().sum();
+    let Some(time) = offset::between(v_motor, calculated, cycle, c) else { return true };
+    let is_late = libm::fabs(time.seconds) > (LATE * cycle).larger(3.0 * time.error);
+    if is_late {
+        let found = format!(
+            "v_add_calculated is {:.3} +-{:.3} ms later than the stages of the set make it from v_motor",
+            time.seconds * 1e3,
+            time.error * 1e3
+        );
+        let instead = "record v_motor in the cycle in which the block takes it, with the stages that are in the set";
+        verdicts.push(Verdict::refusal(codes::CHANNEL_LATE, found, instead));
+    }
+    !is_late
+}
+
+/// Whether what stages would do to the moves can be known.
 fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool {
     let cycle = tuning.cycle_time;
     let mut refuse = |code, found: String, instead| tuning.verdicts.push(Verdict::refusal(code, found, instead));

@@ -1,17 +1,19 @@
 //! Proposals as data: stages and their effect, or the reason why there are none.
 
 use super::chosen::Chosen;
-use super::stage::{Stage, responses};
+use super::stage::{controller, looks_at_motor, responses, rounded};
 use crate::measure::{Record, Verdict};
-use generator::axis::Axis;
+use generator::axis::{Axis, Stage};
 use generator::codes;
-use identification::figures::{self, Vibration};
-use identification::proposals::{self, Kind, Refused, first, propose};
+use identification::figures::{self, Effect, Left, Vibration};
+use identification::proposals::{self, Kind, Refused, first, propose, try_out};
 use identification::response::Lines;
 use std::ops::Range;
 
 /// Micrometres of a metre.
 const UM: f64 = 1e6;
+/// The largest v_add_max_fact [0.1 %] (P-AXIS-00757).
+const LARGEST_LIMIT: f64 = 2000.0;
 
 /// Stages, one for each vibration.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,8 +50,13 @@ pub(super) struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// The proposals: recommended, strong, cautious.
-    pub(super) fn proposals(&self, lines: &Lines, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
+    /// Recommended, strong, cautious; without a search, and instead of them, the stages that are given.
+    pub(super) fn proposals(
+        &self,
+        lines: &Lines,
+        given: Option<&[Stage]>,
+        verdicts: &mut Vec<Verdict>,
+    ) -> Vec<Proposal> {
         let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
         let of_error = self.record.following_error();
         let channel = |name: &str| match name {
@@ -61,21 +68,33 @@ impl Task<'_> {
         let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
         let record = figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
-        let found = propose(&proposals::Task {
-            cycle_time: self.axis.cycle_time(),
-            position_gain: self.axis.drive.position_gain,
+        let (cycle_time, position_gain) = (self.axis.cycle_time(), self.axis.drive.position_gain);
+        let task = proposals::Task {
+            cycle_time,
+            position_gain,
             lines,
             record,
             vibrations: &vibrations,
             stages: &*stages,
-        });
+        };
+        let found = match given {
+            Some(given) => try_out(&task, controller(given, cycle_time, position_gain)).map(|trial| {
+                let proposals::Trial { left, effect, ms, is_useless } = trial;
+                let predicted = self.predicted(left, effect, ms, is_useless);
+                vec![Proposal { kind: Kind::Given, stages: given.to_vec(), predicted: Some(predicted) }]
+            }),
+            None => propose(&task).map(|found| found.into_iter().map(|of| self.proposal(of)).collect()),
+        };
         let all: Vec<Proposal> = match found {
-            Ok(found) => found.into_iter().map(|of| self.proposal(of)).collect(),
+            Ok(found) => found,
             Err(refused) => {
                 verdicts.push(self.said(refused));
                 return Vec::new();
             }
         };
+        if all.iter().any(|of| !is_stable(of, verdicts)) {
+            return Vec::new();
+        }
         let useless = all.iter().filter(|of| of.predicted.as_ref().is_some_and(|predicted| predicted.is_useless));
         let useless: Vec<&str> = useless.map(|of| of.kind.word()).collect();
         if !useless.is_empty() {
@@ -83,10 +102,53 @@ impl Task<'_> {
             let instead = "reduce the delay between position controller and drive, or speed up the velocity controller";
             verdicts.push(Verdict::note(codes::HARDLY_USEFUL, found, instead));
         }
+        self.find_limit(&all, verdicts);
         all
     }
 
-    /// The first stages without a response; reports what to measure next.
+    /// Whether what the stages add stays below the largest v_add of the axis (P-AXIS-00757).
+    fn find_limit(&self, all: &[Proposal], verdicts: &mut Vec<Verdict>) {
+        let ipc = &self.axis.ipc;
+        let above = all.iter().filter_map(|of| Some((of.kind.word(), of.predicted.as_ref()?.peak_v_add)));
+        let above: Vec<_> = above.filter(|(_, peak)| *peak > ipc.limit()).collect();
+        if above.is_empty() {
+            return;
+        }
+        let needed = |peak: f64| libm::ceil(peak / ipc.v_max * 1000.0);
+        let list: Vec<String> = (above.iter())
+            .map(|(kind, peak)| format!("{kind} {} (peak v_add {:.0})", needed(*peak), libm::ceil(*peak)))
+            .collect();
+        let found = format!(
+            "the stages would saturate at v_add_max_fact {} (P-AXIS-00757, {:.0}); at least needed: {}",
+            ipc.v_add_max_fact,
+            ipc.limit(),
+            list.join(", ")
+        );
+        let instead = match above.iter().all(|(_, peak)| needed(*peak) <= LARGEST_LIMIT) {
+            true => "write the number of the proposal that is used into v_add_max_fact",
+            false => "choose stages that add less: not even the largest v_add_max_fact, 2000, is enough",
+        };
+        verdicts.push(Verdict::note(codes::LIMIT_TOO_LOW, found, instead));
+    }
+
+    /// The stages of the axis, whose effect shall be known; none: it cannot be, which is said.
+    pub(super) fn given(&self, verdicts: &mut Vec<Verdict>) -> Option<Vec<Stage>> {
+        let all: Vec<Stage> = self.axis.ipc.stage.iter().flatten().cloned().collect();
+        let mut refuse = |found: String, instead| {
+            verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+            None
+        };
+        if all.is_empty() {
+            return refuse("no stage is active".to_owned(), "give --stage with mode=DIRECT or mode=INDIRECT");
+        }
+        if let Some(other) = all.iter().find(|stage| !looks_at_motor(stage)) {
+            let found = format!("a stage takes {}, of which the response of the drive says nothing", other.mode.text());
+            return refuse(found, "try stages that look at v_motor: mode=INDIRECT, or mode=DIRECT without direct_source");
+        }
+        Some(all)
+    }
+
+    /// Without a response; says what to measure next.
     pub(super) fn first(&self, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
         let (cycle, stages) = (self.axis.cycle_time(), responses(self.axis.cycle_time()));
         let vibrations: Vec<_> = self.chosen.iter().map(|chosen| (chosen.mode, chosen.hz)).collect();
@@ -94,7 +156,7 @@ impl Task<'_> {
             verdicts.push(self.said(Refused::Vibrations(vibrations.len())));
             return Vec::new();
         };
-        let found: Vec<Stage> = found.iter().map(|(shape, weight)| Stage::rounded(shape, *weight)).collect();
+        let found: Vec<Stage> = found.iter().map(|(shape, weight)| rounded(shape, *weight)).collect();
         let said = "the response of the drive is not known: 10 % of the largest weight with a usual drive";
         let instead = "record v_cmd, v_motor, v_excite and a_load with an excitation at constant speed: --excited FILE";
         verdicts.push(Verdict::note(codes::FIRST_STAGES, said, instead));
@@ -110,17 +172,21 @@ impl Task<'_> {
     }
 
     fn proposal(&self, of: proposals::Proposal) -> Proposal {
-        let unit = self.record.unit("v_motor").filter(|_| !self.axis.control.is_rotary);
-        let predicted = Predicted {
-            residuals: of.left.residuals,
-            ring_down: of.left.ring,
-            following_error: of.effect.following_error,
-            peak_v_add: of.effect.peak_v_add * unit.map_or(1.0, |unit| unit.size * UM),
-            ms: of.ms,
-            is_useless: of.is_useless,
-        };
-        let stages = of.stages.iter().map(|(shape, weight)| Stage::rounded(shape, *weight)).collect();
+        let stages = of.stages.iter().map(|(shape, weight)| rounded(shape, *weight)).collect();
+        let predicted = self.predicted(of.left, of.effect, of.ms, of.is_useless);
         Proposal { kind: of.kind, stages, predicted: Some(predicted) }
+    }
+
+    fn predicted(&self, left: Left, effect: Effect, ms: [f64; 4], is_useless: bool) -> Predicted {
+        let unit = self.record.unit("v_motor");
+        Predicted {
+            residuals: left.residuals,
+            ring_down: left.ring,
+            following_error: effect.following_error,
+            peak_v_add: effect.peak_v_add * unit.map_or(1.0, |unit| unit.size * UM),
+            ms,
+            is_useless,
+        }
     }
 
     fn said(&self, refused: Refused) -> Verdict {
@@ -149,4 +215,20 @@ impl Task<'_> {
             }
         }
     }
+}
+
+/// Says in which cases stages are not stable; whether their figures mean something: they are stable as measured.
+fn is_stable(of: &Proposal, verdicts: &mut Vec<Verdict>) -> bool {
+    const CASES: [&str; 4] = ["as measured", "half a cycle later", "with 15 % less load", "with 15 % more load"];
+    let Some(predicted) = &of.predicted else { return true };
+    let cases: Vec<&str> = CASES.iter().zip(predicted.ms).filter(|(_, ms)| ms.is_infinite()).map(|(of, _)| *of).collect();
+    if cases.is_empty() {
+        return true;
+    }
+    let found = format!("the loop oscillates with these stages: {}", cases.join(", "));
+    let instead = "smaller weights; without --stage, tune proposes safe ones";
+    let has_figures = predicted.ms[0].is_finite();
+    let said = if has_figures { Verdict::note } else { Verdict::refusal };
+    verdicts.push(said(codes::OSCILLATES, found, instead));
+    has_figures
 }

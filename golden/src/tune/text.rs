@@ -1,10 +1,11 @@
 //! Proposals as text for readers.
 
-use super::{Chosen, Kind, Predicted, Proposal, Stage, Tuning};
+use super::{Chosen, Kind, Predicted, Proposal, Tuning};
 use crate::measure::text::side_word;
+use generator::axis::{Filter, Mode, Stage};
+use generator::parameters::words::Words;
 use identification::excitation::{AMPLITUDE, Excitation, LEAST_SPEED, PERIODS, Sequence};
 use identification::figures::When;
-use identification::shape::Mode;
 use std::fmt::Write;
 
 /// The report.
@@ -44,18 +45,25 @@ fn of_proposal(tuning: &Tuning, proposal: &Proposal) -> String {
     text
 }
 
-fn of_stage(Stage { shape, weight_fact_num }: &Stage) -> String {
-    let mode = match shape.mode {
-        Mode::Direct => "DIRECT from v_motor".to_owned(),
-        Mode::Indirect => format!("INDIRECT from v_motor, damping {}", shape.damping),
+fn of_stage(stage: &Stage) -> String {
+    let damping = match stage.mode {
+        Mode::Direct { .. } => String::new(),
+        Mode::Indirect { osc_damping } | Mode::SetPoint { osc_damping } => format!(", damping {osc_damping}"),
     };
-    let allpass = shape.allpass.map_or_else(String::new, |of| format!(", all-pass f0 {} Hz Q {}", of.f0, of.q));
-    format!(
-        "{mode}, f0 {} Hz, Q {}{allpass}, weight {weight_fact_num}/{}",
-        shape.f0,
-        shape.q,
-        super::stage::DENOMINATOR
-    )
+    let filters: String = stage.filter.iter().map(of_filter).collect();
+    let (num, denom) = (stage.weight_fact_num, stage.weight_fact_denom);
+    format!("{}{damping}{filters}, weight {num}/{denom}", stage.mode.text())
+}
+
+fn of_filter(filter: &Filter) -> String {
+    match filter {
+        Filter::NoFilter => String::new(),
+        Filter::Bandpass { order: 1, f0, q_factor, .. } => format!(", f0 {f0} Hz, Q {q_factor}"),
+        Filter::Bandpass { order, f0, q_factor, prototype } => {
+            format!(", f0 {f0} Hz, Q {q_factor}, order {order} {}", prototype.name())
+        }
+        Filter::Allpass { f0, q_factor } => format!(", all-pass f0 {f0} Hz Q {q_factor}"),
+    }
 }
 
 fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
@@ -64,10 +72,11 @@ fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
     let ring = of.ring_down.map(|ring| format!("{ring:.2} of the ring-down"));
     let left: Vec<String> = left.chain(ring).collect();
     let error = of.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
-    let [ms, later, less, more] = of.ms;
+    let [ms, later, less, more] =
+        of.ms.map(|ms| if ms.is_finite() { format!("{ms:.2}") } else { "unstable".to_owned() });
     format!(
         "  left: {}\n  following error {error}, peak v_add {:.0}\n  \
-         Ms {ms:.2}; half a cycle later {later:.2}; load -15 % {less:.2}, +15 % {more:.2}\n",
+         Ms {ms}; half a cycle later {later}; load -15 % {less}, +15 % {more}\n",
         left.join(", "),
         of.peak_v_add
     )
@@ -83,8 +92,9 @@ fn next(tuning: &Tuning) -> String {
         None => Sequence::for_cycle(tuning.cycle_time),
     };
     let excitation = Excitation { sequence, cycle_time: tuning.cycle_time, amplitude: AMPLITUDE, periods: PERIODS };
+    let unit = if tuning.is_rotary { "deg/s" } else { "mm/s" };
     format!(
-        "measure next: an excitation {}x{} of {} mm/s, {PERIODS} periods, {:.1} s, at a constant speed of at least {} mm/s\n",
+        "measure next: an excitation {}x{} of {} {unit}, {PERIODS} periods, {:.1} s, at a constant speed of at least {} {unit}\n",
         sequence.bits(),
         sequence.clock(),
         AMPLITUDE * 1e3,

@@ -4,4 +4,5 @@
 
 mod measure;
 mod plant;
+mod stages;
 mod tune;

@@ -8,7 +8,7 @@ use std::fs;
 use tempfile::TempDir;
 
 /// An axis whose stages are to be found.
-const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nkenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"\n\
+pub const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nkenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"\n\
     getriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n\
     [axis.X.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 1000\n";
 const NAMES: [&str; 7] = [
@@ -21,19 +21,19 @@ const NAMES: [&str; 7] = [
     "a_load",
 ];
 /// Excited with 8 periods while it moves at 20 mm/s. The velocity of the motor has noise of 0.3 mm/s.
-fn excited() -> Columns {
+pub fn excited() -> Columns {
     let mut columns = plant::excited(8, 0.02);
     let mut noise = Noise(7);
     columns[V_MOTOR].iter_mut().for_each(|v| *v += 300.0 * noise.next());
     columns
 }
 
-fn csv(columns: &Columns, of: &[usize]) -> String {
+pub fn csv(columns: &Columns, of: &[usize]) -> String {
     plant::csv(&NAMES, columns, of)
 }
 
 /// A drive with two equal time constants [s] after two cycles, as a file; its standard errors are a part of the magnitude.
-fn drive(time_constant: f64, error: f64) -> String {
+pub fn drive(time_constant: f64, error: f64) -> String {
     let mut text = "# averages: 8\nf [Hz],re,im,se\n".to_owned();
     for k in 1..1024_u32 {
         let w = TAU * f64::from(k) * 0.2442;
@@ -46,14 +46,14 @@ fn drive(time_constant: f64, error: f64) -> String {
 }
 
 /// A folder with the set, and recordings.
-fn folder(files: &[(&str, &str)]) -> TempDir {
+pub fn folder(files: &[(&str, &str)]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let write = |(name, text): &(&str, &str)| fs::write(folder.path().join(name), text).unwrap();
     files.iter().chain(&[("set.toml", SET)]).for_each(write);
     folder
 }
 
-fn tune(folder: &TempDir, more: &[&str]) -> Run {
+pub fn tune(folder: &TempDir, more: &[&str]) -> Run {
     axgen(folder, &[&["tune", "set.toml", "--axis", "X", "--recording", "moves.csv"], more].concat())
 }
 
@@ -83,15 +83,15 @@ fn set_with(proposal: &Value) -> String {
 }
 
 /// A row of the table of `simulate`.
-fn row(text: &str, name: &str) -> Vec<f64> {
+pub fn row(text: &str, name: &str) -> Vec<f64> {
     let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
     let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));
     row.split_whitespace().map(|cell| cell.parse().unwrap_or_else(|_| panic!("{name}: {cell}"))).collect()
 }
 
 /// The peak of the following error that the controller sees, on by off, of a simulation as CSV.
-fn seen_error(folder: &TempDir) -> f64 {
-    let text = fs::read_to_string(folder.path().join("s.csv")).unwrap();
+pub fn seen_error(folder: &TempDir, file: &str) -> f64 {
+    let text = fs::read_to_string(folder.path().join(file)).unwrap();
     let row = |line: &str| line.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>();
     let rows: Vec<Vec<f64>> = text.lines().skip(1).map(row).collect();
     let peak = |x: usize| rows.windows(2).map(|pair| (pair[1][1] - pair[0][x]).abs()).fold(0.0, f64::max);
@@ -146,7 +146,7 @@ fn proposals_for_the_demonstration_plant() {
             );
         }
         // The controller sees the position of the cycle before; the table has that of the same instant.
-        let [seen, error] = [seen_error(&folder), on[3] / off[3]];
+        let [seen, error] = [seen_error(&folder, "s.csv"), on[3] / off[3]];
         assert!((predicted[3] / seen - 1.0).abs() < 0.03 && error <= left[3], "{kind}: {predicted:?}, {seen}, {error}");
         assert!((number(proposal, "peak_v_add") / on[4] - 1.0).abs() < 0.1, "{kind}: {proposal:#}\n{}", truth.out);
         assert!(on[5] <= 2.0 && (ms[0] / on[5] - 1.0).abs() < 0.05, "{kind}: {ms:?}, in truth {}", on[5]);

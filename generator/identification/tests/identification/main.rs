@@ -8,6 +8,7 @@ mod excitation;
 mod offset;
 mod plant;
 mod proposals;
+mod random_axes;
 mod response;
 mod stage;
 mod vibrations;

@@ -1,7 +1,7 @@
 //! Largest weights against the crate `stability` and golden figures; proposals for the demonstration plant, tried on
 //! it in truth.
 
-use crate::plant::{CYCLE, Impulse, Noise, excited, moved, random_axis};
+use crate::plant::{CYCLE, Impulse, Noise, excited, moved};
 use crate::stage::{manual, response, running};
 use crate::what_if::{VIBRATIONS, exact, ramps};
 use identification::Complex64;
@@ -11,27 +11,45 @@ use identification::proposals::{Kind, Proposal, Refused, Task, first, propose};
 use identification::response::Lines;
 use identification::scenarios::{Scenarios, most};
 use identification::shape::{Mode, Shape, Stages};
-use machine::mechanics::Mechanics;
 use machine::plant::{DEMONSTRATION, Plant};
 use std::f64::consts::{PI, TAU};
 
-fn stages(shape: &Shape) -> Box<dyn Fn(f64) -> Complex64> {
+pub fn stages(shape: &Shape) -> Box<dyn Fn(f64) -> Complex64> {
     response(shape, CYCLE)
 }
 
-const KV: f64 = 20.0;
+pub const KV: f64 = 20.0;
 
-/// The largest |S| of a plant with stages, their delay some cycles longer: by what it answers to an impulse, on a fine grid.
+/// A plant on a fine grid, by what it answers to an impulse: frequency [Hz], position loop, P.
+pub struct Truth(Vec<(f64, Complex64, Complex64)>);
+
+impl Truth {
+    pub fn of(impulse: &Impulse) -> Self {
+        let grid = (0..700).map(|k| 2.0 * libm::pow(200.0, f64::from(k) / 700.0));
+        Self(grid.map(|hz| (hz, impulse.of_position(hz) * KV, impulse.p(hz))).collect())
+    }
+
+    /// The position loop and P near a frequency [Hz].
+    pub fn at(&self, hz: f64) -> (Complex64, Complex64) {
+        let near = self.0.iter().min_by(|a, b| (a.0 - hz).abs().total_cmp(&(b.0 - hz).abs())).unwrap();
+        (near.1, near.2)
+    }
+
+    /// The largest |S| with stages, their delay some cycles longer.
+    pub fn ms(&self, of: &[(Shape, f64)], later: f64) -> f64 {
+        let chains: Vec<_> = of.iter().map(|(shape, weight)| (response(shape, CYCLE), *weight)).collect();
+        let distance = |(hz, position, p): &(f64, Complex64, Complex64)| {
+            let t = libm::tan(PI * hz * CYCLE);
+            let c: Complex64 = chains.iter().map(|(chain, weight)| chain(t) * *weight).sum();
+            let delay = Complex64::from_polar(1.0, -TAU * hz * CYCLE * later);
+            (1.0 + (position - c * p) * delay).norm()
+        };
+        1.0 / self.0.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+}
+
 fn true_ms(impulse: &Impulse, of: &[(Shape, f64)], later: f64) -> f64 {
-    let chains: Vec<_> = of.iter().map(|(shape, weight)| (response(shape, CYCLE), *weight)).collect();
-    let distance = |hz: f64| {
-        let t = libm::tan(PI * hz * CYCLE);
-        let c: Complex64 = chains.iter().map(|(chain, weight)| chain(t) * *weight).sum();
-        let delay = Complex64::from_polar(1.0, -TAU * hz * CYCLE * later);
-        (1.0 + (impulse.of_position(hz) * KV - c * impulse.p(hz)) * delay).norm()
-    };
-    let grid = (0..700).map(|k| 2.0 * libm::pow(200.0, f64::from(k) / 700.0));
-    1.0 / grid.map(distance).fold(f64::INFINITY, f64::min)
+    Truth::of(impulse).ms(of, later)
 }
 
 #[test]
@@ -89,7 +107,7 @@ fn an_uncertain_response_bears_less() {
 }
 
 /// The response of a plant from a noisy record of its excitation.
-fn measured(plant: &Plant, noise: f64) -> Lines {
+pub fn measured(plant: &Plant, noise: f64) -> Lines {
     let excitation =
         Excitation { sequence: Sequence::for_cycle(CYCLE), cycle_time: CYCLE, amplitude: 5e-3, periods: 8 };
     let mut record = excited(plant, &excitation, 0.02);
@@ -99,7 +117,7 @@ fn measured(plant: &Plant, noise: f64) -> Lines {
 }
 
 /// Proposals from a response and a noisy record of moves.
-fn proposed(
+pub fn proposed(
     lines: &Lines,
     plant: &Plant,
     noise: f64,
@@ -114,7 +132,7 @@ fn proposed(
 }
 
 /// What a proposal leaves of the line, of the ramps, of the ring-down, and what it makes of the following error, in a run.
-fn tried(plant: &Plant, proposal: &Proposal) -> [f64; 4] {
+pub fn tried(plant: &Plant, proposal: &Proposal) -> [f64; 4] {
     let (_, off) = moved(plant, |_| 0.0);
     let (_, on) = moved(plant, running(&proposal.stages, CYCLE));
     [
@@ -226,27 +244,4 @@ fn first_stages_without_a_response() {
     assert!((ms(10.0) - 2.0).abs() < 0.01, "{}", ms(10.0));
     let truth = true_ms(&Impulse::of(&DEMONSTRATION), &found, 0.0);
     assert!(truth < 1.4, "{truth}");
-}
-
-/// Random axes with the mesh of the demonstration plant: none of their proposals is unstable or beyond its limit in truth.
-#[test]
-fn proposals_for_random_axes() {
-    let axes = if std::env::var("AXGEN_EXHAUSTIVE").is_ok() { 0..30 } else { 8..9 };
-    for seed in axes {
-        let axis = random_axis(seed);
-        let plant = Plant { mechanics: Mechanics { mesh: DEMONSTRATION.mechanics.mesh, ..axis.mechanics }, ..axis };
-        let lines = measured(&plant, 0.1e-3);
-        let found = match proposed(&lines, &plant, 0.1e-3, &VIBRATIONS[..1], &stages) {
-            Ok(found) => found,
-            Err(Refused::TooUncertain(_)) => continue,
-            Err(refused) => panic!("axis {seed}: {refused:?}"),
-        };
-        let impulses = [1.0, 0.85, 1.15].map(|factor| Impulse::of_cycles(&plant.with_mass_factor(factor), 8192));
-        for proposal in found {
-            let ms = [0, 1, 2].map(|plant| true_ms(&impulses[plant], &proposal.stages, 0.0));
-            let truth = tried(&plant, &proposal)[0];
-            assert!(ms.iter().all(|ms| *ms < 2.1), "axis {seed}: {ms:?}");
-            assert!((truth / proposal.left.residuals[0] - 1.0).abs() < 0.2, "axis {seed}: {truth} {proposal:?}");
-        }
-    }
 }

@@ -1,0 +1,117 @@
+//! Other stages of improved position control in the text of an axis: a TOML set or an axis list. Its bytes outside of the stages and of
+//! `enable` stay as they are. Whether the result is right is not judged here.
+
+use super::stages_in_list;
+use super::stages_in_set;
+use crate::axis::{Filter, Mode, Stage};
+use crate::codes;
+use crate::config::{self, AxisList, Load, Source, file, given, list, project, set};
+use crate::diagnostics::{Diagnostic, Report};
+use crate::parameters::Name;
+use crate::parameters::words::Words;
+use std::path::Path;
+use std::sync::Arc;
+
+/// The file with the stages in the place of those of an axis, and with the mode DRYRUN. None: they cannot be written there, as
+/// the report says.
+pub fn with_stages(path: &Path, axis: &str, stages: &[Stage], load: Load<'_>) -> (Option<Vec<u8>>, Report) {
+    let mut report = Report::default();
+    let written = match file::read(path, None, load) {
+        Err(unreadable) => Err(unreadable),
+        Ok(source) if file::is_set(path) => in_set(&source, path, axis, stages, load),
+        Ok(source) => in_list(&source, axis, stages),
+    };
+    (written.map_err(|refused| report.extend(refused)).ok(), report)
+}
+
+fn in_set(
+    source: &Arc<Source>,
+    path: &Path,
+    name: &str,
+    stages: &[Stage],
+    load: Load<'_>,
+) -> Result<Vec<u8>, Report> {
+    let mut report = Report::default();
+    let Some(table) = set::parse(source, &mut report) else { return Err(report) };
+    let (_, axes) = set::top(source, table.get_ref(), &mut report);
+    let axis = axes.iter().find(|axis| axis.name == name);
+    let values = axis.map(|axis| set::values_of(source, *axis, &mut report)).unwrap_or_default();
+    if report.has_errors() {
+        return Err(report);
+    }
+    if given::list_of(&values, name, path, load).is_some() {
+        let (list, setting) = values.text(Name::List).map_or(("", None), |(list, setting)| (list, Some(setting)));
+        let found = format!("the axis {name} takes its values from {} and from keys of the set", config::shown(list));
+        let place = setting.map_or_else(|| source.whole(), config::Setting::value_place);
+        let instead = format!(
+            "`axgen tune {list} --cycle-time TIME --apply ...` writes into the list; keys of the set that give stages or enable \
+             take their place: take these out first"
+        );
+        return Err(Diagnostic::error(codes::NOT_WRITTEN, place, found).instead(instead).into());
+    }
+    let text = String::from_utf8_lossy(&source.bytes);
+    stages_in_set::edited(&text, name, stages).map(String::into_bytes).map_err(|found| {
+        let instead = format!(
+            "[axis.{name}.lr_param.improved_position_control] with enable, and its stages as [[...stage]] or as one array"
+        );
+        Diagnostic::error(codes::NOT_WRITTEN, source.whole(), found).instead(instead).into()
+    })
+}
+
+fn in_list(source: &Arc<Source>, name: &str, stages: &[Stage]) -> Result<Vec<u8>, Report> {
+    let list: AxisList = project::of_axis(project::lists(source)?, Some(name))?;
+    if list.source.is_converted() {
+        let found = "the file is an axis of TwinCAT NC, which has no improved position control";
+        let instead = "`axgen import` makes a set of the axis: the stages are written there";
+        return Err(Diagnostic::error(codes::NOT_WRITTEN, source.whole(), found).instead(instead).into());
+    }
+    let read = list::read(&list);
+    if read.report.has_errors() {
+        return Err(read.report);
+    }
+    let [before, behind] = list.around();
+    let edited = stages_in_list::edited(list.bytes(), stages);
+    list.source.encoding.encoded([before, &edited, behind].concat()).map_err(|character| {
+        let found = format!("the list has the character {character:?}, which its encoding lacks");
+        Diagnostic::error(codes::BYTE, source.whole(), found).into()
+    })
+}
+
+/// A key of a stage below `stage[i].`, with its value as a text, which is a word or a number.
+pub(super) struct Given {
+    pub(super) name: Name,
+    /// of a filter its number, else 0
+    pub(super) filter: u32,
+    pub(super) text: String,
+    /// whether it has to be written: else only where the axis has the key already
+    pub(super) is_needed: bool,
+}
+
+/// All keys that make a stage; those that are not needed have their defaults, or no effect.
+pub(super) fn keys(stage: &Stage) -> Vec<Given> {
+    let mut keys = Vec::new();
+    let mut add = |name, filter, text: String, is_needed| keys.push(Given { name, filter, text, is_needed });
+    add(Name::Mode, 0, stage.mode.word().to_owned(), true);
+    match stage.mode {
+        Mode::Direct { source } => add(Name::DirectSource, 0, source.name().to_owned(), source.name() != "v_motor"),
+        Mode::Indirect { osc_damping } | Mode::SetPoint { osc_damping } => {
+            add(Name::OscDamping, 0, osc_damping.to_string(), true);
+        }
+    }
+    add(Name::WeightFactNum, 0, stage.weight_fact_num.to_string(), true);
+    add(Name::WeightFactDenom, 0, stage.weight_fact_denom.to_string(), true);
+    for (k, filter) in (0..).zip(&stage.filter) {
+        let is_first = k == 0;
+        let kind = filter.kind().name();
+        add(Name::FilterType, k, kind.to_owned(), kind != if is_first { "BANDPASS" } else { "NO_FILTER" });
+        if let Filter::Bandpass { prototype, order, .. } = filter {
+            add(Name::FilterPrototype, k, prototype.name().to_owned(), !is_first || *order > 1);
+            add(Name::FilterOrder, k, order.to_string(), true);
+        }
+        if let Filter::Bandpass { f0, q_factor, .. } | Filter::Allpass { f0, q_factor } = filter {
+            add(Name::FilterF0, k, f0.to_string(), true);
+            add(Name::FilterQ, k, q_factor.to_string(), true);
+        }
+    }
+    keys
+}
