@@ -81,7 +81,6 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             },
             control: crate::axis::Control::default(),
             canonical: String::new(),
-            excitation: None,
             drive: Default::default(),
             canonical_of: Default::default(),
         }

@@ -66,7 +66,7 @@ pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tu
 }
 
 /// Says beforehand what would not be written.
-fn allowed(arguments: &SetArguments, of: &Tuned, rules: [Rule<'_>; 2]) -> Result<(), Exit> {
+fn allowed(arguments: &SetArguments, of: &TuneArguments, rules: [Rule<'_>; 2]) -> Result<(), Exit> {
     let outs: Vec<&Path> = of.signals.iter().chain(&of.picture).map(PathBuf::as_path).collect();
     one_file::told_apart(&outs)?;
     for (out, rule) in [of.signals.as_deref(), of.picture.as_deref()].into_iter().zip(rules) {
@@ -98,7 +98,13 @@ fn setup(axis: &str, tuning: &Tuning, of: &Proposal) -> Vec<String> {
 }
 
 /// Writes the files that were asked for, all or none.
-fn draw(moves: &Measured, with: &Record, setup: &[String], of: &Tuned, rules: [Rule<'_>; 2]) -> Result<(), Exit> {
+fn draw(
+    moves: &Measured,
+    with: &Record,
+    setup: &[String],
+    of: &TuneArguments,
+    rules: [Rule<'_>; 2],
+) -> Result<(), Exit> {
     let [of_signals, of_picture] = rules;
     let staged = of.signals.as_deref().map(|path| one_file::stage(path, signals::csv(with).as_bytes(), of_signals));
     let picture = of.picture.as_deref().zip(signals::svg(moves, with, setup.to_vec()));

@@ -59,7 +59,6 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
         },
         control: crate::axis::Control::default(),
         canonical: String::new(),
-        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     }

@@ -129,7 +129,6 @@ fn rack_and_pinion() -> Axis {
         },
         control: crate::axis::Control::default(),
         canonical: String::new(),
-        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     }

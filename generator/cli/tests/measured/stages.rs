@@ -71,7 +71,10 @@ fn stages_of_ones_own() {
     // The signals, measured like a recording, show what was predicted; their columns are those of the recording.
     let signals = read(&folder, "s.csv");
     assert_eq!(signals.lines().count(), MOVES.lines().count());
-    assert_eq!(signals.lines().next().unwrap(), "time [s],v_command [um/s],v_motor [um/s],x_command [mm],x_actual [mm],a_load [m/s^2]");
+    assert_eq!(
+        signals.lines().next().unwrap(),
+        "time [s],v_command [um/s],v_motor [um/s],x_command [mm],x_actual [mm],a_load [m/s^2]"
+    );
     let [before, after] = ["moves.csv", "s.csv"].map(|name| axgen(&folder, &["measure", name, "--json"]).json());
     let left = amplitude(&after, "driving", 53.0) / amplitude(&before, "driving", 53.0);
     assert!((left / figures[0].0 - 1.0).abs() < 0.02, "{left} {figures:?}");
@@ -110,7 +113,10 @@ fn stages_that_are_none() {
     let good = "mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5";
     assert_said(&folder, &[good], 0, &[]);
     let said = |spec: &str, parts: &[&str]| assert_said(&folder, &[spec], 2, parts);
-    said("mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5", &["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"]);
+    said(
+        "mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5",
+        &["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"],
+    );
     said("mode=DIRECT,fg_f0=53,q_factor=100", &["--stage: error[AX203]"]);
     said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is no key of a stage", "write instead: fg_f0"]);
     said("mode=DIRECT,fg_f0=53,q_factor=10,weight=0.12345", &["error[AX011]", "weight=0.12345", "up to 3 digits"]);
@@ -199,13 +205,20 @@ fn proposals_that_are_not_written() {
         lr_param.improved_position_control.v_add_max_fact 1000\n";
     write(&folder, "x.lis", list);
     write(&folder, "set.toml", "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n");
-    assert_kept(2, &["--apply", "first"], "set.toml:3:8: error[AX525]: the axis X takes its values from `x.lis` and from keys");
+    assert_kept(
+        2,
+        &["--apply", "first"],
+        "set.toml:3:8: error[AX525]: the axis X takes its values from `x.lis` and from keys",
+    );
     let of_list = ["tune", "x.lis", "--cycle-time", "1ms", "--recording", "moves.csv", "--apply", "first"];
     let run = axgen(&folder, &of_list);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     let written = read(&folder, "x.lis");
     assert!(written.starts_with(list), "{written}");
-    assert!(written.contains("lr_param.improved_position_control.enable") && written.contains(" DRYRUN\n"), "{written}");
+    assert!(
+        written.contains("lr_param.improved_position_control.enable") && written.contains(" DRYRUN\n"),
+        "{written}"
+    );
     let check = axgen(&folder, &["check", "x.lis", "--cycle-time", "1ms"]);
     assert_eq!(check.code, 0, "{}", check.err);
 }

@@ -113,7 +113,8 @@ fn proposals_for_random_axes() {
     let mut all: Vec<Statistics> = noises.iter().map(|_| Statistics::default()).collect();
     for seed in axes {
         let plant = axis(seed);
-        let truths = [1.0, 0.85, 1.15].map(|factor| Truth::of(&Impulse::of_cycles(&plant.with_mass_factor(factor), 8192)));
+        let truths =
+            [1.0, 0.85, 1.15].map(|factor| Truth::of(&Impulse::of_cycles(&plant.with_mass_factor(factor), 8192)));
         for (noise, statistics) in noises.iter().zip(&mut all) {
             let lines = measured(&plant, *noise);
             match proposed(&lines, &plant, *noise, &VIBRATIONS[..1], &stages) {
