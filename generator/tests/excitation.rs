@@ -1,7 +1,7 @@
 //! The block `excitation` against judges that share no code with it: the sequence of the crate `identification` and the digits of
 //! its definition, the spectrum of a held clock, the response of the demonstration plant, random inputs and overwritten states.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+#![expect(clippy::cast_possible_truncation, reason = "random bits")]
 
 use generator::blocks::{Design, Designed};
 use generator::config::ListOptions;

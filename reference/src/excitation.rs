@@ -168,8 +168,10 @@ pub fn is_sound<R: Real>(state: &State, coeffs: &Coeffs<R>) -> bool {
 #[portable]
 pub fn start<R: Real>(state: &mut State, coeffs: &Coeffs<R>, v_motor: R) {
     forget(state);
-    if v_motor > R::ZERO || v_motor < R::ZERO {
-        state.forward = v_motor > R::ZERO;
+    let forward = v_motor > R::ZERO;
+    let backward = v_motor < R::ZERO;
+    if forward || backward {
+        state.forward = forward;
         state.register = coeffs.ones;
         state.active = true;
     } else {
@@ -229,7 +231,8 @@ pub fn excite<R: Real>(state: &mut State, coeffs: &Coeffs<R>, outputs: &mut Outp
     outputs.period = if state.ends { 0u32 } else { state.period };
     let level =
         if state.fade < coeffs.fade_cycles { from_u32::<R>(state.fade) * coeffs.fade_step } else { coeffs.amplitude };
-    outputs.v_excite = if state.register % 2u32 > 0u32 { level } else { -level };
+    let last = state.register % 2u32;
+    outputs.v_excite = if last == 1u32 { level } else { -level };
     let ends = state.ends;
     if state.cycle < coeffs.clock {
         state.cycle += 1u32;

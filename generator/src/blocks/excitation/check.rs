@@ -32,7 +32,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time_ns: Option<u32>) -> Option
     let clock = clock.unwrap_or(usual.clock());
     let is_long = |of: &Sequence| of.period() as f64 * cycle_time >= PERIOD;
     let all = || (7..=15).filter_map(|bits| Sequence::new(bits, clock));
-    let shortest = all().find(is_long).or_else(|| all().last());
+    let shortest = all().find(is_long).or_else(|| all().next_back());
     let sequence = bits.map_or(shortest, |bits| Sequence::new(bits, clock))?;
     for (name, value) in [(Name::ExcitationBits, sequence.bits()), (Name::ExcitationClock, clock)] {
         e.note(key(name), &Value::Integer(i64::from(value)));

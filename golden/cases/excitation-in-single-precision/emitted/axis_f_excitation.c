@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  250000 ns
  * parameters  52ea14ef8d627d811e349af939f96b4b
- * structure   8e6964ca7d1a0dde298f6b5fe0af66c0
- * checksum    b09dceae025c3e71c27668ca4dd4b7b5
+ * structure   26c39f4f5e021c45829fac917674ff38
+ * checksum    bd48091a56efc74d788487fde541d1cb
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_excitation.h"
@@ -236,8 +236,10 @@ void axis_f_excitation_step(
             state->period = 0u;
             state->complete = false;
             state->reversed = false;
-            if (inputs->v_motor > 0.0f || inputs->v_motor < 0.0f) {
-                state->forward = inputs->v_motor > 0.0f;
+            const bool forward_next = inputs->v_motor > 0.0f;
+            const bool backward = inputs->v_motor < 0.0f;
+            if (forward_next || backward) {
+                state->forward = forward_next;
                 state->register_value = ones;
                 state->active = true;
             } else {
@@ -265,7 +267,8 @@ void axis_f_excitation_step(
             } else {
                 level = amplitude;
             }
-            if ((state->register_value % 2u) > 0u) {
+            const uint32_t last = state->register_value % 2u;
+            if (last == 1u) {
                 outputs->v_excite = level;
             } else {
                 outputs->v_excite = -level;
@@ -276,8 +279,8 @@ void axis_f_excitation_step(
             } else {
                 state->cycle = 1u;
                 const uint32_t register_value = state->register_value;
-                const uint32_t last = register_value % 2u;
-                const uint32_t sum = last + ((register_value / 16u) % 2u);
+                const uint32_t last_next = register_value % 2u;
+                const uint32_t sum = last_next + ((register_value / 16u) % 2u);
                 const uint32_t next = sum % 2u;
                 uint32_t register_next;
                 if (next > 0u) {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  250000 ns
  * parameters  52ea14ef8d627d811e349af939f96b4b
- * structure   8e6964ca7d1a0dde298f6b5fe0af66c0
- * checksum    0ad9726b65578ae3b3e5f08f655ace62
+ * structure   26c39f4f5e021c45829fac917674ff38
+ * checksum    19ab0dc0ae1ff424c5d313893ef66fee
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_EXCITATION_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_F_EXCITATION_PARAMETERS_2 0x1e349af9u
 #define AXIS_F_EXCITATION_PARAMETERS_3 0x39f96b4bu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_F_EXCITATION_STRUCTURE_0 0x8e6964cau
-#define AXIS_F_EXCITATION_STRUCTURE_1 0x7d1a0ddeu
-#define AXIS_F_EXCITATION_STRUCTURE_2 0x298f6b5fu
-#define AXIS_F_EXCITATION_STRUCTURE_3 0xe0af66c0u
+#define AXIS_F_EXCITATION_STRUCTURE_0 0x26c39f4fu
+#define AXIS_F_EXCITATION_STRUCTURE_1 0x5e021c45u
+#define AXIS_F_EXCITATION_STRUCTURE_2 0x829fac91u
+#define AXIS_F_EXCITATION_STRUCTURE_3 0x7674ff38u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_F_EXCITATION_INPUTS_SIZE 16u
 #define AXIS_F_EXCITATION_OUTPUTS_SIZE 20u

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
- * structure   3ccc46824a4e18b9264eeb32d789d58d
- * checksum    3b925938e20600c3a016eb73682549b7
+ * structure   3d16984b9144ac2a0928da46c422a764
+ * checksum    cf9fe6b23c042cd39ed7ca2d8c90c98b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_excitation.h"
@@ -160,8 +160,10 @@ void axis_x_excitation_step(
             state->period = 0u;
             state->complete = false;
             state->reversed = false;
-            if (inputs->v_motor > 0.0 || inputs->v_motor < 0.0) {
-                state->forward = inputs->v_motor > 0.0;
+            const bool forward_next = inputs->v_motor > 0.0;
+            const bool backward = inputs->v_motor < 0.0;
+            if (forward_next || backward) {
+                state->forward = forward_next;
                 state->register_value = ones;
                 state->active = true;
             } else {
@@ -189,7 +191,8 @@ void axis_x_excitation_step(
             } else {
                 level = amplitude;
             }
-            if ((state->register_value % 2u) > 0u) {
+            const uint32_t last = state->register_value % 2u;
+            if (last == 1u) {
                 outputs->v_excite = level;
             } else {
                 outputs->v_excite = -level;
@@ -200,8 +203,8 @@ void axis_x_excitation_step(
             } else {
                 state->cycle = 1u;
                 const uint32_t register_value = state->register_value;
-                const uint32_t last = register_value % 2u;
-                const uint32_t sum = last + ((register_value / 2u) % 2u);
+                const uint32_t last_next = register_value % 2u;
+                const uint32_t sum = last_next + ((register_value / 2u) % 2u);
                 const uint32_t next = sum % 2u;
                 uint32_t register_next;
                 if (next > 0u) {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
- * structure   3ccc46824a4e18b9264eeb32d789d58d
- * checksum    186c0db0d3776302b3c7d6446a21e4b7
+ * structure   3d16984b9144ac2a0928da46c422a764
+ * checksum    6476d97c7ebf5377a413aeb402619f07
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_EXCITATION_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_X_EXCITATION_PARAMETERS_2 0x8b3cffdcu
 #define AXIS_X_EXCITATION_PARAMETERS_3 0xeb646e22u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_EXCITATION_STRUCTURE_0 0x3ccc4682u
-#define AXIS_X_EXCITATION_STRUCTURE_1 0x4a4e18b9u
-#define AXIS_X_EXCITATION_STRUCTURE_2 0x264eeb32u
-#define AXIS_X_EXCITATION_STRUCTURE_3 0xd789d58du
+#define AXIS_X_EXCITATION_STRUCTURE_0 0x3d16984bu
+#define AXIS_X_EXCITATION_STRUCTURE_1 0x9144ac2au
+#define AXIS_X_EXCITATION_STRUCTURE_2 0x0928da46u
+#define AXIS_X_EXCITATION_STRUCTURE_3 0xc422a764u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_EXCITATION_INPUTS_SIZE 16u
 #define AXIS_X_EXCITATION_OUTPUTS_SIZE 24u

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  6d45c1b35d4481cd8b3cffdceb646e22
-// checksum    ea77381aaa018d7c22548564e72539c4
+// checksum    96f645b1b36abe84aad282cc9a1da5f5
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
@@ -249,8 +249,10 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             state.period = 0;
             state.complete = false;
             state.reversed = false;
-            if inputs.v_motor > 0.0 || inputs.v_motor < 0.0 {
-                state.forward = inputs.v_motor > 0.0;
+            let forward_next: bool = inputs.v_motor > 0.0;
+            let backward: bool = inputs.v_motor < 0.0;
+            if forward_next || backward {
+                state.forward = forward_next;
                 state.register = ONES;
                 state.active = true;
             } else {
@@ -276,7 +278,8 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             } else {
                 level = AMPLITUDE;
             }
-            if (state.register % 2) > 0 {
+            let last: u32 = state.register % 2;
+            if last == 1 {
                 outputs.v_excite = level;
             } else {
                 outputs.v_excite = -level;
@@ -287,8 +290,8 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
             } else {
                 state.cycle = 1;
                 let register: u32 = state.register;
-                let last: u32 = register % 2;
-                let sum: u32 = last.wrapping_add((register / 2) % 2);
+                let last_next: u32 = register % 2;
+                let sum: u32 = last_next.wrapping_add((register / 2) % 2);
                 let next: u32 = sum % 2;
                 let register_next: u32;
                 if next > 0 {
