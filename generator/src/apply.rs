@@ -6,9 +6,9 @@ use crate::blocks::Designed;
 use crate::codes;
 use crate::config::{ListOptions, Load, Unreadable};
 use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
+use crate::diff;
 use crate::import_export;
 use crate::pipeline::{self, Set};
-use crate::diff;
 use std::path::Path;
 
 /// A set, or a list, with other stages.
@@ -44,7 +44,8 @@ pub fn stages(
     let (is, report) = pipeline::read_with(path, options, &new);
     let (Some(was), Some(is)) = (was, is) else { return (None, report) };
     if !is_proved(&was, &is, axis, stages) {
-        let found = format!("the stages of the axis {axis} stand in a form that is not edited: other values would change");
+        let found =
+            format!("the stages of the axis {axis} stand in a form that is not edited: other values would change");
         let said = Diagnostic::error(codes::NOT_WRITTEN, Place::whole(path.slashes()), found);
         return (None, said.instead("the stages that were printed, by hand").into());
     }
@@ -69,7 +70,8 @@ fn is_changed(was: &Axis, is: &Axis, stages: &[Stage]) -> bool {
     expected.drive.clone_from(&is.drive);
     // What the digests are made of names the stages and the mode; the other blocks have neither.
     let rest = |axis: &Axis| {
-        let is_kept = |line: &&str| !line.contains(".improved_position_control.stage[") && !line.contains("_control.enable ");
+        let is_kept =
+            |line: &&str| !line.contains(".improved_position_control.stage[") && !line.contains("_control.enable ");
         axis.canonical.lines().filter(is_kept).map(str::to_owned).collect::<Vec<_>>()
     };
     let is_rest_same = rest(was) == rest(is);

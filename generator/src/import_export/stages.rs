@@ -24,13 +24,7 @@ pub fn with_stages(path: &Path, axis: &str, stages: &[Stage], load: Load<'_>) ->
     (written.map_err(|refused| report.extend(refused)).ok(), report)
 }
 
-fn in_set(
-    source: &Arc<Source>,
-    path: &Path,
-    name: &str,
-    stages: &[Stage],
-    load: Load<'_>,
-) -> Result<Vec<u8>, Report> {
+fn in_set(source: &Arc<Source>, path: &Path, name: &str, stages: &[Stage], load: Load<'_>) -> Result<Vec<u8>, Report> {
     let mut report = Report::default();
     let Some(table) = set::parse(source, &mut report) else { return Err(report) };
     let (_, axes) = set::top(source, table.get_ref(), &mut report);

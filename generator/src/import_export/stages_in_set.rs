@@ -2,7 +2,10 @@
 
 use super::stages::{Given, keys};
 use crate::axis::Stage;
-use crate::parameters::{Name, words::{Enable, Words}};
+use crate::parameters::{
+    Name,
+    words::{Enable, Words},
+};
 use std::ops::Range;
 use toml_edit::{Document, Item, Table, TableLike, Value};
 
@@ -111,7 +114,8 @@ impl Set<'_> {
         };
         match ipc.get("stage") {
             Some(Item::ArrayOfTables(old)) => {
-                let spans: Option<Vec<Range<usize>>> = old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
+                let spans: Option<Vec<Range<usize>>> =
+                    old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
                 let spans = spans.ok_or("a stage has no place")?;
                 for (k, span) in spans.iter().enumerate() {
                     let mut lines = self.line_start(span.start)..self.line_end(span.end);

@@ -108,7 +108,9 @@ fn a_set_in_every_form() {
         ),
         (
             "an array",
-            format!("{head}stage = [{{ mode = \"DIRECT\", filter = [{{ order = 1, fg_f0 = 9, q_factor = 1 }}] }}] # one\nenable = \"DRYRUN\"\n"),
+            format!(
+                "{head}stage = [{{ mode = \"DIRECT\", filter = [{{ order = 1, fg_f0 = 9, q_factor = 1 }}] }}] # one\nenable = \"DRYRUN\"\n"
+            ),
             format!("{head}stage = {ARRAY} # one\nenable = \"DRYRUN\"\n"),
         ),
         (

@@ -25,16 +25,8 @@ pub const SIGNALS: [(&str, Quantity); 11] = [
     ("a_load", Quantity::Acceleration),
 ];
 /// Signals of blocks that a recording may have too.
-const OTHERS: [&str; 8] = [
-    "mode",
-    "position_controlled",
-    "reset",
-    "task_cycle_ns",
-    "limited",
-    "fault",
-    "error_id",
-    "x_drive",
-];
+const OTHERS: [&str; 8] =
+    ["mode", "position_controlled", "reset", "task_cycle_ns", "limited", "fault", "error_id", "x_drive"];
 /// A step of that many intervals is a gap.
 const GAP: f64 = 1.5;
 

@@ -188,7 +188,8 @@ impl Record {
 
     /// The same with other samples of each channel, which its place among them and the channel give; without those of none.
     pub(crate) fn with(&self, samples: impl Fn(usize, &Channel) -> Option<Vec<f64>>) -> Self {
-        let changed = |(k, channel): (usize, &Channel)| Some(Channel { values: samples(k, channel)?, ..channel.clone() });
+        let changed =
+            |(k, channel): (usize, &Channel)| Some(Channel { values: samples(k, channel)?, ..channel.clone() });
         Self { cycle: self.cycle, channels: self.channels.iter().enumerate().filter_map(changed).collect() }
     }
 

@@ -60,7 +60,11 @@ const fn unit(name: &'static str, size: f64) -> Unit {
 impl Unit {
     /// The unit that a name states.
     pub(super) fn named(quantity: Quantity, name: &str) -> Option<Self> {
-        let plain = name.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "^2").replace("s2", "s^2").replace('\u{b0}', "deg");
+        let plain = name
+            .replace(['\u{b5}', '\u{3bc}'], "u")
+            .replace('\u{b2}', "^2")
+            .replace("s2", "s^2")
+            .replace('\u{b0}', "deg");
         quantity.units().iter().find(|unit| unit.name == plain).copied()
     }
 

@@ -69,14 +69,8 @@ impl Task<'_> {
         let record = figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
         let (cycle_time, position_gain) = (self.axis.cycle_time(), self.axis.drive.position_gain);
-        let task = proposals::Task {
-            cycle_time,
-            position_gain,
-            lines,
-            record,
-            vibrations: &vibrations,
-            stages: &*stages,
-        };
+        let task =
+            proposals::Task { cycle_time, position_gain, lines, record, vibrations: &vibrations, stages: &*stages };
         let found = match given {
             Some(given) => try_out(&task, controller(given, cycle_time, position_gain)).map(|trial| {
                 let proposals::Trial { left, effect, ms, is_useless } = trial;
@@ -143,7 +137,10 @@ impl Task<'_> {
         }
         if let Some(other) = all.iter().find(|stage| !looks_at_motor(stage)) {
             let found = format!("a stage takes {}, of which the response of the drive says nothing", other.mode.text());
-            return refuse(found, "try stages that look at v_motor: mode=INDIRECT, or mode=DIRECT without direct_source");
+            return refuse(
+                found,
+                "try stages that look at v_motor: mode=INDIRECT, or mode=DIRECT without direct_source",
+            );
         }
         Some(all)
     }
@@ -220,7 +217,8 @@ impl Task<'_> {
 fn is_stable(of: &Proposal, verdicts: &mut Vec<Verdict>) -> bool {
     const CASES: [&str; 4] = ["as measured", "half a cycle later", "with 15 % less load", "with 15 % more load"];
     let Some(predicted) = &of.predicted else { return true };
-    let cases: Vec<&str> = CASES.iter().zip(predicted.ms).filter(|(_, ms)| ms.is_infinite()).map(|(of, _)| *of).collect();
+    let cases: Vec<&str> =
+        CASES.iter().zip(predicted.ms).filter(|(_, ms)| ms.is_infinite()).map(|(of, _)| *of).collect();
     if cases.is_empty() {
         return true;
     }

@@ -6,8 +6,8 @@ use crate::measure::picture::{spectra, thinned};
 use crate::measure::{Channel, Measured, Record};
 use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
 use generator::axis::Stage;
-use identification::what_if::{Axis, WhatIf, following_error};
 use identification::Complex64;
+use identification::what_if::{Axis, WhatIf, following_error};
 use std::fmt::Write;
 
 /// The lines of a response above that part of half the sampling frequency are not used.
@@ -90,7 +90,8 @@ pub fn svg(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<String
     let mut panels = Vec::new();
     for name in ["a_load", "v_direct", "v_motor", "following_error", "v_add"] {
         let curve = |(label, of): (&str, &Record)| {
-            let values = if name == "following_error" { of.following_error()?.into_owned() } else { of.get(name)?.to_vec() };
+            let values =
+                if name == "following_error" { of.following_error()?.into_owned() } else { of.get(name)?.to_vec() };
             Some(Curve::new(label, thinned(&values, of.cycle)))
         };
         let curves: Vec<Curve> = both.into_iter().filter_map(curve).collect();
