@@ -102,6 +102,7 @@ fn left_at_load(plant: &Plant, truths: &[Truth; 3], proposal: &Proposal) -> Opti
 }
 
 #[test]
+#[expect(clippy::print_stdout, reason = "the statistics are what a reader of the run wants")]
 fn proposals_for_random_axes() {
     let every_level = std::env::var("AXGEN_EVERY_LEVEL").is_ok();
     let (axes, noises) = match every_level {
