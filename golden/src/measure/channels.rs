@@ -27,7 +27,7 @@ pub const SIGNALS: [(&str, Quantity); 11] = [
 /// Signals of blocks that a recording may have too.
 const OTHERS: [&str; 8] =
     ["mode", "position_controlled", "reset", "task_cycle_ns", "limited", "fault", "error_id", "x_drive"];
-/// A step of more than this number of intervals is a gap.
+/// A step of that many intervals is a gap.
 const GAP: f64 = 1.5;
 
 /// One channel.

@@ -270,3 +270,64 @@ fn an_order_shows_at_two_speeds() {
         assert!((number(line, "order") - 0.1).abs() < 0.001, "{line}");
     }
 }
+
+/// Other sampling intervals: what is measured is the same.
+#[test]
+fn other_cycle_times() {
+    let moves = csv(&MOVES, &OF_MOVES);
+    let rows: Vec<&str> = moves.lines().collect();
+    for step in [2, 4] {
+        let text: String =
+            (0..rows.len()).filter(|n| *n == 0 || (n - 1) % step == 0).map(|n| format!("{}\n", rows[n])).collect();
+        let run = measure(&text, &["--json"]);
+        assert_eq!(run.code, 0, "{step} ms: {}{}", run.out, run.err);
+        let json = run.json();
+        assert!((number(vibration(&json, "a_load", "driving", 53.0), "hz") - 53.0).abs() < 0.1, "{step} ms");
+        assert!((number(vibration(&json, "a_load", "ramps", 10.97), "hz") - 10.97).abs() < 0.05, "{step} ms");
+    }
+    let parts = |values: &Vec<f64>| {
+        let part = |n: usize, k: f64| values[n] + (values[n + 1] - values[n]) * k / 4.0;
+        (0..values.len() - 1).flat_map(|n| [0.0, 1.0, 2.0, 3.0].map(|k| part(n, k))).collect::<Vec<f64>>()
+    };
+    let fine = MOVES.each_ref().map(parts);
+    let text = csv(&fine, &OF_MOVES);
+    let timeless: String = text.lines().map(|line| format!("{}\n", line.split_once(',').unwrap().1)).collect();
+    let run = measure(&timeless, &["--cycle-time", "250us", "--json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    assert!((number(vibration(&run.json(), "a_load", "ramps", 10.97), "hz") - 10.97).abs() < 0.05);
+}
+
+/// A degree of a rotary axis stands for a millimetre: all else is the same.
+#[test]
+fn a_rotary_axis() {
+    let names =
+        ["x_command [deg]", "x_actual [deg]", "v_command", "v_motor [0.001 deg/s]", "v_cmd", "v_excite", "a_load"];
+    let run = measure(&plant::csv(&names, &MOVES, &OF_MOVES), &["--json"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    let json = run.json();
+    let unit = |of: &str| {
+        let channel = json["channels"].as_array().unwrap().iter().find(|channel| channel["name"] == of).unwrap();
+        channel["unit"].as_str().unwrap().to_owned()
+    };
+    assert_eq!(["v_command", "v_motor", "x_actual"].map(unit), ["0.001 deg/s", "0.001 deg/s", "deg"]);
+    assert!((number(vibration(&json, "following_error", "ramps", 10.97), "hz") - 10.97).abs() < 0.05);
+}
+
+/// At the speed at which the mesh rings in the band, its line repeats with the excitation.
+#[test]
+fn a_line_that_the_excitation_does_not_make() {
+    let run = measure(&csv(&excited(8, 0.53), &OF_EXCITED), &["--json"]);
+    let json = run.json();
+    let has_code = json["verdicts"].as_array().unwrap().iter().any(|of| of["code"] == "AX526");
+    assert!(run.code == 1 && has_code && json["response"].is_null(), "{:#}", json["verdicts"]);
+    // An excitation that is no sequence of a register, with stages on or off.
+    let mut foreign = EXCITED.clone();
+    let mut noise = Noise(5);
+    foreign[V_CMD].iter_mut().for_each(|v| *v = 20_000.0 + 5000.0 * noise.next());
+    assert_said("foreign", &csv(&foreign, &[V_CMD, V_MOTOR]), &["--excitation", "default"], "AX510", 1);
+    // A peak at the edge of the spectrum.
+    let edge = |values: &[f64]| -> Vec<f64> {
+        values.iter().enumerate().map(|(n, v)| v + 3.0 * (TAU * 498.5 * n as f64 * CYCLE).sin()).collect()
+    };
+    assert_said("edge", &csv(&changed(&MOVES, A_LOAD, edge), &OF_MOVES), &[], "AX513", 0);
+}

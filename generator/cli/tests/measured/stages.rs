@@ -1,8 +1,9 @@
 //! `axgen tune` with stages of one's own, its files, and proposals that are written into a set or a list.
 
-use crate::plant::{OF_EXCITED, OF_MOVES, axgen, moves, number};
+use crate::plant::{A_LOAD, CYCLE, Columns, OF_EXCITED, OF_MOVES, V_EXCITE, V_MOTOR, axgen, moves, number};
 use crate::tune::{SET, csv, drive, excited, folder, row, seen_error, tune};
 use serde_json::Value;
+use std::f64::consts::PI;
 use std::fs;
 use std::sync::LazyLock;
 use tempfile::TempDir;
@@ -120,7 +121,7 @@ fn stages_that_are_none() {
     said("mode=DIRECT,fg_f0=53,q_factor=100", &["--stage: error[AX203]"]);
     said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is no key of a stage", "write instead: fg_f0"]);
     said("mode=DIRECT,fg_f0=53,q_factor=10,weight=0.12345", &["error[AX011]", "weight=0.12345", "up to 3 digits"]);
-    said("mode=DIRECT,fg_f0=53,fg_f0=54", &["error[AX011]", "`fg_f0` is given twice"]);
+    said("mode=DIRECT,fg_f0=53,fg_f0=54", &["error[AX011]", "fg_f0` is given twice"]);
     said("mode=DIRECT,fg_f0=53,allpass=20", &["error[AX011]", "allpass=F0/Q"]);
     said("DIRECT", &["error[AX011]", "`DIRECT` has no value"]);
     said("mode=DIREKT,fg_f0=53,q_factor=10", &["error[AX"]);
@@ -221,4 +222,33 @@ fn proposals_that_are_not_written() {
     );
     let check = axgen(&folder, &["check", "x.lis", "--cycle-time", "1ms"]);
     assert_eq!(check.code, 0, "{}", check.err);
+}
+
+/// A dry run shows whether v_motor is what the block took: v_add_calculated is what its stages make of that.
+#[test]
+fn a_dry_run_shows_a_channel_that_is_late() {
+    let mut columns = moves();
+    // A DIRECT stage by its differences: a band-pass of 53 Hz, Q 10, weight 0.5, with bilinear coefficients.
+    let [centre, width] = [(PI * 53.0 * CYCLE).tan(), (PI * 5.3 * CYCLE).tan()];
+    let (square, width) = (centre * centre, (1.0 + centre * centre) * width);
+    let (a0, a1, a2) = (square + width + 1.0, 2.0 * (square - 1.0), square - width + 1.0);
+    let (mut x, mut y) = ([0.0; 2], [0.0; 2]);
+    let calculated = |v: &f64| {
+        let out = (width * (v - x[1]) - a1 * y[0] - a2 * y[1]) / a0;
+        (x, y) = ([*v, x[0]], [out, y[0]]);
+        -0.5 * out
+    };
+    columns[V_EXCITE] = columns[V_MOTOR].iter().map(calculated).collect();
+    let text =
+        |columns: &Columns| csv(columns, &[0, 1, 2, V_MOTOR, V_EXCITE, A_LOAD]).replace("v_excite", "v_add_calculated");
+    let folder = folder(&[("moves.csv", &text(&columns)), ("drive.csv", &drive(0.003, 1e-3))]);
+    let stage = STAGES.rsplit_once("[[axis").unwrap().0.replace("weight_fact_num = 3000", "weight_fact_num = 500");
+    write(&folder, "set.toml", &format!("{SET}{stage}"));
+    let run = tune(&folder, &["--response", "drive.csv", "--stage", "set"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    columns[V_MOTOR].insert(0, 0.0);
+    columns[V_MOTOR].pop();
+    write(&folder, "moves.csv", &text(&columns));
+    let run = tune(&folder, &["--response", "drive.csv", "--stage", "set"]);
+    assert!(run.code == 1 && run.err.contains("error[AX509]") && run.err.contains("is -1.0"), "{}{}", run.out, run.err);
 }
