@@ -2,6 +2,8 @@
 //! step by step, with the numbers of this axis. Nothing is designed here. What the page says is in its template;
 //! tests/tests/commissioning.rs follows it.
 
+mod excite;
+mod first;
 mod names;
 mod rows;
 mod stage;
@@ -27,16 +29,19 @@ const REST: f64 = 10.0;
 const RESERVE: u32 = 2;
 /// From one row to the next an amplitude may grow by so much [%]: no two records of a machine are the same.
 const GROWTH: f64 = 5.0;
-/// So long a position controller needs to come to rest, at the least [s].
-const LEAST_QUIET: f64 = 1.0;
+/// Shortest rest before and after a move [s]: `axgen measure` reads the decay from 0.15 to 0.95 s after a ramp.
+const LEAST_QUIET: f64 = 1.2;
 /// Denominator of a weight of a stage that must be there and add nothing.
 const NO_WEIGHT: u32 = 1_000_000;
-/// A mean is taken over so long, at the least [s].
+/// Shortest time over which a mean is taken [s].
 const LEAST_WINDOW: f64 = 0.5;
+/// Shortest time at constant velocity in a recorded move [s], and its first part, which `axgen measure` leaves out.
+const LEAST_DRIVE: f64 = 1.5;
+const SETTLING: f64 = 0.3;
 
 /// What the template shows.
 #[derive(Template)]
-#[template(path = "commissioning.md")]
+#[template(path = "commissioning/page.md")]
 struct Page {
     axis: String,
     /// the block to call: its name in the registry
@@ -51,6 +56,8 @@ struct Page {
     /// whether the block may report what is not a fault
     has_notices: bool,
     is_tunable: bool,
+    /// inputs of the block that hold it at rest
+    off: String,
     takes_sets: bool,
     /// the denominator of a weight that adds nothing
     no_weight: u32,
@@ -79,6 +86,8 @@ struct Page {
     /// [s]
     window: String,
     /// [s]
+    drive_time: String,
+    /// [s]
     quiet: String,
     agreement: f64,
     rest: f64,
@@ -96,11 +105,12 @@ struct Signal {
 /// block does. `parameters`: the digest of the parameters of its block `ipc`; `targets`: those that it is written for.
 pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
-    if !axis.ipc.is_active() || axis.control.master.is_some() {
-        return None;
-    }
     let name = format!("{}_commissioning.md", stem(&axis.name));
-    Some(rendered(&name, "", &page(designed, parameters, targets)))
+    match axis.ipc.is_active() {
+        _ if axis.control.master.is_some() => None,
+        true => Some(rendered(&name, "", &page(designed, parameters, targets))),
+        false => Some(rendered(&name, "", &first::page(axis, targets))),
+    }
 }
 
 fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
@@ -125,6 +135,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
+        off: off(&stages, is_tunable),
         takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,
         parameters,
@@ -140,6 +151,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         signals: signals(axis, is_inside),
         trial: if is_tunable { "" } else { "trial/" },
         window: digits(longest(|stage| stage.seconds, LEAST_WINDOW)),
+        drive_time: digits(longest(|stage| stage.seconds + SETTLING, LEAST_DRIVE)),
         quiet: digits(longest(|stage| stage.quiet, LEAST_QUIET)),
         stages,
         drive: if axis.drive.is_given() { "the drive that the set states" } else { "an ideal drive" },
@@ -150,6 +162,16 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         growth: GROWTH,
         reserve: RESERVE,
     }
+}
+
+/// What is written to the inputs of the block so that it adds nothing.
+fn off(stages: &[Stage], is_tunable: bool) -> String {
+    let mut off = "`mode := 0`".to_owned();
+    if is_tunable {
+        stages.iter().for_each(|stage| off += &format!(", `tuning_weight{} := 0`", stage.index));
+        off += " and `tuning_limit := 0`";
+    }
+    off
 }
 
 /// The blocks of an axis without one that holds the others, but for the block `ipc`.

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 /// The sections of a weight's steps begin with this one.
 const FIRST_WEIGHT_STEP: usize = 4;
 /// The sections of reading frequencies begin with this one.
-const FIRST_READ_STEP: usize = 2;
+const FIRST_READ_STEP: usize = 3;
 /// Time constants after which a section has come to rest: e^-10 is 5e-5.
 const TIME_CONSTANTS: f64 = 10.0;
 /// A record with a Hann window of so many periods of the bandwidth shows whether a peak lies within the band.
@@ -34,9 +34,8 @@ pub(super) struct Stage {
     pub(super) edges: [String; 2],
     pub(super) weight: String,
     pub(super) rows: Vec<Row>,
-    /// how long a record must be at the least [s], and the same as text
+    /// time at constant velocity that resolves its band [s]
     pub(super) seconds: f64,
-    pub(super) window: String,
     /// after which its sections have come to rest [s]
     pub(super) quiet: f64,
     pub(super) f0_path: String,
@@ -67,7 +66,6 @@ impl Stage {
             weight: significant(stage.weight(), 4),
             rows: rows(stage, |part| step(design, closed, part)),
             seconds,
-            window: digits(seconds),
             quiet: quiet(design),
             f0_path: path(Name::FilterF0),
             mode_path: path(Name::Mode),
@@ -84,7 +82,7 @@ fn seen_in(mode: Mode) -> String {
     match mode {
         Mode::Direct { .. } => format!("`{}`", mode.source()),
         Mode::Indirect { .. } | Mode::SetPoint { .. } => {
-            "the sensor at the load (it need not show in the velocity of the motor)".to_owned()
+            "`a_load` (this vibration need not show in `v_motor`); without a sensor, of `following_error`".to_owned()
         }
     }
 }
