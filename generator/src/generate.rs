@@ -1,7 +1,7 @@
 //! The whole way from a set to its files. Each step is one call.
 
 use crate::blocks::{self, Block, Designed, Part};
-use crate::target::{File, Header, Target, Unit};
+use crate::target::{BlockIdentity, File, Target, Unit};
 use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
 use rayon::prelude::*;
@@ -73,10 +73,10 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 }
 
 /// What the head of a file says of an axis and of one of its blocks.
-pub fn header(axis: &Axis, block: &Block) -> Header {
+pub fn identity(axis: &Axis, block: &Block) -> BlockIdentity {
     let name = block.program.block;
     let kind = blocks::named(name);
-    Header {
+    BlockIdentity {
         name: axis.name.clone(),
         real: axis.real,
         short_name: kind.filter(|_| axis.short_names).map(Part::short_name),
@@ -100,16 +100,16 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
 fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'static str, File)>, Defect> {
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
-    let headers: Vec<Header> = blocks.iter().map(|(_, block)| header(&designed.axis, block)).collect();
+    let identities: Vec<BlockIdentity> = blocks.iter().map(|(_, block)| identity(&designed.axis, block)).collect();
     let (mut files, mut legal) = (Vec::new(), BTreeMap::new());
     for target in targets {
-        for (header, (kind, block)) in headers.iter().zip(&blocks) {
+        for (identity, (kind, block)) in identities.iter().zip(&blocks) {
             let legal = match legal.entry((block.program.block, target.passes_of(block))) {
                 Entry::Occupied(known) => known.into_mut(),
                 Entry::Vacant(unknown) => unknown.insert(target.legal(block)?),
             };
-            let runner = target.runner(header, legal, |samples| kind.runner(designed, block, samples));
-            files.extend((target.files)(header, legal).into_iter().chain(runner).map(|file| (target.name, file)));
+            let runner = target.runner(identity, legal, |samples| kind.runner(designed, block, samples));
+            files.extend((target.files)(identity, legal).into_iter().chain(runner).map(|file| (target.name, file)));
         }
     }
     Ok(files)

@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::generate;
 use crate::number::digits;
 use crate::set_change::{Refusal, judge};
-use crate::target::{Header, block_name, c_prefix, rendered, st_set_name};
+use crate::target::{BlockIdentity, block_name, c_prefix, rendered, st_set_name};
 use askama::Template;
 use compiler::pass::Defect;
 use compiler::print::{Language, c, rust, signals, st};
@@ -119,7 +119,7 @@ pub fn values(designed: &Designed) -> Result<Vec<(String, Literal)>, Defect> {
 /// A defect of the block, of a pass, or of a target.
 pub fn bytes(designed: &Designed, form: Form) -> Result<Vec<u8>, Defect> {
     let Some(block) = block(designed)? else { return Ok(Vec::new()) };
-    let axis = generate::header(&designed.axis, &block);
+    let axis = generate::identity(&designed.axis, &block);
     Ok(match form {
         Form::C => {
             let of = listed(designed, &axis, &block, &c::LANGUAGE, names_in_c(&axis, &block, designed.sets[1]), "c");
@@ -169,7 +169,7 @@ struct StSet<'a> {
 
 /// A set in a language.
 struct Listed<'a> {
-    axis: &'a Header,
+    axis: &'a BlockIdentity,
     file: String,
     /// what the names of the block begin with
     block: String,
@@ -184,7 +184,7 @@ struct Listed<'a> {
 
 fn listed<'a>(
     designed: &Designed,
-    axis: &'a Header,
+    axis: &'a BlockIdentity,
     block: &Block,
     language: &Language,
     [prefix, name]: [String; 2],
@@ -218,13 +218,13 @@ fn members(block: &Block, language: &Language) -> Vec<(String, Literal)> {
 }
 
 /// What the names of the block begin with in every language but C.
-fn in_all(axis: &Header, block: &Block) -> String {
+fn in_all(axis: &BlockIdentity, block: &Block) -> String {
     block_name(&axis.name, block.program.block)
 }
 
 /// What the names of the block begin with in C, which its header is called by, and the name of the set. With short names it has at most
 /// 31 characters.
-fn names_in_c(axis: &Header, block: &Block, set: u32) -> [String; 2] {
+fn names_in_c(axis: &BlockIdentity, block: &Block, set: u32) -> [String; 2] {
     let header = c_prefix(axis, block.program.block);
     let between = if axis.short_name.is_some() { "set" } else { "set_" };
     let name = format!("{header}_{between}{set:08x}");

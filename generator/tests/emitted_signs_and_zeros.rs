@@ -6,7 +6,7 @@
 use compiler::program::{Expr, Statement, Type, Var};
 use generator::blocks::blocks;
 use generator::config::ListOptions;
-use generator::generate::header;
+use generator::generate::identity;
 use generator::pipeline::{Set, read, read_with};
 use generator::target::{File, TARGETS};
 use portable::{Binary, Literal, RealKind, Unary};
@@ -131,7 +131,7 @@ fn full_of_signs(set: &Set) -> Vec<(String, String)> {
         let of_comparison = |operator| Statement::Assign { target: limited, value: both(operator) };
         program.step.extend(sums.map(of_sum).into_iter().chain(comparisons.map(of_comparison)));
     }
-    let files = TARGETS.iter().flat_map(|target| target.files(&header(&axis.axis, &block), &block).unwrap());
+    let files = TARGETS.iter().flat_map(|target| target.files(&identity(&axis.axis, &block), &block).unwrap());
     files.map(|file| (file.name, file.text)).collect()
 }
 

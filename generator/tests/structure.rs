@@ -4,7 +4,7 @@
 
 use generator::blocks::blocks;
 use generator::config::ListOptions;
-use generator::generate::header;
+use generator::generate::identity;
 use generator::pipeline::read_with;
 use std::path::Path;
 
@@ -21,7 +21,7 @@ fn digests(set: &str) -> Vec<(&'static str, String)> {
     let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
     let set = set.unwrap_or_else(|| panic!("{report}"));
     let blocks = blocks(&set.axes[0]).unwrap();
-    blocks.iter().map(|block| (block.program.block, header(&set.axes[0].axis, block).structure_digest)).collect()
+    blocks.iter().map(|block| (block.program.block, identity(&set.axes[0].axis, block).structure_digest)).collect()
 }
 
 /// The blocks whose structure another line of the set changes.

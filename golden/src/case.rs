@@ -24,7 +24,7 @@ use generator::blocks::{self, Block};
 use generator::config::{self, ListOptions};
 use generator::diagnostics::Slashes;
 use generator::digest::digest;
-use generator::generate::header;
+use generator::generate::identity;
 use generator::pipeline;
 use generator::target::{File, TARGETS, Target};
 use generator::write;
@@ -197,14 +197,14 @@ pub fn vectors(case: &Case) -> Result<Samples, String> {
 }
 
 /// A run of a case and what it must leave in the case's folder.
-struct Recording {
+struct CaseFiles {
     files: Vec<File>,
     /// what the case says that it shows, and does not
     missing: Vec<String>,
 }
 
-/// What the reference answers now.
-fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
+/// What the reference and the targets give now.
+fn case_files(case: &Case, inputs: &Samples) -> Result<CaseFiles, String> {
     let outputs =
         engine::run(Engine::Reference, &case.axis, &case.block, inputs).map_err(|failure| failure.to_string())?;
     let (count, kept, reals) = match case.source {
@@ -227,14 +227,14 @@ fn recording(case: &Case, inputs: &Samples) -> Result<Recording, String> {
         |target: &&Target| case.emitted.as_ref().is_none_or(|kept| kept.iter().any(|name| name == target.name));
     let mut emitted = Vec::new();
     for target in TARGETS.iter().filter(is_kept) {
-        let files = target.files(&header(&case.axis.axis, &case.block), &case.block);
+        let files = target.files(&identity(&case.axis.axis, &case.block), &case.block);
         emitted.extend(files.map_err(|defect| defect.to_string())?);
     }
     // Self-tests follow from the blocks; tests run them, and the folder stays small.
     emitted.retain(|file: &File| !file.name.contains("_self_test."));
     let emitted = emitted.into_iter().map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
-    Ok(Recording {
+    Ok(CaseFiles {
         files: texts.chain(emitted).collect(),
         missing: case.shows.iter().filter(|word| !shown.contains(*word)).cloned().collect(),
     })
@@ -260,7 +260,7 @@ pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, Stri
 pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
     let keeps_inputs = made.is_none() && matches!(case.source, Source::Scenario(_));
     let inputs = made.map_or_else(|| inputs(case, DIGEST_SAMPLES), Ok)?;
-    let Recording { mut files, missing } = recording(case, &inputs)?;
+    let CaseFiles { mut files, missing } = case_files(case, &inputs)?;
     files.retain(|file| !(keeps_inputs && file.name == source::INPUTS));
     if !missing.is_empty() {
         return Err(format!("{}: the case does not show {}", case.folder.slashes(), missing.join(", ")));
@@ -298,7 +298,7 @@ pub fn verify_first(case: &Case) -> Result<Vec<String>, String> {
 fn differing(case: &Case, count: usize) -> Result<Vec<String>, String> {
     let is_stimulus = matches!(case.source, Source::Stimulus(_));
     let inputs = inputs(case, if is_stimulus { count } else { usize::MAX })?;
-    let Recording { mut files, missing } = recording(case, &inputs)?;
+    let CaseFiles { mut files, missing } = case_files(case, &inputs)?;
     let left_over = left_over(case, &files);
     files.retain(|file| file.name != source::DIGEST || !is_stimulus || count == DIGEST_SAMPLES);
     let mut differing: Vec<String> = missing.iter().map(|word| format!("shows: {word}")).collect();

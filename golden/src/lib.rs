@@ -1,5 +1,7 @@
 //! Stimuli, vectors, and the engines that must agree on every bit.
 //!
+//! Next to this crate: `cases` (golden cases), `machine` (simulated machines), `nc` (NC programs), `st` (the engine for ST).
+//!
 //! ```text
 //! stimulus   what the inputs do, sample by sample; waveform: the forms that it is made of, from integers and libm
 //! samples    the values of all signals of a run, packed; csv: the same as text; value: a cell of it

@@ -6,7 +6,7 @@
 
 use axgen_tests::cases::{all, in_both_real_types, title, without_stages};
 use axgen_tests::environment::{has, said};
-use generator::generate::{axis_files, header};
+use generator::generate::{axis_files, identity};
 use generator::target::{self, File};
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{Failure, rust};
@@ -19,7 +19,7 @@ use tempfile::TempDir;
 /// The module of a case.
 fn module(case: &Case) -> File {
     let target = target::named("rust").unwrap();
-    target.files(&header(&case.axis.axis, &case.block), &case.block).unwrap().remove(0)
+    target.files(&identity(&case.axis.axis, &case.block), &case.block).unwrap().remove(0)
 }
 
 /// A crate of modules, without the standard library and without unsafe code. Each lies in a folder of its own: names repeat.

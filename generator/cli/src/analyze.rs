@@ -1,6 +1,6 @@
 //! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table, as JSON, as a picture.
 
-use crate::arguments::{Analyzed, DriveArguments, SetArguments};
+use crate::arguments::{AnalyzeArguments, DriveArguments, SetArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
@@ -37,7 +37,7 @@ pub fn run(
     format: Format,
     axis: Option<&str>,
     drive: &DriveArguments,
-    to: &Analyzed,
+    to: &AnalyzeArguments,
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     if let Some(path) = &to.picture {

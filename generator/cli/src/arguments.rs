@@ -144,7 +144,7 @@ pub enum Command {
         #[command(flatten)]
         drive: DriveArguments,
         #[command(flatten)]
-        to: Analyzed,
+        to: AnalyzeArguments,
     },
     /// Runs the block of an axis in a closed loop with a drive, off against on: vibrations, following error, stability
     Simulate {
@@ -156,14 +156,14 @@ pub enum Command {
         #[command(flatten)]
         drive: DriveArguments,
         #[command(flatten)]
-        to: Simulated,
+        to: SimulateArguments,
     },
     /// Measures a recording of an axis: sampling, vibrations, and with an excitation the response of the drive
     Measure {
         /// CSV file of a recorder, `-`: standard input
         recording: PathBuf,
         #[command(flatten)]
-        of: Measured,
+        of: MeasureArguments,
     },
     /// Proposes stages for an axis from its recordings, with what they would leave of each vibration
     Tune {
@@ -173,7 +173,7 @@ pub enum Command {
         #[arg(long, value_name = "X")]
         axis: Option<String>,
         #[command(flatten)]
-        of: Tuned,
+        of: TuneArguments,
     },
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario {
@@ -361,7 +361,7 @@ pub struct DriveArguments {
 
 /// Where an analysis goes.
 #[derive(Args)]
-pub struct Analyzed {
+pub struct AnalyzeArguments {
     /// Print it for machines: JSON
     #[arg(long)]
     pub json: bool,
@@ -375,7 +375,7 @@ pub struct Analyzed {
 
 /// What is simulated, and where it goes.
 #[derive(Args)]
-pub struct Simulated {
+pub struct SimulateArguments {
     /// A machine with mechanics in the place of the drive
     #[arg(long, value_name = "PLANT", value_parser = ["demonstration"],
         conflicts_with_all = ["delay", "time_constant", "response", "response_from", "speed_gain", "speed_integral_time"])]
@@ -408,7 +408,7 @@ pub struct Simulated {
 
 /// How a recording is measured, and where the results go.
 #[derive(Args)]
-pub struct Measured {
+pub struct MeasureArguments {
     /// A second recording of the same machine, made with an excitation: the response, and the side that vibrations are from
     #[arg(long, value_name = "FILE")]
     pub excited: Option<PathBuf>,
@@ -438,7 +438,7 @@ pub struct Measured {
 
 /// What stages are proposed from.
 #[derive(Args)]
-pub struct Tuned {
+pub struct TuneArguments {
     /// CSV file of a recorder: moves with all stages off, from rest to rest
     #[arg(long, value_name = "FILE")]
     pub recording: PathBuf,

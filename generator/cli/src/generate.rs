@@ -23,7 +23,7 @@ use std::path::{Path, PathBuf};
 const DESCRIBED_AXES: usize = 10;
 
 /// What the command takes, in addition to the set.
-pub struct Request {
+pub struct GenerateArguments {
     /// target languages; empty: the set's
     pub targets: Vec<String>,
     /// axes; empty: all
@@ -47,8 +47,8 @@ enum Purpose {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
-    let Request { axes, out, .. } = request;
+pub fn run(arguments: &SetArguments, format: Format, request: &GenerateArguments) -> Result<Exit, Exit> {
+    let GenerateArguments { axes, out, .. } = request;
     let (mut set, warnings) = input::read(arguments, format)?;
     for name in axes {
         input::axis(&set, Some(name))?;

@@ -2,7 +2,7 @@
 
 use crate::exit::Exit;
 use crate::messages::Format;
-use crate::run::{Request, is_standard};
+use crate::run::{RunArguments, is_standard};
 use crate::scenario;
 use generator::blocks::{Block, Designed};
 use generator::codes;
@@ -25,7 +25,7 @@ pub struct Given {
 }
 
 /// Reads the files that the request names.
-pub fn read(request: &Request, designed: &Designed, block: &Block, format: Format) -> Result<Given, Exit> {
+pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: Format) -> Result<Given, Exit> {
     let shape = |variables| Shape::of(variables, designed.axis.real);
     let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let cycle = designed.axis.cycle_time_ns;

@@ -9,7 +9,7 @@ use generator::import_export;
 use std::path::Path;
 
 /// What the command takes, in addition to the list.
-pub struct Request<'r> {
+pub struct ImportArguments<'r> {
     /// the cycle time of the set; none: the set has a line to fill in
     pub cycle_time: Option<String>,
     /// the name of the axis; none: from the file's name
@@ -23,8 +23,8 @@ pub struct Request<'r> {
 }
 
 /// Runs the command.
-pub fn run(list: &Path, request: Request<'_>) -> Result<Exit, Exit> {
-    let Request { cycle_time, name, out, force, format } = request;
+pub fn run(list: &Path, request: ImportArguments<'_>) -> Result<Exit, Exit> {
+    let ImportArguments { cycle_time, name, out, force, format } = request;
     one_file::kept_apart(out, [list])?;
     let (set, report) =
         import_export::import(list, &ListOptions { cycle_time, name, ..ListOptions::default() }, &config::load);

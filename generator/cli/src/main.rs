@@ -75,7 +75,11 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
     match command {
         Command::Generate { set, targets, axes, runner, out, force, check, diff, emit } => {
             let compare = if diff { Some(Show::Lines) } else { check.then_some(Show::Names) };
-            generate::run(&set, format, &generate::Request { targets, axes, runner, out, force, compare, emit })
+            generate::run(
+                &set,
+                format,
+                &generate::GenerateArguments { targets, axes, runner, out, force, compare, emit },
+            )
         }
         Command::Check { set, verbose } => check::run(&set, format, verbose),
         Command::Run {
@@ -94,7 +98,8 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
             hex,
         } => {
             let options = scenario::options(program_axis, cycles);
-            let of = run::Request { axis, block, engine, stimulus, scenario, options, compare, map, out, force, hex };
+            let of =
+                run::RunArguments { axis, block, engine, stimulus, scenario, options, compare, map, out, force, hex };
             run::run(&set, format, &of)
         }
         Command::Verify { set, samples, scenario: None, engines, results, .. } => {
@@ -113,19 +118,20 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Tune { set, axis, of } => tune::run(&set, format, axis.as_deref(), &of),
         Command::Scenario { set, program, axis, block, drive, program_axis, cycles, stimulus, picture, force } => {
             let options = scenario::options(program_axis, cycles);
-            let request = scenario::Request { axis, block, drive, program, options, stimulus, picture, force };
+            let request =
+                scenario::ScenarioArguments { axis, block, drive, program, options, stimulus, picture, force };
             scenario::run(&set, format, &request)
         }
         Command::Diff { old, new, cycle_time, name } => {
             diff::run(&old, &new, &ListOptions { cycle_time, name, ..ListOptions::default() }, format)
         }
         Command::Import { list, cycle_time, name, to: OneFile { out, force } } => {
-            import::run(&list, import::Request { cycle_time, name, out: out.as_deref(), force, format })
+            import::run(&list, import::ImportArguments { cycle_time, name, out: out.as_deref(), force, format })
         }
         Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), to.out.as_deref(), to.force, format),
         Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
         Command::ParamsOf { set, axis, on, form, to: ToFile { output, force } } => {
-            params_of::run(&set, format, &params_of::Request { axis, on, form, out: output, force })
+            params_of::run(&set, format, &params_of::ParamsOfArguments { axis, on, form, out: output, force })
         }
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Init { file } => init::run(&file),

@@ -1,6 +1,6 @@
 //! `axgen measure`: what a recording shows of an axis, as a report, as JSON, as a picture, and its response as CSV.
 
-use crate::arguments::Measured as Arguments;
+use crate::arguments::MeasureArguments;
 use crate::exit::Exit;
 use crate::given::{self, name_of};
 use crate::messages::{self, Format};
@@ -97,7 +97,7 @@ impl<'a> Recordings<'a> {
 }
 
 /// Runs the command.
-pub fn run(recording: &Path, of: &Arguments, format: Format) -> Result<Exit, Exit> {
+pub fn run(recording: &Path, of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
     let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let rules = [Rule::own(of.force, &is_response), Rule::own(of.force, &is_picture)];
@@ -138,7 +138,7 @@ fn measured(
 }
 
 /// Writes the files that were asked for, all or none.
-fn write(all: &Recordings<'_>, of: &Arguments, [of_response, of_picture]: [Rule<'_>; 2]) -> Result<(), Exit> {
+fn write(all: &Recordings<'_>, of: &MeasureArguments, [of_response, of_picture]: [Rule<'_>; 2]) -> Result<(), Exit> {
     let response = match (of.response.as_deref(), all.response()) {
         (Some(path), Some(excited)) => Some(one_file::stage(path, text::response(excited).as_bytes(), of_response)?),
         (Some(_), None) if !all.measured().any(Measured::refuses) => {

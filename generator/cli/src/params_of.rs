@@ -13,7 +13,7 @@ use generator::params_of::{self, Form};
 use std::path::PathBuf;
 
 /// What the command takes, in addition to the set.
-pub struct Request {
+pub struct ParamsOfArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
     /// what the block on the machine was generated from
@@ -27,8 +27,8 @@ pub struct Request {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
-    let Request { axis, on, form, out, force } = request;
+pub fn run(arguments: &SetArguments, format: Format, request: &ParamsOfArguments) -> Result<Exit, Exit> {
+    let ParamsOfArguments { axis, on, form, out, force } = request;
     let form =
         Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
     one_file::kept_apart(out.as_deref(), [arguments.set.as_path(), on.as_path()])?;

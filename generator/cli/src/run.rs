@@ -19,7 +19,7 @@ use golden::samples::{Samples, Shape};
 use std::path::{Path, PathBuf};
 
 /// What the command takes, in addition to the set.
-pub struct Request {
+pub struct RunArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
     /// the block
@@ -51,7 +51,7 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, request: &RunArguments) -> Result<Exit, Exit> {
     let (set, _) = input::read(arguments, format)?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of(designed, &request.block)?;
@@ -63,7 +63,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Resul
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
     let rule = Rule::own(request.force, &is_output);
     if let Some(out) = out {
-        let Request { stimulus, scenario, compare, .. } = request;
+        let RunArguments { stimulus, scenario, compare, .. } = request;
         let inputs = [Some(arguments.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
         rule.allows(out)?;

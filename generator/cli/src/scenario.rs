@@ -18,7 +18,7 @@ use golden::svg;
 use std::path::{Path, PathBuf};
 
 /// What the command takes, in addition to the set.
-pub struct Request {
+pub struct ScenarioArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
     /// the block; none: the usual one of the axis
@@ -38,7 +38,7 @@ pub struct Request {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &Request) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, request: &ScenarioArguments) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, request.drive.keys(), format)?;
     let designed = input::axis(&set, request.axis.as_deref())?;
     let block = block_of_scenario(designed, request.block.as_deref())?;

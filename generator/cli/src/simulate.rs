@@ -1,6 +1,6 @@
 //! `axgen simulate`: the block of an axis in a closed loop, off against on, as a table, as CSV and as a picture.
 
-use crate::arguments::{DriveArguments, SetArguments, Simulated};
+use crate::arguments::{DriveArguments, SetArguments, SimulateArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
@@ -44,7 +44,7 @@ pub fn run<'a>(
     format: Format,
     axis: Option<&str>,
     drive: &DriveArguments,
-    to: &'a Simulated,
+    to: &'a SimulateArguments,
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     let designed = input::axis(&set, axis)?;

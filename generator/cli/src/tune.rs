@@ -1,6 +1,6 @@
 //! `axgen tune`: stages that recordings of an axis ask for, as a report or as JSON.
 
-use crate::arguments::{DriveArguments, SetArguments, Tuned};
+use crate::arguments::{DriveArguments, SetArguments, TuneArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::measure::{Reading, Recordings, say, verdicts_json};
@@ -11,7 +11,7 @@ use golden::tune::{self, Prefer, Proposal, Stage, Tuning, text};
 use serde_json::{Value, json};
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tuned) -> Result<Exit, Exit> {
+pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &TuneArguments) -> Result<Exit, Exit> {
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let set = input::read_to_tune(arguments, drive.keys(), format)?;
     let designed = input::axis(&set, axis)?;

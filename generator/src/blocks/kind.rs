@@ -4,8 +4,8 @@ use super::designed::Designed;
 use super::part::{Certified, Part};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
-use crate::exercise::{self, Exercise, Recording, Run, Running, SelfTest, Trial, Wanted};
-use compiler::legalise::{self, Own};
+use crate::exercise::{self, Exercise, RecordedAnswers, Run, Running, SelfTest, Trial, Wanted};
+use compiler::legalise::{self, AxisProgram};
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
@@ -28,7 +28,7 @@ pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
 }
 
 /// A block that an axis may have.
-pub trait Kind: Part {
+pub trait BlockKind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
@@ -39,7 +39,7 @@ pub trait Kind: Part {
     fn typed(&self, designed: &Designed) -> &dyn Typed;
 }
 
-impl<P: Part + Design> Kind for P {
+impl<P: Part + Design> BlockKind for P {
     fn name(&self) -> &'static str {
         <P as Reference<f64>>::NAME
     }
@@ -56,7 +56,7 @@ impl<P: Part + Design> Kind for P {
     }
 }
 
-impl dyn Kind + '_ {
+impl dyn BlockKind + '_ {
     /// The program after the pass of that name; none: as the specialiser gives it.
     ///
     /// # Errors
@@ -97,11 +97,11 @@ impl dyn Kind + '_ {
     }
 }
 
-/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`Kind`] does.
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`BlockKind`] does.
 pub trait Typed: Sync {
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-    #[expect(clippy::missing_errors_doc, reason = "that of Kind")]
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn block(&self, part: &dyn Part, designed: &Designed) -> Result<Block, Defect>;
     fn start(&self, designed: &Designed) -> Box<dyn Run>;
     fn coefficients(&self, designed: &Designed) -> Vec<Literal>;
@@ -190,14 +190,14 @@ pub struct Block {
     /// verified
     pub program: Program,
     /// the same with the signals that the axis has
-    pub own: Own,
+    pub own: AxisProgram,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
     pub(crate) exercise: Arc<Exercise>,
     pub(crate) self_test: SelfTest,
     pub(crate) trial: Trial,
     /// what the reference answers in the trial
-    pub(crate) answers: Recording,
+    pub(crate) answers: RecordedAnswers,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
     /// what is certain of its outputs, whatever its state and its inputs hold

@@ -24,7 +24,7 @@ pub use crate::exercise::Drill;
 pub use designed::Designed;
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use kind::{Block, Design, Kind, Typed};
+pub use kind::{Block, BlockKind, Design, Typed};
 pub use part::{Certified, Figure, Part, Summary};
 pub(crate) use values::{Value, differences};
 
@@ -33,7 +33,7 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn Kind; 6] = [
+pub(crate) const BLOCKS: [&dyn BlockKind; 6] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
@@ -49,22 +49,22 @@ pub(crate) const POSITION_CONTROL: &str = <reference::position_control::Position
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
-pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn Kind> {
+pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn BlockKind> {
     BLOCKS.into_iter().filter(|kind| kind.is_asked_for(axis))
 }
 
 pub fn names(axis: &Axis) -> Vec<&'static str> {
-    of_axis(axis).map(Kind::name).collect()
+    of_axis(axis).map(BlockKind::name).collect()
 }
 
 /// The block of that name.
-pub fn named(name: &str) -> Option<&'static dyn Kind> {
+pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
 /// The signals of that name: the block, whether it is an output, and what it means.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
-    let of_block = |kind: &&'static dyn Kind| {
+    let of_block = |kind: &&'static dyn BlockKind| {
         let [inputs, outputs] = kind.signals();
         let block = kind.name();
         [(inputs, false), (outputs, true)].map(|(fields, is_output)| {

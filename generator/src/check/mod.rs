@@ -28,7 +28,7 @@ use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, Boolean, DriveType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
-use crate::rules::{drive, effective::Effective};
+use crate::rules::{drive, effective::Effective, presence::Presence};
 use portable::RealKind;
 
 /// The cycle time of the set, in ns.
@@ -167,20 +167,21 @@ fn control(
     e.block = Some(FEEDFORWARD);
     e.integer(v_max);
     let feedforward = feedforward::check(e, cycle_time, &drive);
-    let has_feedforward = feedforward.as_ref().and_then(Option::as_ref);
+    let has_feedforward = feedforward.as_ref().and_then(Presence::as_present);
     e.block = Some(POSITION_CONTROL);
     e.integer(v_max);
     let position_control =
         feedforward.as_ref().and_then(|_| position_control::check(e, &drive, ipc, has_feedforward, master.is_some()));
     e.block = Some(SPINDLE);
     let spindle = match changes_over {
-        true => spindle::check(e, cycle_time, &drive, has_feedforward, master.is_some()).map(Some),
+        true => spindle::check(e, cycle_time, &drive, has_feedforward, master.is_some()).map(Presence::Present),
         false => {
             spindle::no_changeover(e, cycle_time, axis_type, &drive);
-            Some(None)
+            Some(Presence::Absent)
         }
     };
-    let (feedforward, position_control, spindle) = (feedforward?, position_control?, spindle?);
+    let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
+    let spindle = spindle?.present();
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
     let assumed = e.assumed(|name| assumed::is_told(name, is_active || spindle.is_some()));
     let control = Control {

@@ -7,13 +7,13 @@ use crate::codes;
 use crate::diagnostics::Diagnostic;
 
 /// What a file seems to be, and what to do.
-type Kind = (&'static str, &'static str);
+type FileKind = (&'static str, &'static str);
 
-const SET: Kind = ("seems to be a set in TOML", "a name that ends with .toml");
+const SET: FileKind = ("seems to be a set in TOML", "a name that ends with .toml");
 
 /// What is to be said instead of everything else about a list; none: it is one, or nearly.
 pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnostic> {
-    let said = |(what, instead): Kind| {
+    let said = |(what, instead): FileKind| {
         let found = format!("no parameter of an axis is in the file: it {what}");
         Diagnostic::error(codes::NO_LIST, list.source.whole(), found).allowed("an axis list").instead(instead)
     };
@@ -76,7 +76,7 @@ fn is_of_an_axis(line: Content<'_>) -> bool {
     first.len() < path.len() && path::structures().any(|structure| structure.trim_end_matches("[]").as_bytes() == first)
 }
 
-fn seems(bytes: &[u8]) -> Kind {
+fn seems(bytes: &[u8]) -> FileKind {
     let of_list = |first: &[&str]| {
         let is = |line: Statement<'_>| first.contains(&line.path.split(['.', '[']).next().unwrap_or_default());
         statements(bytes).any(is)

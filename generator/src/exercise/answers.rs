@@ -22,7 +22,7 @@ pub(crate) struct Answer {
 }
 
 /// The answers, recorded where they are first looked at: not every target prints them.
-pub(crate) type Recording = Arc<LazyLock<Vec<Answer>, Box<dyn FnOnce() -> Vec<Answer> + Send>>>;
+pub(crate) type RecordedAnswers = Arc<LazyLock<Vec<Answer>, Box<dyn FnOnce() -> Vec<Answer> + Send>>>;
 
 /// Runs the reference when somebody asks; `state_paths` are the paths of all leaves of its state.
 pub(crate) fn recording(
@@ -30,7 +30,7 @@ pub(crate) fn recording(
     program: &Program,
     state_paths: &[String],
     start: impl FnOnce() -> Box<dyn Run> + Send + 'static,
-) -> Recording {
+) -> RecordedAnswers {
     let works = Works::of(program, state_paths);
     Arc::new(LazyLock::new(Box::new(move || record(&trial, &mut *start(), works))))
 }

@@ -1,7 +1,7 @@
 //! What happens to the inputs of a block in its exercise. When it happens, the kind of run says.
 
 use super::noise::Noise;
-use compiler::legalise::{Own, RealInput};
+use compiler::legalise::{AxisProgram, RealInput};
 use compiler::program::{Program, Variable};
 use compiler::{leaf, leaves};
 use portable::{Block, Literal, Real};
@@ -78,7 +78,7 @@ impl Exercise {
     /// The exercise of a block; `state_paths` are the paths of all leaves of the reference's state.
     pub(crate) fn of<R: Real, B: Block<R>>(
         coeffs: &B::Coeffs,
-        (program, own): (&Program, &Own),
+        (program, own): (&Program, &AxisProgram),
         state_paths: &[String],
         wanted: &Wanted,
     ) -> Self {

@@ -1,6 +1,6 @@
 //! Where the position is controlled, and what the drive's process data hold. No feedforward here.
 
-use super::effective::Effective;
+use super::{effective::Effective, presence::Presence};
 use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
 use crate::config::values::{Key, key};
 use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
@@ -17,12 +17,12 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; outer none: an error, which has been said.
-    pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Option<Velocity>> {
-        let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(None) };
+    /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; none: an error, which has been reported.
+    pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Presence<Velocity>> {
+        let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(Presence::Absent) };
         let velocity = velocity(e, width);
         note(e, &[Name::AdditiveVelocityData]);
-        Some(Some(velocity?))
+        Some(Presence::Present(velocity?))
     }
 
     /// The increments per revolution of the gear step are 0 (P-AXIS-00092), and something needs them.

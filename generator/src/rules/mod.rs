@@ -3,3 +3,4 @@
 pub(crate) mod corrected;
 pub(crate) mod drive;
 pub(crate) mod effective;
+pub(crate) mod presence;

@@ -2,7 +2,7 @@
 
 use super::st::listing::set_name;
 use super::{RealKind, TARGETS, Unit};
-use crate::blocks::{self, Kind};
+use crate::blocks::{self, BlockKind};
 use crate::digest::has_right_checksum;
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub fn is_generated(name: &str, text: &str) -> bool {
 
 /// What shared files may know of an axis, from its files of a target with their names; none: their heads do not say it.
 pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
-    let block = |text: &String| line(text, "block ").and_then(blocks::named).map(Kind::name);
+    let block = |text: &String| line(text, "block ").and_then(blocks::named).map(BlockKind::name);
     let mut of_files = files.iter().map(|(_, text)| block(text)).collect::<Option<Vec<_>>>()?;
     of_files.sort_unstable();
     of_files.dedup();

@@ -41,11 +41,11 @@ pub struct Target {
     /// what it calls a block of an axis, and its self-test
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
-    pub(crate) files: fn(&Header, &Legal<'_>) -> Vec<File>,
+    pub(crate) files: fn(&BlockIdentity, &LegalBlock<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
     /// the file of a block's runner; not every language has one
-    runner: Option<fn(&Header, &Legal<'_>, &Runner) -> File>,
+    runner: Option<fn(&BlockIdentity, &LegalBlock<'_>, &Runner) -> File>,
     /// number of samples of the runner written with each block; `None`: no runner
     samples: Option<usize>,
 }
@@ -67,7 +67,7 @@ const fn target(
     name: &'static str,
     passes: &'static [Stage],
     called: fn(&str, &str, Option<&str>) -> [String; 2],
-    files: fn(&Header, &Legal<'_>) -> Vec<File>,
+    files: fn(&BlockIdentity, &LegalBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
     Target { name, passes, called, files, shared, runner: None, samples: None }
@@ -93,8 +93,8 @@ impl Target {
     ///
     /// # Errors
     /// A defect of a legalising pass.
-    pub fn legal<'b>(&self, block: &'b Block) -> Result<Legal<'b>, Defect> {
-        Ok(Legal { program: self.program(block)?, block })
+    pub fn legal<'b>(&self, block: &'b Block) -> Result<LegalBlock<'b>, Defect> {
+        Ok(LegalBlock { program: self.program(block)?, block })
     }
 
     /// The names of the passes that change the program of a block: after the same passes it is the same program.
@@ -106,8 +106,8 @@ impl Target {
     ///
     /// # Errors
     /// A defect of a legalising pass.
-    pub fn files(&self, header: &Header, block: &Block) -> Result<Vec<File>, Defect> {
-        Ok((self.files)(header, &self.legal(block)?))
+    pub fn files(&self, identity: &BlockIdentity, block: &Block) -> Result<Vec<File>, Defect> {
+        Ok((self.files)(identity, &self.legal(block)?))
     }
 
     /// The target with a runner of this number of samples for each block, if the language has runners.
@@ -117,14 +117,19 @@ impl Target {
     }
 
     /// The file of a block's runner, if requested; `record` runs the reference for the given number of samples.
-    pub fn runner(&self, header: &Header, block: &Legal<'_>, record: impl FnOnce(usize) -> Runner) -> Option<File> {
-        Some((self.runner?)(header, block, &record(self.samples?)))
+    pub fn runner(
+        &self,
+        identity: &BlockIdentity,
+        block: &LegalBlock<'_>,
+        record: impl FnOnce(usize) -> Runner,
+    ) -> Option<File> {
+        Some((self.runner?)(identity, block, &record(self.samples?)))
     }
 }
 
 /// What the head of a file says of an axis and of a block.
 #[derive(Clone, Debug)]
-pub struct Header {
+pub struct BlockIdentity {
     pub name: String,
     pub real: RealKind,
     /// what the block is called where the axis wants short names in C
@@ -141,12 +146,12 @@ pub struct Header {
 
 /// A block with its program as the language of a target can say it.
 #[derive(Clone, Debug)]
-pub struct Legal<'b> {
+pub struct LegalBlock<'b> {
     block: &'b Block,
     program: Cow<'b, Program>,
 }
 
-impl Legal<'_> {
+impl LegalBlock<'_> {
     /// What the name of an input is, by its position among all, where the language has the inputs of the axis as they are.
     fn input<'n>(&self, names: &'n [String], position: usize) -> &'n str {
         let own = self.block.own.inputs.iter().position(|kept| *kept == position);

@@ -1,7 +1,7 @@
 //! What the files of every language list of a block: its signals with their meaning, and its numbers in groups that belong
 //! together. How a type, a number or a comment looks is the language's business.
 
-use super::{Header, Legal, unit};
+use super::{BlockIdentity, LegalBlock, unit};
 use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
 use compiler::print::{Appearance, Language, Printer, comment};
 use compiler::program::{Constant, Local, Origin, Program, Type, Variable};
@@ -45,8 +45,8 @@ pub(super) struct Group {
 
 /// What is listed of a block, in a language.
 pub(super) struct Outline<'l> {
-    pub(super) axis: &'l Header,
-    pub(super) block: &'l Legal<'l>,
+    pub(super) axis: &'l BlockIdentity,
+    pub(super) block: &'l LegalBlock<'l>,
     pub(super) language: &'static Language,
     pub(super) printer: &'l Printer<'l>,
     /// between two lines of a comment at the left

@@ -5,7 +5,7 @@ use super::dwell;
 use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
 use super::number::{INTEGER, integer};
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::{Axis, Command, Target};
 use super::word::{Function, Modal, Placed, Word};
 use std::collections::BTreeMap;
@@ -59,7 +59,7 @@ pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut
         }
     }
     if let Some(placed) = is(Function::MachinePosition) {
-        mistakes.pass(Kind::MachinePosition, placed.column, &placed.text.to_ascii_uppercase());
+        mistakes.pass(PassedKind::MachinePosition, placed.column, &placed.text.to_ascii_uppercase());
         return Vec::new();
     }
     let target = Target::Axes;
@@ -103,7 +103,7 @@ impl InForce {
 
     fn travel(&mut self, rapid: bool, axes: &[Position<'_, '_>], mistakes: &mut Mistakes) -> Command {
         if !rapid && self.feed.is_none() {
-            mistakes.pass(Kind::NoFeed, axes[0].placed.column, "");
+            mistakes.pass(PassedKind::NoFeed, axes[0].placed.column, "");
         }
         let mut ends = Vec::new();
         for Position { axis, number, .. } in axes {
@@ -134,7 +134,7 @@ impl InForce {
             return;
         }
         lonely(function, axes, "`G92 X0`", mistakes);
-        mistakes.pass(Kind::Preset, function.column, "");
+        mistakes.pass(PassedKind::Preset, function.column, "");
         for Position { axis, number, .. } in axes {
             let place = self.place.get(axis).copied().unwrap_or_default();
             self.shift.insert(*axis, place - self.length(*axis, *number));

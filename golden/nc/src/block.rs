@@ -3,7 +3,7 @@
 
 use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::Command;
 use super::word::{Function, Parameters, Placed, Word};
 use super::{axes, spindle};
@@ -32,14 +32,14 @@ fn note_passed(words: &[Placed<'_>], mistakes: &mut Mistakes) {
     for Placed { column, text, word } in words {
         match word {
             Word::Passed(kind, _) => mistakes.pass(*kind, *column, &spelt(*kind, text)),
-            Word::Skip => mistakes.pass(Kind::Skip, *column, ""),
+            Word::Skip => mistakes.pass(PassedKind::Skip, *column, ""),
             _ => {}
         }
     }
 }
 
 /// A word as a note has it: numbers of programs and of tools, and texts, are the word's letter.
-fn spelt(kind: Kind, text: &str) -> String {
+fn spelt(kind: PassedKind, text: &str) -> String {
     let end = match (kind, text.chars().next()) {
         (_, Some('T' | 't' | 'D' | 'd' | 'H' | 'h' | 'O' | 'o' | ':')) => 1,
         (_, Some('#')) => {

@@ -1,7 +1,7 @@
 //! The time of a dwell: which words of its block say it, and in which unit. Nothing of motion.
 
 use super::mistake::{Mistakes, shown};
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::Command;
 use super::word::{Placed, Word};
 
@@ -44,7 +44,7 @@ fn time(word: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) -> Optio
         Word::Parameter { value, is_integer, .. } => {
             if is_integer {
                 let text = format!("{} {}", dwell.text, word.text).to_ascii_uppercase();
-                mistakes.pass(Kind::DwellUnit, word.column, &text);
+                mistakes.pass(PassedKind::DwellUnit, word.column, &text);
             }
             Some(if is_integer && value >= MILLISECONDS { value / 1000.0 } else { value })
         }

@@ -32,7 +32,7 @@
 //! | `G4 X2.5`, `G4 F2`, `G4 P1.5`, `#TIME 2` | dwell [s] |
 //! | `M30`, `M2` | end |
 //!
-//! What controllers do differently is settled here, or noted in the program ([`Kind`]):
+//! What controllers do differently is settled here, or noted in the program ([`PassedKind`]):
 //! - The number after an axis of `G74` is its turn in a sequence; only 1 is allowed. Axes that come later stand in a later
 //!   block.
 //! - M5, M19, `S[G74]` and `S[PUTAX]` end the direction in force. S stays in force for a later `M3` or `M4`; the S word of
@@ -59,6 +59,6 @@ mod unknown;
 mod word;
 
 pub use mistake::Mistake;
-pub use passed::{Kind, Passed};
+pub use passed::{Passed, PassedKind};
 pub use program::{Axis, Block, Command, Direction, Program, Target};
 pub use read::read;

@@ -2,7 +2,7 @@
 //! instead.
 
 use super::foreign::Foreign;
-use super::passed::{Kind, PassedOver};
+use super::passed::{PassedKind, PassedOver};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -82,7 +82,7 @@ impl Mistakes {
     }
 
     /// A word of the present line that is passed over.
-    pub(crate) fn pass(&mut self, kind: Kind, column: usize, word: &str) {
+    pub(crate) fn pass(&mut self, kind: PassedKind, column: usize, word: &str) {
         self.passed.push(kind, self.line, column, word);
     }
 

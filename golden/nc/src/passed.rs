@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// A kind of words, or of lines, that are passed over or taken in one of several meanings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum PassedKind {
     /// T, D, H, M6, G40, G43, G44, G49: lengths and radii of tools
     Tool,
     /// M0, M1, M7 to M9 and the other M words that no other kind has
@@ -34,7 +34,7 @@ pub enum Kind {
 /// What was passed over of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Passed {
-    pub kind: Kind,
+    pub kind: PassedKind,
     /// the first one's line, from 1
     pub line: usize,
     /// the first one's character of the line, from 1
@@ -47,10 +47,10 @@ pub struct Passed {
 
 /// What is passed over, as it is found.
 #[derive(Default)]
-pub(crate) struct PassedOver(BTreeMap<Kind, Passed>);
+pub(crate) struct PassedOver(BTreeMap<PassedKind, Passed>);
 
 impl PassedOver {
-    pub(crate) fn push(&mut self, kind: Kind, line: usize, column: usize, word: &str) {
+    pub(crate) fn push(&mut self, kind: PassedKind, line: usize, column: usize, word: &str) {
         const MOST: usize = 8;
         let first = || Passed { kind, line, column, words: Vec::new(), count: 0 };
         let passed = self.0.entry(kind).or_insert_with(first);

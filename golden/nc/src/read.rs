@@ -4,7 +4,7 @@ use super::block::{self, InForce};
 use super::foreign::Foreign;
 use super::lexical::{self, Comment, Piece};
 use super::mistake::{Mistake, Mistakes, shown};
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::{Block, Command, Program};
 use super::unknown;
 use super::word::{self, Placed, Word};
@@ -44,7 +44,7 @@ impl Reader {
         let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return };
         if self.ended {
             if !first.text.starts_with('%') {
-                self.mistakes.pass(Kind::AfterEnd, first.column, "");
+                self.mistakes.pass(PassedKind::AfterEnd, first.column, "");
             }
             return;
         }
@@ -120,7 +120,7 @@ impl Reader {
     fn finish(&mut self, place: Option<(usize, usize)>) {
         let (line, column) = place.unwrap_or((self.mistakes.line, 1));
         self.mistakes.line = line;
-        self.mistakes.pass(Kind::NoEnd, column, "");
+        self.mistakes.pass(PassedKind::NoEnd, column, "");
         self.blocks.push(Block { line, number: None, commands: vec![Command::End] });
         self.ended = true;
     }

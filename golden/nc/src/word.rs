@@ -5,7 +5,7 @@ use super::foreign::{self, Foreign};
 use super::lexical::Piece;
 use super::mistake::Mistakes;
 use super::number;
-use super::passed::Kind;
+use super::passed::PassedKind;
 use super::program::{Axis, Direction};
 
 /// A word of a block.
@@ -42,7 +42,7 @@ pub(crate) enum Word {
     /// #TIME, in s
     Wait(f64),
     /// without effect; whether words of the letters above belong to it
-    Passed(Kind, Parameters),
+    Passed(PassedKind, Parameters),
     /// of another language, or not read
     Foreign(Foreign),
 }
@@ -132,8 +132,8 @@ pub(crate) fn parse(text: &str) -> Option<Word> {
         // The direction of a spindle is its M word, never a sign.
         'S' => speed(number::decimal(number)?),
         'F' => feed(number::decimal(number)?),
-        'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(Kind::Tool, Parameters::No)),
-        'O' => number::count(number).map(|_| Word::Passed(Kind::Setting, Parameters::No)),
+        'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(PassedKind::Tool, Parameters::No)),
+        'O' => number::count(number).map(|_| Word::Passed(PassedKind::Setting, Parameters::No)),
         'P' | 'Q' | 'R' | 'L' | 'I' | 'J' | 'K' => {
             let is_integer = number::count(number).is_some();
             number::decimal(number).map(|value| Word::Parameter { value, letter: first, is_integer })
@@ -156,10 +156,10 @@ fn command(upper: &str) -> Option<Word> {
     let name = rest.split(|letter: char| !letter.is_ascii_alphanumeric()).next().unwrap_or_default();
     Some(match (first, name) {
         ("/", _) => Word::Skip,
-        (":", _) => number::count(rest).map(|_| Word::Passed(Kind::Setting, Parameters::No))?,
+        (":", _) => number::count(rest).map(|_| Word::Passed(PassedKind::Setting, Parameters::No))?,
         ("#", "TIME") => Word::Wait(number::decimal(rest["TIME".len()..].trim()).filter(|seconds| *seconds >= 0.0)?),
-        ("#", "MSG" | "FLUSH") => Word::Passed(Kind::Setting, Parameters::No),
-        ("#", "SLOPE" | "HSC" | "CONTOUR" | "FILTER") => Word::Passed(Kind::PathMode, Parameters::No),
+        ("#", "MSG" | "FLUSH") => Word::Passed(PassedKind::Setting, Parameters::No),
+        ("#", "SLOPE" | "HSC" | "CONTOUR" | "FILTER") => Word::Passed(PassedKind::PathMode, Parameters::No),
         ("#" | "$", _) => Word::Foreign(foreign::text(upper)),
         _ => return None,
     })
@@ -183,12 +183,14 @@ fn g_word(number: &str) -> Word {
         "20" | "70" => Word::Modal(Modal::Inches),
         "21" | "71" => Word::Modal(Modal::Millimetres),
         "92.1" | "92.2" => Word::Modal(Modal::NoPreset),
-        "40" | "43" | "44" | "49" => Word::Passed(Kind::Tool, Parameters::No),
+        "40" | "43" | "44" | "49" => Word::Passed(PassedKind::Tool, Parameters::No),
         "17" | "18" | "19" | "15" | "50.1" | "64.1" | "69" | "80" | "90.1" | "91.1" | "94" | "97" => {
-            Word::Passed(Kind::Setting, Parameters::No)
+            Word::Passed(PassedKind::Setting, Parameters::No)
         }
-        "5.1" | "8" | "9" | "60" | "61" | "61.1" | "64" | "187" | "260" | "261" => passed(Kind::PathMode),
-        "54" | "55" | "56" | "57" | "58" | "59" | "54.1" | "54.2" | "59.1" | "59.2" | "59.3" => passed(Kind::Offset),
+        "5.1" | "8" | "9" | "60" | "61" | "61.1" | "64" | "187" | "260" | "261" => passed(PassedKind::PathMode),
+        "54" | "55" | "56" | "57" | "58" | "59" | "54.1" | "54.2" | "59.1" | "59.2" | "59.3" => {
+            passed(PassedKind::Offset)
+        }
         _ => Word::Foreign(foreign::g_word(number)),
     }
 }
@@ -200,14 +202,14 @@ fn m_word(number: &str) -> Word {
         "3" => Word::Turn(Direction::Positive),
         "4" => Word::Turn(Direction::Negative),
         "5" => Word::Stop,
-        "6" => Word::Passed(Kind::Tool, Parameters::No),
+        "6" => Word::Passed(PassedKind::Tool, Parameters::No),
         "19" => Word::Position,
         "17" | "96" | "97" | "98" | "99" => Word::Foreign(Foreign::Subprogram),
         "29" => Word::Foreign(Foreign::Cycle),
         // M66 E0 L0; of printers: M92 E415, M205 X8.
         _ if number.len() > 2 || number.starts_with(['6', '8', '9']) && number.len() == 2 => {
-            Word::Passed(Kind::Machine, Parameters::All)
+            Word::Passed(PassedKind::Machine, Parameters::All)
         }
-        _ => Word::Passed(Kind::Machine, Parameters::Letters),
+        _ => Word::Passed(PassedKind::Machine, Parameters::Letters),
     }
 }

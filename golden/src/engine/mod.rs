@@ -14,7 +14,7 @@ pub use reference::{Cycle, start};
 
 use crate::samples::Samples;
 use generator::blocks::{Block, Designed};
-use generator::generate::header;
+use generator::generate::identity;
 use generator::target::{self, File, Target};
 use st::Dialect;
 use std::fmt;
@@ -117,7 +117,7 @@ fn target(name: &str) -> Target {
 
 /// The files of a block in a target.
 fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
-    target.files(&header(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
+    target.files(&identity(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
 /// Runs a block through the emitted C and a compiler of one's choice.

@@ -1,7 +1,7 @@
 //! What a scenario does otherwise than its program says: a note for each kind, with its first place and the number of them.
 
 use generator::codes;
-use nc::{Kind, Passed};
+use nc::{Passed, PassedKind};
 
 /// A warning about a program, or about a program on an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,26 +28,28 @@ pub(super) fn of(passed: &Passed) -> Note {
     let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
     let words_of = |what: &str| format!("{}{listed} of {what} passed over", counted(*count, "word"));
     let (code, found, instead) = match kind {
-        Kind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
-        Kind::Machine => (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", ""),
-        Kind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
-        Kind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
-        Kind::Offset => (
+        PassedKind::Tool => (codes::NC_PASSED, words_of("the tool") + ": its length and its radius are taken as 0", ""),
+        PassedKind::Machine => {
+            (codes::NC_PASSED, words_of("the machine") + ": no time, no stop and no output of them", "")
+        }
+        PassedKind::Setting => (codes::NC_PASSED, words_of("settings") + ": they change nothing here", ""),
+        PassedKind::PathMode => (codes::NC_PATH_MODE, words_of("the path mode") + ": each block ends with a stop", ""),
+        PassedKind::Offset => (
             codes::NC_OFFSET,
             words_of("zero offsets") + ": all offsets are taken as 0",
             "positions of the machine, if several offsets are used",
         ),
-        Kind::MachinePosition => (
+        PassedKind::MachinePosition => (
             codes::NC_OFFSET,
             format!("{}{listed} to positions of the machine not made: they are unknown", counted(*count, "move")),
             "`G74 X1`, or `G00` and the position",
         ),
-        Kind::Skip => (
+        PassedKind::Skip => (
             codes::NC_ASSUMED,
             format!("{} with `/` run, as with the switch off", counted(*count, "block")),
             "the program without them, if they are skipped on the machine",
         ),
-        Kind::DwellUnit => (
+        PassedKind::DwellUnit => (
             codes::NC_ASSUMED,
             format!(
                 "{}{listed} with a time of unknown unit: taken as ms from 100 on, below as s",
@@ -55,20 +57,20 @@ pub(super) fn of(passed: &Passed) -> Note {
             ),
             "`G04 X` and seconds",
         ),
-        Kind::Preset => (
+        PassedKind::Preset => (
             codes::NC_ASSUMED,
             format!("{} with `G92` taken as another number for the present position", counted(*count, "block")),
             "positions without `G92`, if the controller adds its numbers to them",
         ),
-        Kind::NoFeed => (
+        PassedKind::NoFeed => (
             codes::NC_ASSUMED,
             format!("{} with `G01` before any F: made with vb_max (P-AXIS-00212)", counted(*count, "move")),
             "`F` and a feed in mm/min",
         ),
-        Kind::NoEnd => {
+        PassedKind::NoEnd => {
             (codes::NC_ASSUMED, "a program without `M30` or `M2`: its end is the end of the file".to_owned(), "`M30`")
         }
-        Kind::AfterEnd => (
+        PassedKind::AfterEnd => (
             codes::NC_ASSUMED,
             format!("{} after the end of the program not read", counted(*count, "line")),
             "a file of one program",

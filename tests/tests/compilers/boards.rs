@@ -2,7 +2,7 @@
 
 use axgen_tests::environment::has;
 use generator::blocks::{self, Block, Designed};
-use generator::generate::header;
+use generator::generate::identity;
 use generator::target::{File, TARGETS};
 use std::borrow::Borrow;
 use std::path::Path;
@@ -73,12 +73,12 @@ impl Emitted {
     /// Makes them, with a runner of N samples.
     pub fn of(designed: &Designed, block: &Block, samples: usize) -> Self {
         let kind = blocks::named(block.program.block).expect("a block of the axis");
-        let header = header(&designed.axis, block);
+        let identity = identity(&designed.axis, block);
         let target = TARGETS[0].with_runners(samples).expect("C has runners");
-        let mut files = target.files(&header, block).expect("C prints every block");
+        let mut files = target.files(&identity, block).expect("C prints every block");
         let prefix = files[0].name.trim_end_matches(".h").to_owned();
         let legal = target.legal(block).expect("C says every block");
-        let runner = target.runner(&header, &legal, |samples| kind.runner(designed, block, samples));
+        let runner = target.runner(&identity, &legal, |samples| kind.runner(designed, block, samples));
         files.push(runner.expect("C has runners"));
         Self { prefix, files }
     }

@@ -3,7 +3,7 @@
 use crate::{cases, in_turn, tools};
 use axgen_tests::cases::{title, without_stages};
 use axgen_tests::environment::has;
-use generator::generate::header;
+use generator::generate::identity;
 use generator::target::{File, TARGETS};
 use golden::case::Case;
 use rayon::prelude::*;
@@ -133,7 +133,7 @@ fn symbols(folder: &Path, options: &[&str]) -> String {
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let files =
-        TARGETS[0].files(&header(&case.axis.axis, &case.block), &case.block).expect("the target prints the block");
+        TARGETS[0].files(&identity(&case.axis.axis, &case.block), &case.block).expect("the target prints the block");
     for File { name, text } in &files {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }

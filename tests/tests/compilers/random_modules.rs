@@ -6,7 +6,7 @@ use axgen_tests::environment::by_depth;
 use axgen_tests::model::random;
 use axgen_tests::random::rng::Rng;
 use generator::blocks::{self, Block, Designed};
-use generator::generate::header;
+use generator::generate::identity;
 use generator::target::{self, File};
 use golden::engine::{self, Engine, rust};
 use golden::exercise;
@@ -36,7 +36,7 @@ fn emitted(index: usize) -> Option<Emitted> {
     let designed = numbered(index, &set);
     let block = blocks::blocks(&designed).unwrap_or_else(|defect| panic!("axis {index}: {defect}")).pop()?;
     let target = target::named("rust").expect("there is a target for Rust");
-    let file = target.files(&header(&designed.axis, &block), &block).expect("Rust prints every block").remove(0);
+    let file = target.files(&identity(&designed.axis, &block), &block).expect("Rust prints every block").remove(0);
     let inputs = exercise::inputs(&designed, &block, SAMPLES);
     Some(Emitted { designed, block, file, inputs })
 }

@@ -9,7 +9,7 @@ mod sound;
 use axgen_tests::environment::by_depth;
 use axgen_tests::model::{random, subject};
 use axgen_tests::random::rng::Rng;
-use generator::blocks::{Designed, Kind, of_axis};
+use generator::blocks::{BlockKind, Designed, of_axis};
 use golden::case;
 use rayon::prelude::*;
 use std::path::Path;
@@ -17,7 +17,7 @@ use std::path::Path;
 const SEED: u64 = 20_261_124;
 
 /// Of every golden case its axis, with its blocks.
-fn subjects() -> Vec<(String, Designed, &'static dyn Kind)> {
+fn subjects() -> Vec<(String, Designed, &'static dyn BlockKind)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/cases");
     let mut subjects = Vec::new();
     for folder in case::folders(&root).expect("the cases") {

@@ -2,7 +2,7 @@
 
 use compiler::program::{Constant, Expr, Origin, Program, Statement, Var, map_expressions};
 use compiler::ranges::{self, Limit};
-use generator::blocks::{Kind, of_axis};
+use generator::blocks::{BlockKind, of_axis};
 use golden::case;
 use portable::{Binary, Intrinsic, Literal, Unary};
 use std::path::Path;
@@ -11,7 +11,7 @@ use std::path::Path;
 fn program(case: &str, block: &str) -> (Program, f64) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/cases").join(case);
     let designed = case::axis(&folder).expect("the axis of a case");
-    let kind: &dyn Kind = of_axis(&designed.axis).find(|kind| kind.name() == block).expect("the block");
+    let kind: &dyn BlockKind = of_axis(&designed.axis).find(|kind| kind.name() == block).expect("the block");
     let limit = kind.limit(&designed).and_then(|figure| compiler::arithmetic::wide(figure.value));
     (kind.program(&designed, Some("verified")).expect("a program"), limit.unwrap_or(0.0))
 }

@@ -20,7 +20,7 @@ mod task;
 mod whole;
 
 pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
-pub use own::{Own, RealInput, own};
+pub use own::{AxisProgram, RealInput, own};
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;

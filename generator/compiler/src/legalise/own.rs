@@ -6,7 +6,7 @@ use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressi
 
 /// A program with the signals that its axis has.
 #[derive(Clone, Debug)]
-pub struct Own {
+pub struct AxisProgram {
     pub program: Program,
     /// the position that each of its inputs has among all
     pub inputs: Vec<usize>,
@@ -14,7 +14,7 @@ pub struct Own {
     pub outputs: Vec<usize>,
 }
 
-impl Own {
+impl AxisProgram {
     /// Its inputs outside the parameter set, by their position among all.
     pub fn signals(&self) -> Vec<usize> {
         let places = self.program.inputs.iter().zip(&self.inputs);
@@ -50,7 +50,7 @@ pub struct RealInput {
 ///
 /// # Errors
 /// A defect of the program.
-pub fn own(program: &Program) -> Result<Own, Defect> {
+pub fn own(program: &Program) -> Result<AxisProgram, Defect> {
     let (read, changing) = (read(program), changing(program));
     let mut program = program.clone();
     drop_outputs(&mut program, &changing);
@@ -69,7 +69,7 @@ pub fn own(program: &Program) -> Result<Own, Defect> {
     if let Some(switch) = &mut program.switch {
         switch.input = place(&inputs, switch.input);
     }
-    Ok(Own { program: prune::run(program)?, inputs, outputs })
+    Ok(AxisProgram { program: prune::run(program)?, inputs, outputs })
 }
 
 /// Which inputs a cycle reads.

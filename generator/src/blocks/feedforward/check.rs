@@ -4,15 +4,15 @@ use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
 use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive};
-use crate::rules::{corrected, effective::Effective};
+use crate::rules::{corrected, effective::Effective, presence::Presence};
 use crate::{codes, config::values::key, diagnostics::Diagnostic};
 
-/// Feedforward of one axis; outer none: an error, which has been said; inner none: there is none.
-pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Option<Feedforward>> {
+/// Feedforward of one axis; none: an error, which has been reported.
+pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Presence<Feedforward>> {
     let words: Vec<FeedforwardWord> = e.validated_words(key(Name::FeedforwardMode))?;
     let has = |word| words.contains(&word);
     if has(FeedforwardWord::None) || words.is_empty() {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     e.note(key(Name::FeedforwardMode), &Value::Words(words.iter().map(|word| word.name()).collect()));
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
@@ -22,7 +22,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     let default_active = e.word::<Boolean>(key(Name::DefaultActive)).map(|word| word == Boolean::True);
     let global_disable = e.word::<Boolean>(key(Name::GlobalDisable)).map(|word| word == Boolean::True);
     let [weight, acceleration, jerk] = weights(e, &mut ways);
-    let [conventional, additive, mut torque] = ways;
+    let Ways { conventional, additive, mut torque } = ways;
     let mut delay = |is_used: bool, name, code| match is_used {
         true => corrected::delay(e, name, cycle_time, code),
         false => Some(0),
@@ -30,12 +30,12 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     let velocity_delay = delay(additive.any(), Name::VelocityDelayTime, (codes::VELOCITY_DELAY, 70349));
     let acceleration_delay = delay(torque.acceleration, Name::AccelerationDelayTime, (codes::TORQUE_DELAY, 70348));
     let jerk_delay = delay(torque.jerk, Name::JerkDelayTime, (codes::TORQUE_DELAY, 70348));
-    let velocity = drive.velocity(e, additive.any())?;
-    let torque_scale = if torque.any() { torque_of(e, drive)? } else { None };
+    let velocity = drive.velocity(e, additive.any())?.present();
+    let torque_scale = if torque.any() { torque_of(e, drive)?.present() } else { None };
     if torque_scale.is_none() {
         torque = Quantities::default();
     }
-    Some(Some(Feedforward {
+    Some(Presence::Present(Feedforward {
         conventional,
         additive,
         torque,
@@ -52,9 +52,27 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Driv
     }))
 }
 
+/// The quantities that go each way.
+#[derive(Clone, Copy, Default)]
+struct Ways {
+    /// to the position controller
+    conventional: Quantities,
+    /// to the drive, as an additive velocity
+    additive: Quantities,
+    /// to the drive, as an additive torque
+    torque: Quantities,
+}
+
+impl Ways {
+    /// The quantities that go to the position controller or are added to the velocity.
+    fn sums(self) -> Quantities {
+        self.conventional.with(self.additive)
+    }
+}
+
 /// The ways of the quantities that the drive has a datum for.
-fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive) -> [Quantities; 3] {
-    let [mut conventional, mut additive, mut torque] = ways(words);
+fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive) -> Ways {
+    let Ways { mut conventional, mut additive, mut torque } = ways(words);
     if drive.location == Location::Profidrive && words.contains(&FeedforwardWord::AddVel) {
         // NSOLL_B takes the whole feedforward, not its velocity alone.
         additive = Quantities { velocity: true, ..conventional };
@@ -69,53 +87,66 @@ fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive
         corrected::no_datum(e, word, Name::AdditiveTorqueData, (codes::NO_TORQUE_DATA, 70351));
         torque = Quantities::default();
     }
-    [conventional, additive, torque]
+    Ways { conventional, additive, torque }
 }
 
 /// The weights of all, of the acceleration and of the jerk; what a weight of 0 leaves out goes no way.
-fn weights(e: &mut Effective<'_>, [conventional, additive, torque]: &mut [Quantities; 3]) -> [Option<Ratio>; 3] {
+fn weights(e: &mut Effective<'_>, ways: &mut Ways) -> [Option<Ratio>; 3] {
     let weight =
         corrected::ratio(e, [Name::VsVFaktor, Name::VsVNenner], codes::DENOMINATOR, ("feedforward is left out", None));
-    let sums = conventional.with(*additive);
-    let acceleration = if sums.use_time() || torque.acceleration {
-        let weighted = match (torque.acceleration || sums.acceleration, sums.jerk) {
-            (true, true) => "the acceleration, and the jerk that shares its time constant, are",
-            (false, true) => "the jerk, which has the time constant of the acceleration, is",
-            _ => "the acceleration is",
-        };
-        let consequence = format!("{weighted} left out");
-        corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None))
-    } else {
-        Some(Ratio::ZERO)
+    // Before a weight of 0 empties the ways: the parameters of the acceleration are validated all the same.
+    let acceleration = weight_of_acceleration(e, ways);
+    if is_out(weight) {
+        *ways = Ways::default();
+    }
+    [weight, acceleration, weight_of_jerk(e, ways)]
+}
+
+fn is_out(weight: Option<Ratio>) -> bool {
+    weight.is_some_and(|weight| weight.num == 0)
+}
+
+/// The weight of the acceleration, and of the jerk where it has the same time constant.
+fn weight_of_acceleration(e: &mut Effective<'_>, ways: &mut Ways) -> Option<Ratio> {
+    let sums = ways.sums();
+    if !sums.use_time() && !ways.torque.acceleration {
+        return Some(Ratio::ZERO);
+    }
+    let weighted = match (ways.torque.acceleration || sums.acceleration, sums.jerk) {
+        (true, true) => "the acceleration, and the jerk that shares its time constant, are",
+        (false, true) => "the jerk, which has the time constant of the acceleration, is",
+        _ => "the acceleration is",
     };
-    let is_out = |ratio: Option<Ratio>| ratio.is_some_and(|ratio| ratio.num == 0);
-    if is_out(acceleration) {
+    let consequence = format!("{weighted} left out");
+    let weight = corrected::ratio(e, [Name::VsAFaktor, Name::VsANenner], codes::DENOMINATOR, (&consequence, None));
+    if is_out(weight) {
         // With the time constant goes all that it weights; inputs that nothing else reads are not validated either.
-        for sum in [&mut *conventional, &mut *additive] {
+        for sum in [&mut ways.conventional, &mut ways.additive] {
             *sum = Quantities { velocity: sum.velocity, ..Quantities::default() };
         }
-        torque.acceleration = false;
+        ways.torque.acceleration = false;
     }
+    weight
+}
+
+/// The weight of the jerk.
+fn weight_of_jerk(e: &mut Effective<'_>, ways: &mut Ways) -> Option<Ratio> {
+    if !ways.sums().with(ways.torque).jerk {
+        return Some(Ratio::ZERO);
+    }
+    let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
+    let weight = corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence);
     if is_out(weight) {
-        (*conventional, *additive, *torque) = Default::default();
-    }
-    let jerk = if conventional.with(*additive).with(*torque).jerk {
-        let consequence = ("error 110473 of the controller; it is corrected to 100", Some(100));
-        corrected::ratio(e, [Name::JerkFactNum, Name::JerkFactDenom], codes::JERK_FACT, consequence)
-    } else {
-        Some(Ratio::ZERO)
-    };
-    if is_out(jerk) {
-        for sum in [conventional, additive, torque] {
-            sum.jerk = false;
+        for way in [&mut ways.conventional, &mut ways.additive, &mut ways.torque] {
+            way.jerk = false;
         }
     }
-    [weight, acceleration, jerk]
+    weight
 }
 
 /// Each quantity goes one way, conventional or as additive velocity or torque: an additive output takes it away from the
 /// position controller.
-fn ways(words: &[FeedforwardWord]) -> [Quantities; 3] {
+fn ways(words: &[FeedforwardWord]) -> Ways {
     let has = |word| words.contains(&word);
     let velocity = has(FeedforwardWord::AddVel);
     let [acceleration, jerk] = [FeedforwardWord::AddAcc, FeedforwardWord::AddJerk].map(has);
@@ -125,7 +156,7 @@ fn ways(words: &[FeedforwardWord]) -> [Quantities; 3] {
         jerk: has(FeedforwardWord::Jerk) && !jerk,
     };
     let additive = Quantities { velocity, ..Quantities::default() };
-    [conventional, additive, Quantities { velocity: false, acceleration, jerk }]
+    Ways { conventional, additive, torque: Quantities { velocity: false, acceleration, jerk } }
 }
 
 /// ADD_JERK only where it is asked for by name.
@@ -158,8 +189,8 @@ fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()>
     None
 }
 
-/// Scaling of the additive torque; inner none: a correction has switched it off.
-fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
+/// Scaling of the additive torque; absent: a correction has switched it off; none: an error, which has been reported.
+fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Presence<Torque>> {
     let motor: Option<Motor> = e.word(key(Name::Motor));
     let load = e.real((Name::Load, [drive.gear, 0]));
     let reference = e.real(key(Name::AccReferenceValue));
@@ -184,12 +215,12 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Option<Torque>> {
         let found = format!("{} is 0: the additive torque is switched off", e.title(reference_key));
         let instead = "the nominal torque of the motor, from its data sheet".to_owned();
         e.warn(codes::NO_REFERENCE, reference_key, found, instead);
-        return Some(None);
+        return Some(Presence::Absent);
     }
     // Of a factor of 0 nothing comes: its input is not read either.
     if scale.num == 0 || load <= 0.0 {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     let width = drive.torque?;
-    Some(Some(Torque { resolution, motor, load, reference, scale, width }))
+    Some(Presence::Present(Torque { resolution, motor, load, reference, scale, width }))
 }

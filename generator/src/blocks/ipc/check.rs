@@ -5,6 +5,7 @@ use crate::axis::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
 use crate::parameters::words::{Boolean, Enable, FilterType, StageMode, Tunable, Words};
 use crate::parameters::{Name, Value, path_with, real_text, time_text};
 use crate::rules::effective::{Effective, as_written};
+use crate::rules::presence::Presence;
 use crate::{codes, config::values::key};
 use portable::{Real, RealKind};
 use reference::signal::sample_limit;
@@ -21,11 +22,11 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let watch = watch(e);
     // Every stage is checked, so that all errors of all stages are told.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
-    let is_active = stages.iter().any(|stage| !matches!(stage, Some(None)));
+    let is_active = stages.iter().any(|stage| !matches!(stage, Some(Presence::Absent)));
     let delay_cycles = if is_active { delay_cycles(e) } else { None };
     let [first, second, third] = stages;
     let fade = fade? as f64 / 1e9;
-    let stage = [first?, second?, third?];
+    let stage = [first?, second?, third?].map(Presence::present);
     // What never acts needs no sets.
     let needs_sets = is_active && master(e).is_none();
     let numbers = numbers.map(|numbers| if numbers == Numbers::Sets && !needs_sets { Numbers::Fixed } else { numbers });
@@ -116,11 +117,11 @@ fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
     Some(v_max)
 }
 
-/// A stage; outer none: an error, which has been said; inner none: it is not active.
-fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Option<Stage>> {
+/// A stage; absent: it is not active; none: an error, which has been reported.
+fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Presence<Stage>> {
     let word: StageMode = e.word((Name::Mode, [i, 0]))?;
     let mode = match word {
-        StageMode::NotActive => return Some(None),
+        StageMode::NotActive => return Some(Presence::Absent),
         StageMode::Direct => e.word((Name::DirectSource, [i, 0])).map(|source| Mode::Direct { source }),
         StageMode::Indirect => osc_damping(e, i).map(|osc_damping| Mode::Indirect { osc_damping }),
         StageMode::SetPoint => osc_damping(e, i).map(|osc_damping| Mode::SetPoint { osc_damping }),
@@ -137,7 +138,12 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Optio
         e.refuse(codes::NO_BANDPASS, key, found, [Some(allowed), Some(instead)]);
         return None;
     }
-    Some(Some(Stage { mode: mode?, weight_fact_num: weight_fact_num?, weight_fact_denom: weight_fact_denom?, filter }))
+    Some(Presence::Present(Stage {
+        mode: mode?,
+        weight_fact_num: weight_fact_num?,
+        weight_fact_denom: weight_fact_denom?,
+        filter,
+    }))
 }
 
 /// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; both with different values: an error.

@@ -4,9 +4,10 @@ use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Re
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::parameters::{Name, Value};
 use crate::rules::drive::{self, Drive, ratio};
-use crate::{codes, config::values::key, rules::effective::Effective};
+use crate::rules::{effective::Effective, presence::Presence};
+use crate::{codes, config::values::key};
 
-/// Position control of one axis; outer none: an error, which has been said; inner none: nothing asks for it.
+/// Position control of one axis; absent: nothing asks for it; none: an error, which has been reported.
 ///
 /// An axis gets it where its list gives Kv, where there is feedforward, where its drive controls the position and improved
 /// position control needs a way there, and where it is a gantry slave: else it could not put out what its master adds.
@@ -16,7 +17,7 @@ pub(crate) fn check(
     ipc: Option<&Ipc>,
     feedforward: Option<&Feedforward>,
     is_slave: bool,
-) -> Option<Option<PositionControl>> {
+) -> Option<Presence<PositionControl>> {
     let is_active = ipc.is_some_and(Ipc::is_active);
     let in_drive = drive.location != Location::Cnc;
     if in_drive && is_active && !is_slave && drive.velocity.is_none() {
@@ -25,12 +26,12 @@ pub(crate) fn check(
     let kv_key = (Name::Kv, [drive.gear, 0]);
     let asked = e.given(kv_key).is_some() || feedforward.is_some() || is_slave || in_drive && is_active;
     if !asked {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     drive::note(e, &[Name::DriveType, Name::OperationMode]);
     let adds = (is_active || is_slave) && in_drive;
     let additive = feedforward.is_some_and(|feedforward| feedforward.additive.any());
-    let velocity = drive.velocity(e, additive || adds)?;
+    let velocity = drive.velocity(e, additive || adds)?.present();
     let leads = feedforward.is_some_and(|feedforward| feedforward.conventional.any());
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
     let gear = drive.gear;
@@ -56,7 +57,7 @@ pub(crate) fn check(
     let torque = feedforward.is_some_and(|feedforward| feedforward.torque.any());
     let shift_time =
         if is_profidrive && (leads || additive || torque) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
-    Some(Some(PositionControl {
+    Some(Presence::Present(PositionControl {
         location: drive.location,
         kv: kv?,
         multi_gain,

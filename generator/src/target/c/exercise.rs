@@ -1,7 +1,7 @@
 //! What the self-test and the runner of a block have in common in C: the noise on its inputs, and the digest of what it shows.
 
 use crate::exercise::Noise;
-use crate::target::Legal;
+use crate::target::LegalBlock;
 use crate::target::outline::COMMENT_WIDTH;
 use askama::Template;
 use compiler::legalise::RealInput;
@@ -46,7 +46,7 @@ impl CExercise<'_> {
 
 /// The exercise as C has it; `owner` is what its functions begin with, `random` where its integers come from.
 pub(super) fn of<'p>(
-    block: &Legal<'_>,
+    block: &LegalBlock<'_>,
     printer: &'p Printer<'_>,
     (owner, random): (&str, &str),
     expected: &[u32],

@@ -1,7 +1,7 @@
 //! The macros of a header that code can compare, and the named values of signals. Structs and functions are in the template.
 
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use crate::target::{Header, Legal, unit};
+use crate::target::{BlockIdentity, LegalBlock, unit};
 use compiler::print::{c::LANGUAGE, comment};
 use compiler::program::values::Signal;
 use compiler::program::{Origin, Type, Var, Variable};
@@ -17,7 +17,7 @@ pub(super) struct Macro {
 }
 
 /// The figures of a block, the digests of its parameters and of its structure, and the sizes of its structs.
-pub(super) fn macros(axis: &Header, block: &Legal<'_>) -> Vec<Macro> {
+pub(super) fn macros(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<Macro> {
     let bits = if axis.real == RealKind::F64 { 64 } else { 32 };
     let one = |name: &str, value: String, doc: &str| Macro { doc: doc.to_owned(), name: name.to_owned(), value };
     let mut macros = vec![

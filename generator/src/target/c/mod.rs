@@ -6,7 +6,7 @@ pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{File, Header, Legal, rendered};
+use super::{BlockIdentity, File, LegalBlock, rendered};
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
@@ -20,7 +20,7 @@ use portable::{Intrinsic, Literal, RealKind};
 #[template(path = "c/file.h")]
 struct CFile<'a, T: Template> {
     file: &'a str,
-    axis: &'a Header,
+    axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
     body: T,
@@ -86,7 +86,7 @@ struct CBlock {
 }
 
 /// The header, the source and the self-test of a block.
-pub(super) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(super) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
     let prefix = names::prefix(axis, program.block);
     let (header, source, test) = (format!("{prefix}.h"), format!("{prefix}.c"), format!("{prefix}_self_test.c"));

@@ -1,10 +1,10 @@
 //! What the names of a block in C begin with.
 
-use crate::target::{Header, block_name, own_self_test};
+use crate::target::{BlockIdentity, block_name, own_self_test};
 
 /// What the names of a block's types, functions and files begin with. The longest name that linkers see is `.._inputs_init`: with a short
 /// name of the block, and the longest one that an axis may have then, it has 31 characters.
-pub(crate) fn prefix(axis: &Header, block: &str) -> String {
+pub(crate) fn prefix(axis: &BlockIdentity, block: &str) -> String {
     called(&axis.name, block, axis.short_name)
 }
 

@@ -5,7 +5,7 @@ use super::enumeration::{Enumeration, enumerations};
 use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
 use super::{TcInRange, block_names, both, real_types};
-use crate::target::{File, Header, Legal, Unit, own_self_test, rendered};
+use crate::target::{BlockIdentity, File, LegalBlock, Unit, own_self_test, rendered};
 use askama::Template;
 use compiler::print::st;
 
@@ -44,7 +44,7 @@ pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
     own_self_test(listing::name(axis, block, &CODESYS))
 }
 
-pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     both(axis, block, &CODESYS, "xml", |origin, block| {
         let name = &block.name.clone();
         rendered(origin.file, "", &CodesysFile { origin, name, block })

@@ -2,7 +2,7 @@
 
 use super::dialect::Dialect;
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use crate::target::{Header, Legal, block_name};
+use crate::target::{BlockIdentity, LegalBlock, block_name};
 use askama::Template;
 use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::Type;
@@ -15,7 +15,7 @@ pub(super) const SET: &str = "params";
 #[template(path = "st/origin.st")]
 pub(super) struct Origin<'a> {
     pub(super) file: &'a str,
-    axis: &'a Header,
+    axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
     /// what is certain of the block, and its measured response
@@ -86,7 +86,7 @@ pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
     format!("{}{}", dialect.prefix, block_name(axis, block))
 }
 
-pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Listing {
+pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Dialect) -> Listing {
     let printer = &Printer::new(&block.program, dialect.language, "");
     let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
     let [inline, declared, assigned] = outline.groups([Appearance::Inline, Appearance::Declared, Appearance::Assigned]);
@@ -109,7 +109,12 @@ pub(super) fn listing(axis: &Header, block: &Legal<'_>, dialect: &Dialect) -> Li
 }
 
 /// The comment at the top of a file that belongs to a block.
-pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dialect: &Dialect) -> Origin<'a> {
+pub(super) fn origin<'a>(
+    axis: &'a BlockIdentity,
+    file: &'a str,
+    block: &LegalBlock<'_>,
+    dialect: &Dialect,
+) -> Origin<'a> {
     Origin {
         file,
         axis,
@@ -124,7 +129,7 @@ pub(super) fn origin<'a>(axis: &'a Header, file: &'a str, block: &Legal<'_>, dia
 
 impl Origin<'_> {
     /// Adds the comment of the file that holds the block itself: its guaranteed range, and how to call it.
-    pub(super) fn with_call(self, block: &Legal<'_>, dialect: &Dialect) -> Self {
+    pub(super) fn with_call(self, block: &LegalBlock<'_>, dialect: &Dialect) -> Self {
         let [mode, cycle, counter] = dialect.arguments;
         let [inputs, _] = signals(&block.program, dialect.language);
         let argument = |input: &String| match input.as_str() {

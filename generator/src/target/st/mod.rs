@@ -10,7 +10,7 @@ pub(super) mod listing;
 mod self_test;
 pub(super) mod twincat;
 
-use super::{File, Header, Legal, Unit, block_name, own_self_test, rendered};
+use super::{BlockIdentity, File, LegalBlock, Unit, block_name, own_self_test, rendered};
 use askama::Template;
 use dialect::{Dialect, SIEMENS, ST};
 use enumeration::{Enumeration, enumerations};
@@ -57,7 +57,7 @@ struct TcInRange<'a> {
 }
 
 /// The files of a block for any compiler of the standard's second edition.
-pub(super) fn plain(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(super) fn plain(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
 }
 
@@ -72,7 +72,7 @@ pub(super) fn scl_called(axis: &str, block: &str, _: Option<&str>) -> [String; 2
 }
 
 /// The files of a block for Siemens S7-1200 and S7-1500: external sources.
-pub(super) fn scl(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(super) fn scl(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     both(axis, block, &SIEMENS, "scl", |origin, block| rendered(origin.file, "", &SclFile { origin, block }))
 }
 
@@ -89,8 +89,8 @@ pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
 
 /// The file of a block, and that of its self-test.
 fn both(
-    axis: &Header,
-    block: &Legal<'_>,
+    axis: &BlockIdentity,
+    block: &LegalBlock<'_>,
     dialect: &Dialect,
     extension: &str,
     file: impl Fn(Origin<'_>, Listing) -> File,

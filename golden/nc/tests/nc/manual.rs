@@ -3,7 +3,7 @@
 use crate::support::{commands, said};
 use nc::Command::{End, Feedforward, Percentage, Position, Turn};
 use nc::Direction::{Negative, Positive};
-use nc::{Axis, Block, Command, Kind, Program, Target, read};
+use nc::{Axis, Block, Command, PassedKind, Program, Target, read};
 
 fn turn(direction: nc::Direction, rpm: f64) -> Command {
     Turn { spindle: 1, direction, rpm }
@@ -72,7 +72,7 @@ G136 X80 Y95 Z0    (Weighting; In this case the Z axis)
 fn feedforward_of_axes() {
     let program = read(AXES).expect("no mistake");
     let ends: Vec<_> = program.passed.iter().map(|passed| (passed.kind, passed.line, passed.column)).collect();
-    assert_eq!(ends, [(Kind::NoEnd, 3, 16)]);
+    assert_eq!(ends, [(PassedKind::NoEnd, 3, 16)]);
     let percentage = |axis, percent| Percentage { target: Target::Axis(axis), percent };
     assert_eq!(
         commands(&format!("{AXES}M30")),

@@ -1,6 +1,6 @@
 //! An all-pass: all that the generator knows of it.
 
-use super::kind::{Kind, Numbers};
+use super::kind::{FilterKind, Numbers};
 use super::rules::f0;
 use crate::axis::Filter;
 use crate::design::band::Band;
@@ -26,7 +26,7 @@ pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u3
     Some(Filter::Allpass { f0: f0?, q_factor: q_factor? })
 }
 
-impl Kind for Allpass {
+impl FilterKind for Allpass {
     fn words(&self) -> String {
         FilterType::Allpass.name().to_owned()
     }

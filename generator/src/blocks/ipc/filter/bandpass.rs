@@ -1,6 +1,6 @@
 //! A band-pass of order 1 to 3: all that the generator knows of it.
 
-use super::kind::{Kind, Numbers, range};
+use super::kind::{FilterKind, Numbers, range};
 use super::rules::f0;
 use crate::axis::{Filter, Prototype};
 use crate::codes;
@@ -51,7 +51,7 @@ fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     e.word(key)
 }
 
-impl Kind for Bandpass {
+impl FilterKind for Bandpass {
     fn words(&self) -> String {
         format!("{} {} order {}", FilterType::Bandpass.name(), self.prototype.name(), self.order)
     }

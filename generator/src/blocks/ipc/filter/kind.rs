@@ -6,7 +6,7 @@ use crate::number::significant;
 use reference::filter;
 
 /// What the generator knows of a type of filter.
-pub(crate) trait Kind {
+pub(crate) trait FilterKind {
     /// its type, and what tells it from others of the type
     fn words(&self) -> String;
     /// the same in a table that has frequency and quality factor of the stage's band-pass in columns of their own

@@ -17,11 +17,11 @@ use crate::rules::effective::Effective;
 use allpass::Allpass;
 use bandpass::Bandpass;
 pub(crate) use designed::FilterDesign;
-pub(crate) use kind::Kind;
+pub(crate) use kind::FilterKind;
 use kind::range;
 
 /// A filter as its type knows it; none: there is no filter.
-pub(crate) fn of(filter: &Filter) -> Option<Box<dyn Kind>> {
+pub(crate) fn of(filter: &Filter) -> Option<Box<dyn FilterKind>> {
     match *filter {
         Filter::NoFilter => None,
         Filter::Bandpass { prototype, order, f0, q_factor } => {

@@ -8,7 +8,7 @@ pub(crate) use project::shared;
 use super::dialect::Dialect;
 use super::listing::{self, Listing, Origin, SetType, listing, origin};
 use super::{TcInRange, self_test};
-use crate::target::{self, File, Header, Legal, own_self_test};
+use crate::target::{self, BlockIdentity, File, LegalBlock, own_self_test};
 use askama::Template;
 use askama::filters::Escaper;
 use compiler::print::st::CODESYS;
@@ -61,7 +61,7 @@ struct TcParams<'a> {
 }
 
 /// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter sets, if it takes any.
-pub(crate) fn files(axis: &Header, block: &Legal<'_>) -> Vec<File> {
+pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
         let origin = origin(axis, &file, block, &TWINCAT);
