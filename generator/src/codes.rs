@@ -1,24 +1,24 @@
-//! The one list of diagnostics: code, title, what it means and what to do.
+//! The only list of diagnostics: code, title, meaning and remedy.
 //!
-//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings, AX5
-//! recordings that are measured. A code keeps its meaning for ever.
+//! AX0 files and the command line, AX1 paths and lines, AX2 values, AX3 rules that are errors, AX4 warnings, AX5 recordings
+//! that are measured. The meaning of a code never changes.
 
 #[derive(Debug)]
 pub struct Code {
-    /// as it is printed
+    /// the printed code
     pub code: &'static str,
     pub title: &'static str,
-    /// why it is said, and what to do
+    /// the cause and the remedy
     pub explanation: &'static str,
 }
 
-/// The codes of what the controller reports as this error, which their titles name.
+/// The codes whose titles name this error of the controller.
 pub fn of_controller(error: u32) -> impl Iterator<Item = &'static Code> {
     let named = format!("({error})");
     CODES.iter().filter(move |code| code.title.ends_with(&named))
 }
 
-/// The meaning of a code, in any case.
+/// The entry of a code, in upper or lower case.
 pub fn explain(code: &str) -> Option<&'static Code> {
     CODES.iter().find(|known| known.code.eq_ignore_ascii_case(code))
 }
@@ -329,6 +329,13 @@ codes! {
          real drive is stable on that drive only: state it (drive.delay, drive.time_constant, or drive.response with a measured \
          response), or start with DRYRUN. On a test stand without a machine the key accept_unstable makes a warning of it.";
 
+    EXCITES_TOO_MUCH = "AX346", "an excitation above the limit of the axis",
+        "v_excite is added to the commanded velocity as v_add is. Where the axis has improved position control, its limit \
+         (P-AXIS-00757 times P-AXIS-00212) holds for the amplitude too. Write a smaller excitation.amplitude.";
+    EXCITES_TOO_BRIEFLY = "AX347", "a period of the excitation that is shorter than its fade",
+        "The excitation rises in 0.1 s within the first period, which is not measured. A period lasts (2^bits - 1) clock \
+         cycles. Write more bits, or a longer clock.";
+
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
          and puts out 0. Give a stage the mode DIRECT, INDIRECT or SET_POINT (P-AXIS-00753), or enable OFF.";
@@ -593,6 +600,13 @@ codes! {
         "The file axgen.manifest says which set generated which files of the folder. A line of it is not an entry: mostly a \
          merge has left its marks. Keep the entries of both versions, in any order. Without the file the next run lists its own \
          files again, but removes nothing that was generated before.";
+
+    EXCITES_COARSELY = "AX493", "an excitation with a short period",
+        "The lines of the response are one period apart: 0.25 Hz with 4 s. A vibration whose half-power width (2 zeta f) is not four \
+         lines wide is not resolved. Leave out excitation.bits and excitation.clock, unless only a quick look is wanted.";
+    EXCITES_TOO_FAST = "AX494", "an excitation for which the axis is too slow",
+        "The axis must move at 2.5 times the amplitude or faster while it is excited, so that the motor keeps its direction; with \
+         the excitation on it that is 3.5 times the amplitude. P-AXIS-00212 is below. Write a smaller excitation.amplitude.";
 
     NO_INTERVAL = "AX500", "a recording without a sampling interval",
         "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \

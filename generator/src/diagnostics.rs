@@ -1,4 +1,4 @@
-//! What the tool says about its input: code, place, what was found, what is allowed, what to write instead.
+//! Messages about the input: code, place, what was found, what is allowed, what to write instead.
 
 use crate::codes;
 use std::fmt;
@@ -12,7 +12,7 @@ pub enum Severity {
     Warning,
 }
 
-/// A path as messages and lists of files show it: with `/` between its parts on every host, `//server/share` included.
+/// A path in messages and lists of files: with `/` between its parts on every host, including `//server/share`.
 pub trait Slashes {
     fn slashes(&self) -> String;
 }
@@ -27,20 +27,19 @@ fn with_slashes(path: &str, separator: char) -> String {
     path.replace(separator, "/")
 }
 
-/// Where it is: lines and columns count from 1, columns count characters.
+/// A place: lines and columns count from 1, columns count characters.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// as the user named it
     pub file: String,
-    /// 0: the file as a whole
+    /// 0 for the file as a whole
     pub line: usize,
-    /// 0: the line as a whole
+    /// 0 for the line as a whole
     pub column: usize,
 }
 
 impl Place {
-    /// A file as a whole, or what stands for one: an option, the standard output. A message has a line each, whatever the
-    /// name is.
+    /// The place of a whole file, of an option or of the standard output. A message stays on one line for any name.
     pub fn whole(file: impl fmt::Display) -> Self {
         let name = file.to_string();
         let is_plain = !name.contains(char::is_control);
@@ -108,11 +107,11 @@ pub struct Report {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// More messages than these are not listed, but counted: nobody reads them, and a file of 64 MiB can ask for millions.
+/// At most this number of messages is listed, the rest is counted: a file of 64 MiB can cause millions.
 const MOST_MESSAGES: usize = 1000;
 
 impl Report {
-    /// The report up to as many messages as anybody reads; of the rest only their number.
+    /// The report with at most `MOST_MESSAGES` messages, and the number of the others.
     pub fn shortened(mut self) -> Self {
         if self.diagnostics.len() > MOST_MESSAGES {
             let rest = Self { diagnostics: self.diagnostics.split_off(MOST_MESSAGES) };
@@ -134,7 +133,7 @@ impl Report {
         self.diagnostics.extend(other.diagnostics);
     }
 
-    /// Whether anything forbids to go on.
+    /// Whether a message is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }

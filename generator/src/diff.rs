@@ -1,7 +1,8 @@
-//! The semantic diff: what a change between two sets means for the machine, in Hz, dB, degrees and seconds. No file is read here.
+//! The semantic diff: the effect of a change between two sets on the machine, in Hz, dB, degrees and seconds. No file is
+//! read here.
 //!
-//! Two axes do the same where all coefficients of their blocks are the same, however their parameters are written. A weight that is
-//! capped is reported as well.
+//! Two axes do the same if all coefficients of their blocks are equal, however their parameters are written. A capped weight
+//! is reported as well.
 
 use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, Designed, Value};
@@ -9,8 +10,8 @@ use crate::number::significant;
 use crate::set_change::judge;
 use portable::Literal;
 
-/// What became of each axis, in words, ASCII: those of the old set in its order, then those that were added; and whether some
-/// block does something else, is new or is no longer there.
+/// The changes of each axis, in words, ASCII: the axes of the old set in its order, then the added ones; and whether a block
+/// does something else, is new or no longer exists.
 pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
     let named = |axes: &'_ [Designed], name: &str| axes.iter().position(|of| of.axis.name == name);
     let kept = old.iter().map(|of| match named(new, &of.axis.name) {
@@ -30,7 +31,7 @@ pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
     (lines.collect(), true)
 }
 
-/// What the blocks of an axis do otherwise.
+/// The differences between the blocks of an axis.
 fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let caps = |of: &Designed| of.axis.ipc.stage.each_ref().map(|stage| stage.as_ref().map(Stage::cap));
     if coefficients(old) == coefficients(new) && caps(old) == caps(new) {
@@ -45,7 +46,7 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     lines
 }
 
-/// Whether a parameter set brings the change to the block on the machine, where a version takes sets.
+/// Whether a parameter set transfers the change to the block on the machine, if a version takes sets.
 fn by_set(old: &Designed, new: &Designed) -> Option<String> {
     let has_sets = [old, new].iter().any(|of| of.axis.ipc.takes_sets());
     let judgement = has_sets.then(|| judge(old, new))?;
@@ -61,7 +62,7 @@ fn by_set(old: &Designed, new: &Designed) -> Option<String> {
     }
 }
 
-/// What is true of the axis itself, and which blocks it has.
+/// The values of the axis itself, and its blocks.
 fn values(of: &Designed) -> Vec<(String, Value)> {
     let values = [
         ("cycle time", Value::Number(cycle_time(of), " us")),
@@ -73,7 +74,7 @@ fn values(of: &Designed) -> Vec<(String, Value)> {
     values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()
 }
 
-/// An axis that has no older version.
+/// The lines of an axis that has no older version.
 fn description(of: &Designed) -> Vec<String> {
     let (real, cycle_time) = (of.axis.real_name(), significant(cycle_time(of), 7));
     let head = format!("{real}, cycle time {cycle_time} us, blocks {}", blocks::names(&of.axis).join(", "));
@@ -81,7 +82,7 @@ fn description(of: &Designed) -> Vec<String> {
     lines.map(|line| format!("added: {line}")).collect()
 }
 
-/// In us.
+/// Cycle time [us].
 fn cycle_time(of: &Designed) -> f64 {
     f64::from(of.axis.cycle_time_ns) / 1e3
 }

@@ -1,8 +1,8 @@
-//! Digests that tell whether a text is still the same. They are no protection against anybody who means harm.
+//! Digests that show whether a text is unchanged. They do not protect against deliberate changes.
 
 use crate::saved::taken_back;
 
-/// What stands in a file's line `checksum` while the checksum of the file is made.
+/// The placeholder in a file's line `checksum` while its checksum is computed.
 pub const NO_CHECKSUM: &str = "00000000000000000000000000000000";
 
 /// The 128-bit XXH3 digest as 32 hexadecimal digits.
@@ -10,7 +10,7 @@ pub fn digest(bytes: &[u8]) -> String {
     format!("{:032x}", xxhash_rust::xxh3::xxh3_128(bytes))
 }
 
-/// Puts the checksum of a whole file, its digest, into its line `checksum`, which holds [`NO_CHECKSUM`].
+/// Puts the checksum of a whole file, its digest, into its line `checksum`, which contains [`NO_CHECKSUM`].
 ///
 /// # Panics
 /// If there is no such line: every template has one.
@@ -21,7 +21,7 @@ pub fn with_checksum(mut text: String) -> String {
     text
 }
 
-/// Whether the checksum of a file is that of its content, whatever program has saved it; `None`: it bears none.
+/// Whether the checksum of a file matches its content, apart from changes that `saved` undoes; `None` if it has no checksum.
 pub fn has_right_checksum(text: &str) -> Option<bool> {
     let mut text = taken_back(text).into_owned();
     let place = place(&text)?;
@@ -30,12 +30,12 @@ pub fn has_right_checksum(text: &str) -> Option<bool> {
     Some(stated == digest(text.as_bytes()))
 }
 
-/// Whether a file is the text, whatever program has saved it.
+/// Whether a file contains the text, apart from changes that `saved` undoes.
 pub fn is_text(file: &[u8], text: &str) -> bool {
     file == text.as_bytes() || std::str::from_utf8(file).is_ok_and(|file| taken_back(file) == text)
 }
 
-/// Where the digits of the first line stand that reads `checksum` and a digest, whatever marks a comment has.
+/// The position of the digits in the first line with `checksum` and a digest, with any comment signs.
 fn place(text: &str) -> Option<usize> {
     text.match_indices("checksum").find_map(|(at, _)| {
         let start = text[..at].rfind('\n').map_or(0, |end| end + 1);

@@ -1,5 +1,5 @@
-//! The error ids of the blocks: what the block does, and what to do. One row an id; `axgen explain`, the guides for PLCs and
-//! docs/error-ids.md come from this table. Why an id is given stands in the reference, at the function that has it.
+//! The error ids of the blocks: the reaction of the block, and the remedy. One row per id; `axgen explain`, the guides for
+//! PLCs and docs/error-ids.md come from this table. The cause is in the reference, at the function of the id.
 
 use portable::{Expr, Fn, Literal};
 use reference::signal;
@@ -10,13 +10,13 @@ pub struct ErrorId {
     pub id: u32,
     /// the cause
     pub why: &'static str,
-    /// what the block does
+    /// the reaction of the block
     pub does: &'static str,
-    /// what the reader is to do
+    /// the action for the reader
     pub remedy: &'static str,
 }
 
-/// A row: the function of the reference, what the block does, what to do.
+/// A row: the function of the reference, the reaction of the block, the remedy.
 type Row = (&'static Fn, &'static str, &'static str);
 
 macro_rules! rows {
@@ -25,22 +25,22 @@ macro_rules! rows {
     };
 }
 
-/// Of a velocity that improved position control reads.
+/// For a velocity that improved position control reads.
 const NOTHING_ADDED: &str = "Improved position control adds nothing in a cycle with this fault: v_add is 0 at once. It fades in again when the sample is \
                              good. The other parts of an axis go on.";
 const MEASURED: &str = "Check encoder, scaling and process data. If single telegrams are lost, the key ride_through lets the block hold samples.";
-/// Of a derivative that feedforward reads.
+/// For a derivative that feedforward reads.
 const NOTHING_FED: &str = "Feedforward puts out 0 in a cycle with this fault. Position control goes on without it.";
 const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling of the signal.";
-/// Of what the position controller adds.
+/// For an input that the position controller adds.
 const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
 const PART: &str = "Check the connection: the signal is an output of another block.";
-/// Of a request to a spindle.
+/// For a request to a spindle.
 const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";
-/// Of an error of a spindle that stays.
+/// For an error of a spindle that stays.
 const STAYS: &str = "The spindle brakes with spindle.deceleration to standstill by its velocity command and stays there, with this id, until a reset. \
                      No job is served.";
-/// Of a sample of a spindle that may be missing for some cycles.
+/// For a sample of a spindle that may be missing for some cycles.
 const COASTS: &str = "The spindle goes on at its last velocity for up to three cycles. From the fourth bad cycle in a row on it brakes to \
                       standstill, and the id stays until a reset.";
 
@@ -115,6 +115,8 @@ static ROWS: &[Row] = rows! {
     error_lag: STAYS, "Take a larger Kv, a smaller P-AXIS-00767 or a lower speed of positioning: `axgen check` names them. Check the scaling of the \
                        manipulated variable and the direction of the encoder. Then a reset.";
     error_only_velocity: LOST, "M19, G74 and S[PUTAX] need a drive with position control.";
+    error_reversal: "Not a fault. v_excite fades out; the id stays until the next start. Nothing starts while the motor stands still.",
+        "Move in one direction, 2.5 times the amplitude or faster, from before the start until `done`. Then press the button again.";
     error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
 };
 

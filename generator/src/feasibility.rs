@@ -1,19 +1,22 @@
-//! What a designed axis must not do on a machine, and what its user should know before it acts: errors, then advice. Nothing is
-//! designed here.
+//! Errors in a designed axis that must not run on a machine, then advice for its user. Nothing is designed here.
 
 use crate::blocks::ipc::{advice as ipc, feasibility as sections};
 use crate::blocks::spindle::advice as spindle;
-use crate::blocks::{Designed, feedforward::advice as feedforward, position_control::advice as position_control};
+use crate::blocks::{
+    Designed, excitation::check as excitation, feedforward::advice as feedforward,
+    position_control::advice as position_control,
+};
 use crate::check::{assumed, gear, inert, units};
 use crate::design::rounding::{largest, sample_limit};
 use crate::{codes, config::values::key, design::scale, diagnostics::Diagnostic};
 use crate::{parameters::Name, rules::effective::Effective};
 use portable::Extreme;
 
-/// Says what is wrong; where nothing is, what a user would want to know.
+/// Reports errors; if there are none, advice.
 pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     sections::validate(designed, e);
+    excitation::validate(axis, e);
     if !e.report.has_errors() {
         overflow(designed, gear, e);
     }
@@ -30,7 +33,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// A scaling whose product with the largest sample in range is not a number of the axis's real type.
+/// Rejects a scaling whose product with the largest sample in range overflows the axis's real type.
 fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let (sample, largest) = (sample_limit(designed.axis.real), largest(designed.axis.real));
     let Some(feedforward) = &designed.axis.control.feedforward else { return };
@@ -41,7 +44,7 @@ fn overflow(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
         factors.push(of_torque(feedforward.acceleration.value().larger(1.0)));
         factors.push(of_torque(feedforward.jerk.value()));
     }
-    // 16: sums of a few products.
+    // 16 for sums of a few products.
     let is_beyond = |factor: f64| factor.is_nan() || factor * weight.larger(1.0) * sample * 16.0 > largest;
     if let Some((key, what, factor)) = factors.into_iter().find(|(.., factor)| is_beyond(*factor)) {
         let found = format!("{what} is {factor:e}: a sample in range times it is beyond the numbers of this axis");

@@ -1,4 +1,4 @@
-//! The whole way from a set to its files. Each step is one call.
+//! From a set to its files. Each step is one call.
 
 use crate::blocks::{self, Block, Designed, Part};
 use crate::target::{BlockIdentity, File, Target, Unit};
@@ -7,10 +7,10 @@ use compiler::pass::Defect;
 use rayon::prelude::*;
 use std::collections::btree_map::{BTreeMap, Entry};
 
-/// What the manifest of a folder names as the target of a file that no target prints.
+/// The target of a file in the manifest of a folder if no target prints it.
 pub const PAGE: &str = "page";
 
-/// A file that was made, and for what.
+/// A generated file with its target and axis.
 #[derive(Clone, Debug)]
 pub struct Made<'s> {
     /// the name of its target, or [`PAGE`]
@@ -20,9 +20,10 @@ pub struct Made<'s> {
     pub file: File,
 }
 
-/// Makes the files of some axes (all, if none is named) for some targets. Hands each to `take`; gives its answers, in the order of the axes.
+/// Generates the files of some axes (of all, if none is named) for some targets. Passes each to `take` and returns its
+/// results, in the order of the axes.
 ///
-/// Axes do not know each other: they are made side by side, and no file is kept longer than `take` needs it.
+/// Axes are independent: they are generated in parallel, and a file is dropped after `take`.
 ///
 /// # Errors
 /// A defect of a block or of a pass.
@@ -40,8 +41,8 @@ pub fn files<T: Send>(
     Ok(taken.into_iter().flatten().collect())
 }
 
-/// Makes the commissioning pages of some axes (all, if none is named). A page belongs to an axis, not to one of its blocks; it has
-/// the names of all `targets`. Hands each to `take`; gives its answers, in the order of the axes.
+/// Generates the commissioning pages of some axes (of all, if none is named). A page belongs to an axis, not to one of its
+/// blocks; it has the names of all `targets`. Passes each to `take` and returns its results, in the order of the axes.
 pub fn pages<T: Send>(set: &Set, axes: &[String], targets: &[Target], take: impl Fn(Made<'_>) -> T + Sync) -> Vec<T> {
     let page = |designed: &'_ Designed| {
         let file = commissioning::file(designed, parameters_digest(&designed.axis, blocks::IPC), targets)?;
@@ -61,7 +62,7 @@ fn parameters_digest(axis: &Axis, block: &str) -> String {
     digest((axis.canonical_of(block).to_owned() + &terms).as_bytes())
 }
 
-/// What a shared file may know of the axes.
+/// The facts about the axes that a shared file may contain.
 pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
     let unit = |of: &'s Designed| Unit {
         axis: &of.axis.name,
@@ -95,8 +96,8 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
     Ok(files_by_target(designed, targets)?.into_iter().map(|(_, file)| file).collect())
 }
 
-/// The files of an axis with the names of their targets: design, specialise and the passes once for each block, and legalise once for the targets that need the same; then
-/// each target prints, and the runners that are asked for are recorded.
+/// The files of an axis with the names of their targets. Design, specialisation and passes run once for each block, and
+/// legalisation once for targets with the same passes. Then each target prints, and requested runners are recorded.
 fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'static str, File)>, Defect> {
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;

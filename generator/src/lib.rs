@@ -4,14 +4,14 @@
 //! read -> check -> design -> feasibility -> (compiler: specialise -> passes -> legalise -> verify -> print) -> render -> write
 //! config  check    designed  feasibility     blocks                                             target     render    write
 //! ```
-//! `pipeline` drives the way to designed axes, `generate` the way from there to files.
+//! `pipeline` leads to designed axes, `generate` from there to files.
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
-#![warn(unreachable_pub)] // what no other crate can see does not look as if it could
+#![warn(unreachable_pub)] // an item that no other crate can use must not look public
 
 pub mod analysis;
 pub mod axis;
-// A new word or variant does not pass here unseen.
+// A new word or variant must be handled here.
 #[deny(clippy::wildcard_enum_match_arm)]
 pub mod blocks;
 #[deny(clippy::wildcard_enum_match_arm)]

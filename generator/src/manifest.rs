@@ -1,7 +1,8 @@
-//! The manifest of an output folder: which set has generated which of its files. Text only: what is on the disk others look up.
+//! The manifest of an output folder: the set from which each of its files was generated. Text only; the disk is not accessed
+//! here.
 //!
-//! One line for each file and set, sorted. Every line stands alone: version control merges two versions by keeping the lines of both.
-//! The manifest has no digests, which would change with every parameter: each file has its own.
+//! One line for each file and set, sorted. Every line is independent: version control merges two versions by keeping the
+//! lines of both. The manifest has no digests, which would change with every parameter: each file has its own.
 
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -18,26 +19,26 @@ const HEAD: &str = "\
 # file target axis set
 ";
 
-/// What stands in the place of the axis of a file that all axes share.
+/// The placeholder for the axis of a file that all axes share.
 const SHARED: &str = "-";
 
-/// A file, and what it was generated from.
+/// A file and its source.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Entry {
     /// below the folder, with `/` between its parts
     pub file: String,
-    /// the name of its target; [`crate::generate::PAGE`]: of none
+    /// the name of its target; [`crate::generate::PAGE`] if no target prints it
     pub target: String,
-    /// `None`: all axes share it
+    /// `None` if all axes share it
     pub axis: Option<String>,
-    /// the name of the set, as [`set_name`] gives it
+    /// the name of the set, from [`set_name`]
     pub set: String,
 }
 
 /// All entries of a folder.
 pub type Manifest = BTreeSet<Entry>;
 
-/// The name of a set in a manifest: that of its file, without the folder, which differs from machine to machine.
+/// The name of a set in a manifest: the file name without the folder, which differs from machine to machine.
 pub fn set_name(set: &Path) -> String {
     Place::whole(set.file_name().unwrap_or(set.as_os_str()).to_string_lossy()).file
 }
@@ -50,10 +51,10 @@ pub fn text(manifest: &Manifest) -> String {
     })
 }
 
-/// Reads a manifest; `path` is what messages call it.
+/// Reads a manifest; `path` is its name in messages.
 ///
 /// # Errors
-/// A line is not an entry: two versions were not merged, or somebody has edited it.
+/// A line is not an entry: two versions were not merged, or the file was edited.
 pub fn read(text: &str, path: &str) -> Result<Manifest, Report> {
     let (mut manifest, mut report) = (Manifest::new(), Report::default());
     for (number, line) in text.lines().enumerate().filter(|(_, line)| !line.is_empty() && !line.starts_with('#')) {

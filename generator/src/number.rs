@@ -1,6 +1,6 @@
-//! Numbers as text for people: short, the same on every host, and never the same text for two different numbers.
+//! Numbers as text for readers: short, the same on every host, and different for two different numbers.
 
-/// `old -> new`, both with at least `digits` significant digits and as many more as tell them apart.
+/// `old -> new`, both with at least `digits` significant digits and as many more as distinguish them.
 pub(crate) fn pair(old: f64, new: f64, digits: usize) -> String {
     let text = |digits| [old, new].map(|value| significant(value, digits));
     let apart = (digits..17).map(text).find(|[a, b]| a != b).unwrap_or_else(|| text(digits));
@@ -26,7 +26,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// A number with N decimals at the most, no trailing zeros, no -0.
+/// A number with at most N decimals, no trailing zeros, no -0.
 pub(crate) fn decimals(value: f64, decimals: usize) -> String {
     let rounded: f64 = format!("{value:.decimals$}").parse().expect("number: a formatted number is a number");
     format!("{}", rounded + 0.0)
@@ -55,7 +55,7 @@ pub(crate) fn rounded(x: f64) -> f64 {
     format!("{x:.5e}").parse().unwrap_or(x)
 }
 
-/// Rounded down to N significant digits: a limit of which the next number up would be too much.
+/// Rounded down to N significant digits, for an upper limit.
 pub(crate) fn down_to(value: f64, digits: i32) -> String {
     if value <= 0.0 {
         return "0".to_owned();

@@ -1,5 +1,5 @@
-//! A parameter set of an axis as text, and as bytes, for the block that was generated from another version of the axis. The list of its
-//! numbers is that of the program which the block is printed from. No file is read here.
+//! A parameter set of an axis as text or bytes, for the block that was generated from another version of the axis. The list
+//! of its numbers is that of the program from which the block is printed. No file is read here.
 
 use crate::blocks::{self, Block, Designed, IPC};
 use crate::codes;
@@ -13,7 +13,7 @@ use compiler::pass::Defect;
 use compiler::print::{Language, c, rust, signals, st};
 use portable::Literal;
 
-/// What a parameter set is written as.
+/// The form of a parameter set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// a constant in C, of the struct of the block's header
@@ -22,7 +22,7 @@ pub enum Form {
     Rust,
     /// assignments in Structured Text: TwinCAT, CODESYS, any compiler of the standard's second edition
     St,
-    /// the same for a data block of an S7-1500
+    /// assignments in Structured Text for a data block of an S7-1500
     Scl,
     /// a line `name,value` for each member
     Csv,
@@ -47,8 +47,8 @@ impl Form {
     }
 }
 
-/// What stands against a set of `new` on the block that was generated from `old`, and what the set does not carry. `files` are the two
-/// files, the one of `new` first.
+/// Checks a set of `new` on the block that was generated from `old`: reasons against it, and changes that the set does not
+/// contain. `files` are the two files, that of `new` first.
 pub fn check(new: &Designed, old: &Designed, files: [&str; 2]) -> Report {
     let ([file, on], name) = (files, &new.axis.name);
     let judgement = judge(old, new);
@@ -68,7 +68,7 @@ pub fn check(new: &Designed, old: &Designed, files: [&str; 2]) -> Report {
     report
 }
 
-/// Why the block does not take the set over, for the user.
+/// The reason why the block does not take over the set, for the user.
 fn refused(refusal: &Refusal, name: &str, file: &str, on: &str) -> Diagnostic {
     let anew = format!("`axgen generate {file} --axis {name}`: the axis needs a new block");
     match refusal {
@@ -105,7 +105,7 @@ fn refused(refusal: &Refusal, name: &str, file: &str, on: &str) -> Diagnostic {
     }
 }
 
-/// The members of the parameter set that an axis makes, by their names in C, in the order of the struct. None, if the axis takes no sets.
+/// The members of an axis's parameter set, by their names in C, in the order of the struct. Empty if the axis takes no sets.
 ///
 /// # Errors
 /// A defect of the block or of a pass.
@@ -161,9 +161,9 @@ struct RustSet<'a> {
 #[template(path = "params/set.st")]
 struct StSet<'a> {
     of: &'a Listed<'a>,
-    /// what the members are assigned to
+    /// the variable for the assignments
     variable: &'a str,
-    /// what that is
+    /// the kind of the variable
     kind: &'a str,
 }
 
@@ -171,12 +171,12 @@ struct StSet<'a> {
 struct Listed<'a> {
     axis: &'a BlockIdentity,
     file: String,
-    /// what the names of the block begin with
+    /// beginning of the names of the block
     block: String,
-    /// of the constant; in Structured Text of its type
+    /// name of the constant; in Structured Text name of its type
     name: String,
     set: String,
-    /// structure and set, as heads of files have them
+    /// structure id and set number, as in the heads of files
     shown: [String; 2],
     /// each with its value as text
     members: Vec<(String, String)>,
@@ -202,18 +202,18 @@ fn listed<'a>(
     }
 }
 
-/// The block that takes the sets; none: nothing takes any.
+/// The block that takes the sets; `None` if no block takes any.
 fn block(designed: &Designed) -> Result<Option<Block>, Defect> {
     let kind = blocks::named(IPC).filter(|_| designed.axis.ipc.takes_sets());
     kind.map(|kind| kind.block(designed)).transpose()
 }
 
-/// The members of the set that the block was generated with, in its order, as a language names them.
+/// The members of the set that the block was generated with, in its order, with their names in a language.
 fn members(block: &Block, language: &Language) -> Vec<(String, Literal)> {
     let program = &block.own.program;
     let [names, _] = signals(program, language);
     let all = program.inputs.iter().zip(names).filter(|(input, _)| program.in_set(input).is_some());
-    // A caller writes it after the name of the set.
+    // A caller writes the name after that of the set.
     all.map(|(input, name)| (name.rsplit('.').next().unwrap_or_default().to_owned(), input.start)).collect()
 }
 
@@ -245,7 +245,7 @@ fn line((name, value): &(String, Literal)) -> String {
     }
 }
 
-/// As a little-endian machine has it in a struct.
+/// The bytes in a struct on a little-endian machine.
 fn little_endian(value: Literal) -> Vec<u8> {
     match value {
         Literal::F64(value) => value.to_le_bytes().to_vec(),

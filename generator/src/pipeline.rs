@@ -1,4 +1,4 @@
-//! From a file to its designed axes: read, check, design, feasibility. The one place that drives these steps.
+//! From a file to its designed axes: read, check, design, feasibility. Only this file calls these steps.
 
 use crate::blocks::ipc::drive_response;
 use crate::check::{self, Checked, command_filter, gantry};
@@ -12,43 +12,43 @@ use std::path::Path;
 /// The axes of a set, checked and designed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Set {
-    /// what to generate when the command line names no target; empty: the set does not say
+    /// targets if the command line names none; empty if the set names none either
     pub targets: Vec<String>,
     /// in the order of the file
     pub axes: Vec<Designed>,
-    /// how many parameters of other functions its lists hold; they were passed over
+    /// the number of skipped parameters of other functions in its lists
     pub foreign: usize,
 }
 
-/// Reads, checks and designs a TOML set (`.toml`) or one axis list (any other extension). The set is there if, and only if, no
-/// message is an error.
+/// Reads, checks and designs a TOML set (`.toml`) or one axis list (any other extension). The set is `Some` if and only if
+/// no message is an error.
 pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
     read_with(path, options, &file::load)
 }
 
-/// The same for a command that shows what a set would do, and writes no block: a loop that is unstable is a warning.
+/// Reads a set for a command that shows its effect and writes no block: an unstable loop is only a warning.
 pub fn read_to_look_at(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
     read_as(path, options, load, Purpose::Look)
 }
 
-/// The same for a command that proposes stages: the drive is read too if no stage is active yet.
+/// Reads a set for a command that proposes stages: the drive is read even if no stage is active yet.
 pub fn read_to_tune(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
     read_as(path, options, &file::load, Purpose::Tune)
 }
 
-/// The same as `read` with another source of files.
+/// Reads a set as [`read`] does, from another source of files.
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
     read_as(path, options, load, Purpose::Build)
 }
 
-/// What a set is read for.
+/// The purpose of reading a set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Purpose {
     /// blocks that act on a machine
     Build,
-    /// nothing but a look at it
+    /// only display
     Look,
-    /// a look at its drive, for stages that it does not have yet
+    /// its drive, for stages that it does not have yet
     Tune,
 }
 
@@ -71,7 +71,7 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
             ))
         })
         .collect();
-    // Masters decide what their slaves are designed for. Without all axes, nothing is said of that.
+    // The design of a slave depends on its master. If axes are missing, nothing is reported about that.
     let has_errors = report.has_errors() || given.axes.iter().any(|axis| axis.report.has_errors());
     let coupling = if has_errors { None } else { couple(&mut checked, given.is_list) };
     let designed: Vec<(Option<Designed>, Report)> =
@@ -88,7 +88,7 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     (if report.has_errors() { None } else { Some(set) }, report.shortened())
 }
 
-/// Couples gantry slaves to their masters, where all axes are there; gives what is to be said of that.
+/// Couples gantry slaves to their masters, if all axes are available; returns the messages.
 fn couple(checked: &mut [Option<Checked<'_>>], is_list: bool) -> Option<Report> {
     let axes = checked.iter_mut().map(|checked| {
         let Checked { axis, effective, .. } = checked.as_mut()?;
@@ -101,7 +101,7 @@ fn couple(checked: &mut [Option<Checked<'_>>], is_list: bool) -> Option<Report> 
     }
 }
 
-/// Designs an axis, and says all that is to be said of it. Not checked: its values cannot be read.
+/// Designs an axis and reports all messages about it. Not checked if its values cannot be read.
 fn design(
     (given, checked): (&GivenAxis, Option<Checked<'_>>),
     (set, load): (&Path, Load<'_>),
@@ -129,7 +129,7 @@ fn design(
     let unread = values.unread(&said);
     said.diagnostics.extend(unread);
     if report.has_errors() {
-        // What could not be read is missing: advice about what is there would mislead.
+        // Unreadable values are missing: advice about the others would mislead.
         said.diagnostics.retain(|diagnostic| diagnostic.severity == Severity::Error);
     }
     report.extend(said);

@@ -1,4 +1,4 @@
-//! The reference page of all parameters as Markdown, from the table. Nothing is said here that the table does not say.
+//! The reference page of all parameters as Markdown, generated from the table only.
 
 use crate::parameters::others::{OTHERS, Other};
 use crate::parameters::{Name, Parameter, Scope};
@@ -51,6 +51,6 @@ fn row(parameter: &Parameter, page: &mut String) {
     let (path, allowed, default) = (quoted(&[parameter.path]), parameter.allowed(), parameter.default.join(", "));
     let cells =
         [id.unwrap_or(""), &path, data_type, &allowed, &default, unit, dimension, axes, since, drives, &meaning];
-    // A bar would end its cell.
+    // A bar would end the cell.
     let _ = writeln!(page, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
 }

@@ -1,16 +1,17 @@
-//! What other programs change in a generated file when they check it out or save it, taken back. None of it is an edit by hand.
+//! Undoes changes that other programs make in a generated file when they check it out or save it. They are not edits by
+//! hand.
 //!
 //! * Version control ends lines with CR LF (`core.autocrlf`).
-//! * TwinCAT's development environment does so too when it saves an object, adds the attribute `ProductVersion` to `TcPlcObject` and an
-//!   element `LineIds` for each body, after all members of the object, and writes no line end after the last line. It keeps the
-//!   GUIDs, the declarations and the statements.
+//! * TwinCAT's development environment does so too when it saves an object. It adds the attribute `ProductVersion` to
+//!   `TcPlcObject` and an element `LineIds` for each body, after all members of the object, and writes no line end after
+//!   the last line. It keeps the GUIDs, the declarations and the statements.
 
 use std::borrow::Cow;
 
-/// The text as it was before a program that changes nothing in its meaning saved it.
+/// The text without changes of other programs that do not affect its meaning.
 pub(crate) fn taken_back(text: &str) -> Cow<'_, str> {
     let text: Cow<'_, str> = if text.contains('\r') { text.replace("\r\n", "\n").into() } else { text.into() };
-    // What was not saved by TwinCAT is as it is.
+    // A file that TwinCAT did not save is unchanged.
     if !text.contains("<TcPlcObject ") || text.ends_with("\n") && !text.contains(LINE_IDS) && !text.contains(VERSION) {
         return text;
     }
@@ -35,7 +36,7 @@ fn without_version(text: &str) -> String {
     text_without
 }
 
-/// The text without the elements after the last declaration or body that say which line has which number; it ends with a line end.
+/// The text without the elements after the last declaration or body that assign numbers to lines; it ends with a line end.
 fn without_line_ids(text: &str) -> String {
     let (bodies, mut rest) = text.split_at(text.rfind("]]>").unwrap_or(0));
     let mut kept = bodies.to_owned();

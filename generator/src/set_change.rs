@@ -1,5 +1,5 @@
-//! Whether a change of an axis is one of a parameter set: the one judgement that `params-of` and the semantic diff share. Nothing is
-//! printed here.
+//! Whether a parameter set can carry a change of an axis: the common decision of `params-of` and the semantic diff. Nothing
+//! is printed here.
 
 use crate::axis::{Filter, Stage};
 use crate::blocks::ipc::filter;
@@ -12,37 +12,37 @@ use portable::{Literal, Real, RealKind, with_numbers};
 use reference::ipc::Coeffs as IpcCoeffs;
 use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 
-/// What a parameter set of the new version does on the machine, whose block was generated from the old one.
+/// The effect of a parameter set of the new version on the block on the machine, which was generated from the old one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judgement {
-    /// why the block does not take it over; none: it does
+    /// the reason why the block does not take it over; `None` if it does
     pub refused: Option<Refusal>,
-    /// what the new version changes next to the numbers of a set, in words: the block goes on without it
+    /// changes of the new version that a set does not contain, in words: the block continues without them
     pub left: Vec<String>,
 }
 
-/// Why a block does not take a parameter set over.
+/// The reason why a block does not take over a parameter set.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// the old version takes no sets
     NoSetsBefore,
-    /// the new version has none
+    /// the new version takes no sets
     NoSetsAfter,
-    /// what differs in the structure, in words; the block says error id 6
+    /// the differences of the structure, in words; the block reports error id 6
     Structure(Vec<String>),
-    /// the limit of the block and the one of the set [um/s or 0.001 deg/s], which is larger; the block says error id 7
+    /// the limit of the block and the larger one of the set [um/s or 0.001 deg/s]; the block reports error id 7
     Limit([f64; 2]),
-    /// a number is beyond what the block takes; the error id that it says
+    /// a number is out of range for the block; the error id that it reports
     Numbers(u32),
 }
 
 impl Judgement {
-    /// Whether the set, on the old block, does all that the new version asks for.
+    /// Whether the set on the old block has the full effect of the new version.
     pub fn is_enough(&self) -> bool {
         self.refused.is_none() && self.left.is_empty()
     }
 
-    /// Why new code is needed, in words; empty: it is not.
+    /// The reasons for new code, in words; empty if none is needed.
     pub fn reasons(&self) -> Vec<String> {
         let mut reasons = match &self.refused {
             None => Vec::new(),
@@ -66,7 +66,7 @@ pub fn judge(old: &Designed, new: &Designed) -> Judgement {
     }
 }
 
-/// The same in the real type of the block on the machine.
+/// Judges the change in the real type of the block on the machine.
 fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
     let refused = match (old.axis.ipc.takes_sets(), new.axis.ipc.takes_sets()) {
         (false, _) => Some(Refusal::NoSetsBefore),
@@ -75,14 +75,15 @@ fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
     };
     let mut left = differences(&beside(old), &beside(new));
     left.extend(other_blocks(old, new));
-    // Nothing may be left unsaid: the old block with the new numbers is the new block, but for what was named.
+    // No change may stay unreported: the old block with the new numbers must equal the new block, apart from the reported
+    // changes.
     if left.is_empty() && refused.is_none() && !is_new::<R>(old, new) {
         left.push("coefficients that are no part of a parameter set".to_owned());
     }
     Judgement { refused, left }
 }
 
-/// What the block on the machine has against the set, its structure first, as the block asks.
+/// The reason why the block on the machine refuses the set; the structure is checked first, as in the block.
 fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
     let mut lines = differences(&structure(old), &structure(new));
     if lines.is_empty() && old.sets[0] != new.sets[0] {
@@ -95,7 +96,7 @@ fn refusal<R: Real>(old: &Designed, new: &Designed) -> Option<Refusal> {
     if set.ipc.limit > block.ipc.limit {
         return Some(Refusal::Limit([old, new].map(|of| of.ipc.limit)));
     }
-    // The very check of the block.
+    // The check that the block itself performs.
     let error = tunable_ipc::refusal(&block, &tunable_ipc::params(&set));
     (error != reference::signal::error_none()).then_some(Refusal::Numbers(error))
 }
@@ -111,7 +112,7 @@ fn coeffs<R: Real>(of: &Designed) -> Coeffs<R> {
     rounded(&TunableIpc::design(of), R::KIND)
 }
 
-/// What the structure word covers, in the words of the semantic diff.
+/// The parts of the structure id, in the words of the semantic diff.
 fn structure(of: &Designed) -> Vec<(String, Value)> {
     let (axis, ipc) = (&of.axis, &of.ipc);
     let watch = match ipc.watch.active {
@@ -144,7 +145,7 @@ fn parts(stage: &Stage) -> String {
     stage.mode.text() + &stage.filter.iter().map(filter).collect::<String>()
 }
 
-/// What a block has next to its structure and the numbers of a set.
+/// The properties of a block besides its structure and the numbers of a set.
 fn beside(of: &Designed) -> Vec<(String, Value)> {
     let ipc = &of.axis.ipc;
     vec![

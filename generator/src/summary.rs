@@ -1,4 +1,4 @@
-//! What an axis's blocks do, in a few lines for the user, and what that means for the machine.
+//! The effect of an axis's blocks in a few lines for the user, and its meaning for the machine.
 
 use crate::axis::{Axis, Changeover, Location, Numbers};
 use crate::blocks::{self, Designed, Summary};
@@ -11,13 +11,13 @@ pub fn text(designed: &Designed) -> String {
     lines(designed, &heads, summaries.into_iter().flat_map(|summary| summary.lines))
 }
 
-/// The lines for an axis whose user wants to know what to think of it: a table and verdicts.
+/// The detailed lines for an axis: a table and verdicts.
 pub fn verdict(designed: &Designed) -> String {
     let of_blocks = blocks::of_axis(&designed.axis).flat_map(|kind| kind.verdict(designed));
     lines(designed, "", of_blocks.chain(drive(&designed.axis)).chain(keys(&designed.axis)))
 }
 
-/// The drive, and the gain that it shares with the controller.
+/// The drive, and its gain, which must equal that of the controller.
 fn drive(axis: &Axis) -> Vec<String> {
     let control = &axis.control;
     let drive_type = control.drive_type.map(|of| match of {
@@ -27,7 +27,14 @@ fn drive(axis: &Axis) -> Vec<String> {
         DriveType::Simulation => {
             "drive: SIMULATION, by kenngr.antr_typ (P-AXIS-00020): no motor follows this axis".to_owned()
         }
-        of => format!("drive: {} (P-AXIS-00020)", of.name()),
+        DriveType::Conventional
+        | DriveType::Sercos
+        | DriveType::Profidrive
+        | DriveType::Lightbus
+        | DriveType::Terminal
+        | DriveType::RtEthernet
+        | DriveType::CanOpen
+        | DriveType::CanBus => format!("drive: {} (P-AXIS-00020)", of.name()),
     });
     let in_drive = match (&control.spindle, &control.position_control) {
         (Some(of), _) => matches!(of.drive, Changeover::Drive { .. }) && !of.only_velocity(),
@@ -44,7 +51,7 @@ fn drive(axis: &Axis) -> Vec<String> {
     drive_type.into_iter().chain(kv).collect()
 }
 
-/// What keys of a set give the block beyond its parameters.
+/// The effect of axgen's own keys in a set.
 fn keys(axis: &Axis) -> Vec<String> {
     let tunable = match axis.ipc.numbers {
         Numbers::Fixed => None,

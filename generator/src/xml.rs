@@ -1,23 +1,24 @@
-//! XML of a file, read in bounded time: what a parser would need minutes for is refused before. No element is known here.
+//! XML of a file, parsed in bounded time: a text that would take a parser minutes is refused before. No element is known
+//! here.
 
 use roxmltree::{Document, ParsingOptions};
 
-/// Why a text is not read: what is wrong with it, at a byte of it or as a whole.
+/// The reason why a text is not read, at a position or for the whole text.
 #[derive(Debug)]
 pub(crate) struct Refused {
     pub(crate) found: String,
-    /// line and column; none: the whole
+    /// line and column; `None` for the whole text
     pub(crate) place: Option<(usize, usize)>,
 }
 
 /// An element of a project has ten attributes, and a project three name spaces. The parser compares each attribute with
-/// those of its element, and takes all name spaces of an element to each element inside.
+/// those of its element, and copies all name spaces of an element to each of its children.
 const MOST_ATTRIBUTES: usize = 1000;
 const MOST_NAME_SPACES: usize = 200;
-/// Of an attribute, with the blanks after it; of a longer one only the end is looked at.
+/// Longest name of an attribute, with the blanks after it; only the end of a longer one is examined.
 const LONGEST_NAME: usize = 200;
 
-/// Reads a text.
+/// Parses a text.
 pub(crate) fn parse(text: &str) -> Result<Document<'_>, Refused> {
     let bounds = Bounds::of(text.as_bytes());
     for (count, most, what) in [
@@ -36,10 +37,10 @@ pub(crate) fn parse(text: &str) -> Result<Document<'_>, Refused> {
     })
 }
 
-/// What the time of a parser depends on.
+/// Counts that determine the time of a parser.
 #[derive(Default)]
 struct Bounds {
-    /// of the element that has most
+    /// of the element with the most attributes
     attributes: usize,
     /// of all elements
     name_spaces: usize,
@@ -63,7 +64,7 @@ impl Bounds {
         bounds
     }
 
-    /// Counts the attributes of a tag; where it ends.
+    /// Counts the attributes of a tag; returns the position of its end.
     fn tag(&mut self, text: &[u8], from: usize) -> usize {
         let mut count = 0;
         let mut at = from;
@@ -83,7 +84,7 @@ impl Bounds {
     }
 }
 
-/// The end of a value in quotes that begins here, perhaps after blanks.
+/// The end of a quoted value that begins here, optionally after blanks.
 fn value_end(text: &[u8], from: usize) -> usize {
     let blanks = text[from..].iter().take_while(|byte| byte.is_ascii_whitespace()).count();
     match text.get(from + blanks) {

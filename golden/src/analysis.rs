@@ -1,5 +1,5 @@
-//! The picture of an analysis: Bode diagrams of the stages and of the open loop, |S|, and the Nyquist curve near -1. How a picture is
-//! drawn is in `svg`, what an analysis is in the generator.
+//! The picture of an analysis: Bode diagrams of the stages and of the open loop, |S|, and the Nyquist curve near -1. Drawing
+//! is in `svg`, the analysis in the generator.
 
 use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Plane, Point};
 use generator::analysis::{Analysis, OfDrive, summary};
@@ -7,18 +7,18 @@ use generator::blocks::Designed;
 use portable::Extreme;
 use stability::{Complex64, MAX_MS};
 
-/// The picture begins at that part of the lowest f0.
+/// The picture begins at this part of the lowest f0.
 const LOWEST: f64 = 1.0 / 20.0;
 /// Scales: magnitude and |S| [dB], phase [degrees].
 const MAGNITUDE: [f64; 3] = [-40.0, 20.0, 10.0];
 const SENSITIVITY: [f64; 3] = [-30.0, 15.0, 5.0];
 const PHASE: [f64; 3] = [-180.0, 180.0, 90.0];
-/// What is seen of the plane of L, from left to right.
+/// Visible range of the plane of L, from left to right.
 const PLANE: [f64; 2] = [-3.0, 1.5];
-/// A phase that changes by more between two points has passed 180 degrees.
+/// A larger change of the phase between two points means that it has passed 180 degrees.
 const JUMP: f64 = 180.0;
 
-/// The picture of an axis; none: no stage closes a loop.
+/// The picture of an axis; `None` if no stage closes a loop.
 #[must_use]
 pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     let first = analysis.drives.first()?;
@@ -60,7 +60,7 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     Some(picture.svg())
 }
 
-/// Both diagrams of Bode: of each stage from `v_motor` to `v_add`, and of L.
+/// Both Bode diagrams: of each stage from `v_motor` to `v_add`, and of L.
 struct Bode {
     magnitude: Vec<Curve>,
     phase: Vec<Curve>,

@@ -1,16 +1,16 @@
-//! Golden cases: a folder with an axis set, a stimulus or a scenario, and the answers that were recorded.
+//! Golden cases: a folder with an axis set, a stimulus or a scenario, and the recorded answers.
 //!
 //! ```text
-//! case.toml      purpose, axis, block, stimulus, what it shows
-//! set.toml       the axis set (or what case.toml names)
-//! inputs.csv     the first 2,000 samples as bits, without the inputs that keep their start; of a scenario all
+//! case.toml      purpose, axis, block, stimulus, required constructs and events
+//! set.toml       the axis set (or another file named in case.toml)
+//! inputs.csv     the first 2,000 samples as bits, without inputs that keep their start value; all samples of a scenario
 //! outputs.csv    the answers
-//! digest         128-bit digests of inputs and outputs of 1,000,000 samples, or of all of a scenario
-//! emitted/       the files that the block gets, but its self-tests
+//! digest         128-bit digests of inputs and outputs of 1,000,000 samples, or of all samples of a scenario
+//! emitted/       the files of the block, except its self-tests
 //! ```
 //!
-//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, whatever the engine; of a scenario without
-//! `--hex`: its numbers are decimal, and short. `source` says where the inputs come from.
+//! `axgen run set.toml --axis X --stimulus inputs.csv --hex` prints outputs.csv, with every engine. For a scenario without
+//! `--hex`: its numbers are short decimals. `source` has the source of the inputs.
 
 use crate::csv::{self, Reals, cell};
 use crate::engine::{self, Engine};
@@ -31,32 +31,32 @@ use generator::write;
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
-/// Samples of a stimulus in which the case must show what it says.
+/// Samples of a stimulus that must contain the constructs and events of the case.
 pub const VECTOR_SAMPLES: usize = 2_000;
-/// Samples of a stimulus that stand in `inputs.csv` and `outputs.csv`.
+/// Samples of a stimulus in `inputs.csv` and `outputs.csv`.
 pub const KEPT_SAMPLES: usize = 200;
-/// Samples that the digests cover.
+/// Samples covered by the digests.
 pub const DIGEST_SAMPLES: usize = 1_000_000;
 
 /// The folder of the emitted files.
 const EMITTED: &str = "emitted";
 
-/// A case, read.
+/// A case as read from its folder.
 #[derive(Clone, Debug)]
 pub struct Case {
     /// its folder
     pub folder: PathBuf,
-    /// what it is there for
+    /// its purpose
     pub purpose: String,
-    /// what the recorded samples or the axis must have in them, in the words of [`shown`]
+    /// constructs and events that the axis or the recorded samples must contain, in the words of [`shown`]
     pub shows: Vec<String>,
     /// the axis
     pub axis: Designed,
     /// the block
     pub block: Block,
-    /// what its inputs do
+    /// the source of its inputs
     pub source: Source,
-    /// the targets whose files it keeps; none: all
+    /// the targets whose files it keeps; `None` for all
     pub emitted: Option<Vec<String>>,
 }
 
@@ -79,7 +79,7 @@ struct Description {
     emitted: Option<Vec<String>>,
 }
 
-/// A parameter set that is offered: that of the same axis in another file. The events of the stimulus overrule it.
+/// An offered parameter set: that of the same axis in another file. The events of the stimulus override it.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Offer {
@@ -91,10 +91,10 @@ fn set_beside() -> String {
     "set.toml".to_owned()
 }
 
-/// Reads the axis of a case, and nothing else of it.
+/// Reads only the axis of a case.
 ///
 /// # Errors
-/// What is wrong with its files, in words.
+/// The errors in its files, in words.
 pub fn axis(folder: &Path) -> Result<Designed, String> {
     let description = described(folder)?;
     axis_of(folder, &description, &description.set)
@@ -107,7 +107,7 @@ fn described(folder: &Path) -> Result<Description, String> {
     toml::from_str(&text).map_err(|error| format!("{}: {error}", path.slashes()))
 }
 
-/// The axis of a case, as that file has it.
+/// The axis of a case, from that file.
 fn axis_of(folder: &Path, description: &Description, file: &str) -> Result<Designed, String> {
     let options = ListOptions { cycle_time: description.cycle_time.clone(), ..ListOptions::default() };
     let (set, report) = pipeline::read(&folder.join(file), &options);
@@ -119,7 +119,7 @@ fn axis_of(folder: &Path, description: &Description, file: &str) -> Result<Desig
 /// Reads a case.
 ///
 /// # Errors
-/// What is wrong with its files, in words.
+/// The errors in its files, in words.
 pub fn read(folder: &Path) -> Result<Case, String> {
     let path = folder.join("case.toml");
     let mut description = described(folder)?;
@@ -151,7 +151,7 @@ pub fn read(folder: &Path) -> Result<Case, String> {
     })
 }
 
-/// The events that offer the parameter set that a block is generated with.
+/// The events that offer the parameter set with which a block is generated.
 pub(crate) fn offered(block: &Block, window: Window) -> Vec<Event> {
     let parts = block.program.inputs.iter().filter(|input| block.program.in_set(input).is_some());
     let event = |input: &Variable| {
@@ -165,7 +165,7 @@ pub(crate) fn offered(block: &Block, window: Window) -> Vec<Event> {
 /// The block of an axis by its name.
 ///
 /// # Errors
-/// The axis has none of that name; the text lists those it has.
+/// The axis has no block of that name; the text lists its blocks.
 pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
     let unknown = || format!("no block `{name}`; this axis has: {}", blocks::names(&designed.axis).join(", "));
     let kind = blocks::of_axis(&designed.axis).find(|kind| kind.name() == name).ok_or_else(unknown)?;
@@ -185,7 +185,7 @@ pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
     }
 }
 
-/// The inputs in which the case shows what it says: of a scenario all, which stand in `inputs.csv`.
+/// The inputs that must contain the events of the case: for a scenario all inputs, from `inputs.csv`.
 ///
 /// # Errors
 /// As [`inputs`].
@@ -199,7 +199,7 @@ pub fn vectors(case: &Case) -> Result<Samples, String> {
 /// A run of a case and what it must leave in the case's folder.
 struct CaseFiles {
     files: Vec<File>,
-    /// what the case says that it shows, and does not
+    /// constructs and events that the case requires and does not contain
     missing: Vec<String>,
 }
 
@@ -230,7 +230,7 @@ fn case_files(case: &Case, inputs: &Samples) -> Result<CaseFiles, String> {
         let files = target.files(&identity(&case.axis.axis, &case.block), &case.block);
         emitted.extend(files.map_err(|defect| defect.to_string())?);
     }
-    // Self-tests follow from the blocks; tests run them, and the folder stays small.
+    // Self-tests are derived from the blocks and run by tests; without them the folder stays small.
     emitted.retain(|file: &File| !file.name.contains("_self_test."));
     let emitted = emitted.into_iter().map(|file| File { name: format!("{EMITTED}/{}", file.name), text: file.text });
     let texts = texts.into_iter().map(|(name, text)| File { name: name.to_owned(), text });
@@ -240,11 +240,11 @@ fn case_files(case: &Case, inputs: &Samples) -> Result<CaseFiles, String> {
     })
 }
 
-/// The inputs that the scenario of a case makes now, where there are none recorded yet, or `again`; else those that are
-/// recorded stay as they are. A stimulus needs none.
+/// The inputs that the scenario of a case generates now, if none are recorded yet, or with `again`; otherwise the recorded
+/// ones are kept. `None` for a stimulus.
 ///
 /// # Errors
-/// The program cannot be run, or is another one than that of the recorded inputs.
+/// The program cannot be run, or differs from that of the recorded inputs.
 pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, String> {
     match &case.source {
         Source::Scenario(program) => source::made(program, &case.folder, &case.axis, &case.block, again),
@@ -252,11 +252,11 @@ pub fn scenario_inputs(case: &Case, again: bool) -> Result<Option<Samples>, Stri
     }
 }
 
-/// Writes the reference's answers and the emitted files, and the inputs, if they are those of a stimulus or `made`; what else
-/// lies among the emitted files goes.
+/// Writes the reference's answers and the emitted files, and the inputs of a stimulus or those in `made`. Other files in the
+/// folder of emitted files are removed.
 ///
 /// # Errors
-/// The stimulus does not fit, the case does not show what it says, or the folder does not take the files.
+/// The stimulus does not fit, a required construct or event is missing, or the folder does not accept the files.
 pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
     let keeps_inputs = made.is_none() && matches!(case.source, Source::Scenario(_));
     let inputs = made.map_or_else(|| inputs(case, DIGEST_SAMPLES), Ok)?;
@@ -278,7 +278,7 @@ pub fn record(case: &Case, made: Option<Samples>) -> Result<(), String> {
     Ok(())
 }
 
-/// Compares the folder with what the reference and the targets give now; names every difference.
+/// Compares the folder with the present results of the reference and the targets; returns every difference.
 ///
 /// # Errors
 /// As [`inputs`].
@@ -286,8 +286,8 @@ pub fn verify(case: &Case) -> Result<Vec<String>, String> {
     differing(case, DIGEST_SAMPLES)
 }
 
-/// Compares all of the folder that follows from the first samples: everything but the digest of a stimulus, which covers a
-/// million.
+/// Compares all files of the folder that depend only on the first samples: everything except the digest of a stimulus, which
+/// covers a million.
 ///
 /// # Errors
 /// As [`inputs`].
@@ -315,7 +315,7 @@ fn differing(case: &Case, count: usize) -> Result<Vec<String>, String> {
     Ok(differing)
 }
 
-/// Emitted files of another time, in the order of their names.
+/// Emitted files that are no longer generated, in the order of their names.
 fn left_over(case: &Case, files: &[File]) -> Vec<PathBuf> {
     let mut paths = files_below(&case.folder.join(EMITTED));
     paths.retain(|path| !files.iter().any(|file| case.folder.join(&file.name) == *path));
@@ -323,7 +323,7 @@ fn left_over(case: &Case, files: &[File]) -> Vec<PathBuf> {
     paths
 }
 
-/// All files of a folder and of those in it.
+/// All files of a folder and of its subfolders.
 fn files_below(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten().map(|entry| entry.path());
     entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()

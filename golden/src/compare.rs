@@ -3,12 +3,12 @@
 use crate::samples::Samples;
 use portable::Literal;
 
-/// How two runs differ.
+/// The difference between two runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Difference {
     /// differing bits in all samples
     pub bits: u64,
-    /// where they first differ; `None`: nowhere
+    /// place of the first difference; `None` if there is no difference
     pub first: Option<FirstDifference>,
 }
 
@@ -19,16 +19,16 @@ pub struct FirstDifference {
     pub sample: usize,
     /// the signal
     pub signal: String,
-    /// its value in the run that is right
+    /// its value in the correct run
     pub expected: Literal,
     /// its value in the other run
     pub found: Literal,
 }
 
-/// Compares a run with the one that is right. A sample that one of them lacks counts with all its bits.
+/// Compares a run with the correct one. A sample that is missing in one of them counts with all its bits.
 ///
 /// # Panics
-/// If the runs are not of the same signals.
+/// If the runs have different signals.
 #[must_use]
 pub fn compare(expected: &Samples, found: &Samples) -> Difference {
     assert_eq!(expected.shape, found.shape, "compare: the runs are of different signals");

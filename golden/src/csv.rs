@@ -1,4 +1,4 @@
-//! Runs as CSV: a header of signal names, one row a cycle, reals in decimal or as the hexadecimal digits of their bits.
+//! Runs as CSV: a header of signal names, one row per cycle, reals in decimal or as the hexadecimal digits of their bits.
 
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
@@ -8,7 +8,7 @@ use crate::table::Table;
 use portable::Literal;
 use std::fmt::Write;
 
-/// How reals are written.
+/// The notation of reals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reals {
     /// the shortest decimal that reads back to the same bits
@@ -58,10 +58,10 @@ pub fn cell(value: Literal, reals: Reals, text: &mut String) {
     written.expect("csv: a string takes all text");
 }
 
-/// Reads a run of these signals. A signal without a column keeps its start.
+/// Reads a run of these signals. A signal without a column keeps its start value.
 ///
 /// # Errors
-/// All mistakes, in the order of the lines: unknown or repeated columns, short or long rows, bad cells.
+/// All errors, in the order of the lines: unknown or repeated columns, short or long rows, bad cells.
 pub fn read(text: &str, shape: &Shape) -> Result<Samples, Vec<Mistake>> {
     let table = Table::read(text, &[]);
     let signals = signals::of_columns(&table, shape, &[], &[])?;

@@ -1,4 +1,4 @@
-//! What a recording can prove: what moved in it, how much of that with mode ON, and what was taken for granted.
+//! The evidence in a recording: signals that moved, the part with mode ON, and assumptions.
 
 use crate::recording::Recording;
 use crate::samples::Samples;
@@ -6,22 +6,22 @@ use crate::subject::number;
 use portable::Literal;
 use reference::ipc::{mode_off, mode_on};
 
-/// What a recording can prove.
+/// The evidence in a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evidence {
-    /// how many samples there are
+    /// the number of samples
     pub samples: usize,
     /// the signals that have a column, inputs first
     pub signals: Vec<Span>,
-    /// the inputs that have none, and what was taken for them
+    /// the inputs without a column, and their assumed values
     pub taken: Vec<(String, f64)>,
-    /// samples in which a signal that has a column differs from the sample before
+    /// samples in which a signal with a column differs from the previous sample
     pub moving: usize,
-    /// of a block that has a mode
+    /// for a block with a mode
     pub mode: Option<Mode>,
 }
 
-/// From where to where a signal went.
+/// The range of a signal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Span {
     pub name: String,
@@ -30,18 +30,18 @@ pub struct Span {
     pub greatest: f64,
 }
 
-/// What the mode was.
+/// The modes in a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Mode {
     /// samples with mode ON
     pub on: usize,
-    /// of them those that move
+    /// the moving samples among them
     pub moving_on: usize,
     /// samples with mode OFF
     pub off: usize,
 }
 
-/// Why a recording proves nothing.
+/// The reason why a recording proves nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Lack {
     NoSample,
@@ -57,7 +57,7 @@ impl Span {
     }
 }
 
-/// What a recording proves of a block that got these inputs; `given` are those of them that were recorded.
+/// The evidence of a recording for a block with these inputs; `given` are the recorded ones.
 #[must_use]
 pub fn of(inputs: &Samples, given: &[usize], recording: &Recording) -> Evidence {
     let samples = inputs.len().min(recording.outputs.len());
@@ -87,7 +87,7 @@ pub fn of(inputs: &Samples, given: &[usize], recording: &Recording) -> Evidence 
     evidence
 }
 
-/// From where to where each signal of a run goes.
+/// The range of each signal of a run.
 fn spans(run: &Samples, samples: usize, is_input: bool) -> Vec<Span> {
     let span = |name: &str| Span { name: name.to_owned(), is_input, least: f64::INFINITY, greatest: f64::NEG_INFINITY };
     let mut spans: Vec<Span> = run.shape.signals.iter().map(|signal| span(&signal.name)).collect();
@@ -108,7 +108,7 @@ fn spans(run: &Samples, samples: usize, is_input: bool) -> Vec<Span> {
 }
 
 impl Evidence {
-    /// Why it proves nothing: all reasons.
+    /// All reasons why it proves nothing.
     #[must_use]
     pub fn lacks(&self) -> Vec<Lack> {
         if self.samples == 0 {

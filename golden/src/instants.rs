@@ -1,4 +1,4 @@
-//! When the samples of a recording were taken, against the cycle of the block: a sample is one cycle.
+//! The sampling times of a recording, compared with the cycle of the block: a sample is one cycle.
 
 use crate::mistake::Mistake;
 use crate::table::{Column, TimeColumn, Unit, listed};
@@ -7,19 +7,19 @@ use generator::codes;
 /// The times of one column, from the first one on.
 pub(crate) struct Instants<'t> {
     pub column: TimeColumn<'t>,
-    /// the first, in units of 10^-9 of what the column counts
+    /// the first time, in 10^-9 of the column's unit
     first: Option<i128>,
-    /// since the first, the same
+    /// times since the first one, in 10^-9 of the column's unit
     since: Vec<i64>,
     /// the line of each
     lines: Vec<usize>,
-    /// whether a cell was not a number: then nothing is known
+    /// whether a cell was not a number: then the times are unknown
     is_text: bool,
 }
 
 /// Milliseconds are never as large as 100 ns since 1601.
 const LEAST_FILE_TIME: i128 = 1_000_000_000_000_000;
-/// Units of a time whose name has none.
+/// Possible units of a time without a unit in its name.
 const UNSAID: [(i64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us"), (1, "ns")];
 
 impl<'t> Instants<'t> {
@@ -27,7 +27,7 @@ impl<'t> Instants<'t> {
         Self { column, first: None, since: Vec::new(), lines: Vec::new(), is_text: false }
     }
 
-    /// One cell of the column; an empty one is not a time.
+    /// Reads one cell of the column; an empty one is not a time.
     pub(crate) fn read(&mut self, cell: &str, line: usize) {
         if cell.is_empty() || self.is_text {
             return;
@@ -42,7 +42,7 @@ impl<'t> Instants<'t> {
         }
     }
 
-    /// Nanoseconds of what the column counts; of a time without a unit the one in which the block's cycle is the step.
+    /// Nanoseconds per unit of the column; for a time without a unit, the unit in which the step is the block's cycle.
     fn unit(&self, cycle_time_ns: u32) -> Option<i64> {
         self.stated_unit().or_else(|| {
             let step = self.step().filter(|_| self.column.unit == Unit::Unsaid)?;
@@ -51,7 +51,7 @@ impl<'t> Instants<'t> {
         })
     }
 
-    /// Nanoseconds of the unit that the name, or the form of an export, states.
+    /// Nanoseconds of the unit in the name, or of the form of an export.
     fn stated_unit(&self) -> Option<i64> {
         match self.column.unit {
             Unit::Nanoseconds(unit) => Some(unit),
@@ -61,7 +61,7 @@ impl<'t> Instants<'t> {
         }
     }
 
-    /// The usual step: the one in the middle of those that go on.
+    /// The usual step: the median of the increasing steps.
     fn step(&self) -> Option<i64> {
         let mut steps: Vec<i64> =
             self.since.windows(2).map(|pair| pair[1].saturating_sub(pair[0])).filter(|step| *step > 0).collect();
@@ -69,9 +69,8 @@ impl<'t> Instants<'t> {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
 
-    /// The times since the first one [s]. A unit that is not stated is the one in which the usual step is the cycle of a
-    /// controller, 31 us to
-    /// 30 ms; none: no times, or there is no such unit.
+    /// The times since the first one [s]. A missing unit is the one in which the usual step is the cycle of a controller, 31
+    /// us to 30 ms; `None` if there are no times, or no such unit.
     pub(crate) fn seconds(&self) -> Option<Vec<f64>> {
         let step = self.step().filter(|_| !self.is_text)?;
         let is_cycle = |unit: &i64| (31e3..=30e6).contains(&nanoseconds(step, *unit));
@@ -84,7 +83,7 @@ impl<'t> Instants<'t> {
         &self.lines
     }
 
-    /// When the first sample was taken [ns].
+    /// The time of the first sample [ns].
     pub(crate) fn first(&self) -> Option<i128> {
         let unit = self.stated_unit()?;
         Some(self.first? * i128::from(unit) / 1_000_000_000)
@@ -111,7 +110,8 @@ fn is_near(found: f64, right: f64) -> bool {
     (found - right).abs() <= 0.03 * right
 }
 
-/// What is wrong with when the columns were taken: one message about the intervals, one about each column of times with gaps.
+/// The errors in the sampling times of the columns: one message about the intervals, one about each column of times with
+/// gaps.
 pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_time_ns: u32) -> Vec<Mistake> {
     let cycle = f64::from(cycle_time_ns) / 1e6;
     let interval = |column: &&Column<'_>| -> Option<(String, [usize; 2])> {
@@ -162,13 +162,13 @@ fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usi
         ))
 }
 
-/// The option that leaves a column out, as a shell takes it.
+/// The option that leaves a column out, quoted for a shell.
 fn option(name: &str) -> String {
     let is_plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || b"._-".contains(&byte));
     if is_plain { format!(" --map {name}=-") } else { format!(" --map \"{name}=-\"") }
 }
 
-/// Where a column of times does not go on by one cycle.
+/// The places where a column of times does not increase by one cycle.
 fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
     const MOST: usize = 5;
     let unit = times.unit(cycle_time_ns).filter(|_| !times.is_text)?;
@@ -202,7 +202,7 @@ fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
     )
 }
 
-/// How many cycles a column begins before the latest one.
+/// The number of cycles by which a column begins before the latest one.
 pub(crate) fn cycles_between(
     column: &Column<'_>,
     first: i128,

@@ -1,8 +1,8 @@
-//! What is wrong with a file of samples.
+//! Errors in a file of samples.
 
 use generator::codes;
 
-/// What is wrong, and where.
+/// An error and its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistake {
     /// the code of its message
@@ -15,25 +15,25 @@ pub struct Mistake {
     pub found: String,
     /// what is allowed
     pub allowed: String,
-    /// what to do; empty: what is allowed says it
+    /// what to do; empty if the allowed values are sufficient
     pub instead: String,
 }
 
 impl Mistake {
-    /// A column or a cell that is wrong.
+    /// An error in a column or a cell.
     #[must_use]
     pub fn new([line, column]: [usize; 2], found: impl Into<String>, allowed: impl Into<String>) -> Self {
         let (found, allowed) = (found.into(), allowed.into());
         Self { code: codes::SAMPLES, line, column, found, allowed, instead: String::new() }
     }
 
-    /// The mistake with a code of its own.
+    /// The error with its own code.
     #[must_use]
     pub fn coded(self, code: &'static str) -> Self {
         Self { code, ..self }
     }
 
-    /// The mistake with a remedy.
+    /// The error with a remedy.
     #[must_use]
     pub fn instead(self, instead: impl Into<String>) -> Self {
         Self { instead: instead.into(), ..self }

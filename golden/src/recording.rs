@@ -1,4 +1,4 @@
-//! A run that was recorded on a controller, and how far what an engine gives agrees with it.
+//! A run recorded on a controller, and its agreement with the outputs of an engine.
 
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
@@ -9,41 +9,41 @@ use crate::written::Precision;
 use compiler::program::Type;
 use portable::{Extreme, Literal};
 
-/// What went into the block, and what came out as far as it was recorded.
+/// The inputs of the block, and its recorded outputs.
 #[derive(Clone, Debug)]
 pub struct Recording {
     /// all inputs
     pub inputs: Samples,
-    /// the positions of those that have a column
+    /// the positions of the inputs with a column
     pub given: Vec<usize>,
-    /// the outputs that have a column
+    /// the outputs with a column
     pub outputs: Samples,
     /// their positions among the outputs of the block
     pub recorded: Vec<usize>,
-    /// the columns that are no signal of the block
+    /// the columns that are not signals of the block
     pub left_out: Vec<String>,
-    /// the columns whose first samples were left out, because another one begins later, and how many
+    /// the columns whose first samples were left out, because another one begins later, and their number
     pub skipped: Vec<(String, usize)>,
     /// the line of each sample, counted from 1
     pub lines: Vec<usize>,
-    /// how the inputs were written, in their order
+    /// the written precision of the inputs, in their order
     pub input_precision: Vec<Precision>,
-    /// how the outputs were written that have a column
+    /// the written precision of the outputs with a column
     pub output_precision: Vec<Precision>,
 }
 
-/// How the values of one signal differ.
+/// The difference between the values of one signal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Error {
-    /// the largest difference; infinite: one of the values is NaN
+    /// the largest difference; infinite if one of the values is NaN
     pub largest: f64,
-    /// the sample in which it is
+    /// the sample with the largest difference
     pub sample: usize,
-    /// the first and the last sample whose difference the digits that were written do not explain
+    /// the first and the last sample with a difference that the written digits do not explain
     pub unexplained: Option<[usize; 2]>,
-    /// the largest difference that those digits would explain
+    /// the largest difference that these digits can explain
     pub allowance: f64,
-    /// the largest magnitude that was recorded
+    /// the largest recorded magnitude
     pub scale: f64,
 }
 
@@ -51,24 +51,24 @@ pub struct Error {
 const VAGUE: f64 = 0.05;
 
 impl Error {
-    /// Whether the digits that were written explain differences as large as the signal nearly is.
+    /// Whether the written digits explain differences that are almost as large as the signal.
     #[must_use]
     pub fn is_vague(&self) -> bool {
         self.largest > 0.0 && self.allowance > VAGUE * self.scale
     }
 
-    /// Whether the digits that were written explain all differences.
+    /// Whether the written digits explain all differences.
     #[must_use]
     pub fn is_explained(&self) -> bool {
         self.unexplained.is_none()
     }
 }
 
-/// Reads a recording: columns of inputs and outputs in any order; `map` says which column is which signal, where the names do
-/// not. An input without a column keeps its start. Without a shape of inputs only the outputs are read.
+/// Reads a recording: columns of inputs and outputs in any order; `map` assigns signals to columns where the names differ.
+/// An input without a column keeps its start value. Without a shape of inputs only the outputs are read.
 ///
 /// # Errors
-/// All mistakes, including a recording without any output column and a sample time that differs from the cycle time.
+/// All errors, including a recording without any output column and a sample time that differs from the cycle time.
 pub fn read(
     table: &Table<'_>,
     [inputs, outputs]: [&Shape; 2],
@@ -108,11 +108,11 @@ pub fn read(
     })
 }
 
-/// The inputs of a stimulus, and the positions of those that have a column; columns of `outputs` are left out where the map or
-/// an export names them.
+/// The inputs of a stimulus, and the positions of those with a column. Columns of `outputs` are left out if the map or an
+/// export names them.
 ///
 /// # Errors
-/// All mistakes: unknown and repeated columns, another sample time than the cycle time, bad cells.
+/// All errors: unknown and repeated columns, another sample time than the cycle time, bad cells.
 pub fn stimulus(
     table: &Table<'_>,
     [inputs, outputs]: [&Shape; 2],
@@ -129,7 +129,7 @@ pub fn stimulus(
 }
 
 impl Recording {
-    /// The same with the first samples only.
+    /// The recording with the first samples only.
     #[must_use]
     pub fn first(&self, count: usize) -> Self {
         self.with_samples(self.inputs.first(count), self.outputs.first(count))
@@ -150,7 +150,7 @@ impl Recording {
         }
     }
 
-    /// The recording with the inputs of a stimulus, if it has no inputs of its own: all their bits are known.
+    /// The recording with the inputs of a stimulus, if it contains no inputs: then all their bits are known.
     #[must_use]
     pub fn with_inputs(self, inputs: &Samples) -> Self {
         if self.inputs.shape == inputs.shape {
@@ -165,8 +165,8 @@ impl Recording {
         }
     }
 
-    /// The same of values that were rounded once more, when all were multiplied by a factor, or when they are not the bits of
-    /// the block: then not every bit must agree.
+    /// The recording with reduced precision: values were rounded once more because all were multiplied by a factor, or they
+    /// are not the bits of the block. Then not every bit must agree.
     pub(crate) fn inexact(mut self, factor: Option<f64>) -> Self {
         let (real, factor) = (self.outputs.shape.real, factor.unwrap_or(1.0));
         for given in &self.given {
@@ -180,7 +180,7 @@ impl Recording {
         self
     }
 
-    /// The recording with at most this number of digits.
+    /// The recording with at most this number of written digits.
     pub(crate) fn up_to(mut self, digits: usize) -> Self {
         for precision in self.input_precision.iter_mut().chain(&mut self.output_precision) {
             precision.digits = precision.digits.min(digits);
@@ -188,8 +188,8 @@ impl Recording {
         self
     }
 
-    /// Inputs that would have been written the same: each real is moved by half of what its last digit was worth, up or down.
-    /// `None`: the inputs are exact, or all outputs are, so that nothing excuses an error of theirs.
+    /// Inputs with the same written text: each real is moved by half a unit of its last digit, up or down. `None` if the
+    /// inputs are exact, or if all outputs are, so that nothing explains an error.
     #[must_use]
     pub fn moved_inputs(&self) -> Option<Samples> {
         let is_rounded = |precision: &[Precision]| precision.iter().any(|precision| precision.digits > 0);
@@ -222,8 +222,8 @@ impl Recording {
             .fold(0.0, |largest, value| if value.abs() > largest { value.abs() } else { largest })
     }
 
-    /// How the recorded outputs differ from those that an engine gives; `moved` are those for moved inputs. An error is
-    /// explained by half of what the last digit was worth, together with twice what the moved inputs change at the most.
+    /// The differences between the recorded outputs and those of an engine; `moved` are the outputs for moved inputs. An
+    /// error is explained by half a unit of the last digit, plus at most twice the change by the moved inputs.
     #[must_use]
     pub fn errors(&self, computed: &Samples, moved: Option<&Samples>) -> Vec<Error> {
         let signals = 0..self.recorded.len();
@@ -238,7 +238,7 @@ impl Recording {
                 let unit = number(recorded).map_or(0.0, |value| self.output_precision[signal].unit(value));
                 let half = 0.5 * unit + allowance;
                 error.allowance = if half > error.allowance { half } else { error.allowance };
-                // Of a real whose bits were recorded nothing explains a difference.
+                // A difference of a real whose bits were recorded has no explanation.
                 let is_written_so = unit > 0.0 || matches!(recorded, Literal::I32(_));
                 let is_near = difference <= half * (1.0 + 1e-12);
                 if recorded != computed && !(is_written_so && is_near) {
@@ -259,7 +259,7 @@ fn changes(a: &Samples, b: &Samples, signal: usize) -> f64 {
     pairs(a, b, signal).map(|(_, [a, b])| apart(a, b)).fold(0.0, f64::larger)
 }
 
-/// The values of a signal in the samples that both runs have.
+/// The values of a signal in the samples of both runs.
 fn pairs<'s>(a: &'s Samples, b: &'s Samples, signal: usize) -> impl Iterator<Item = (usize, [Literal; 2])> + 's {
     let (mut of_a, mut of_b) = (Vec::new(), Vec::new());
     (0..a.len().min(b.len())).map(move |sample| {
@@ -269,7 +269,7 @@ fn pairs<'s>(a: &'s Samples, b: &'s Samples, signal: usize) -> impl Iterator<Ite
     })
 }
 
-/// How far two values lie apart; infinitely, if they differ and are no two numbers.
+/// The distance of two values; infinite if they differ and are not both numbers.
 fn apart(a: Literal, b: Literal) -> f64 {
     if a == b {
         return 0.0;

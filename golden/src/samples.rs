@@ -1,4 +1,4 @@
-//! The values of all signals of a run, packed sample by sample. What a compiled engine reads and writes has this form.
+//! The values of all signals of a run, packed sample by sample, in the form that a compiled engine reads and writes.
 
 use compiler::program::{Type, Variable};
 use portable::{Literal, RealKind};
@@ -7,7 +7,7 @@ use std::ops::Range;
 /// Names and types of the signals of one side of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// what a real is
+    /// the real type
     pub real: RealKind,
     /// the signals
     pub signals: Vec<Signal>,
@@ -39,7 +39,7 @@ impl Shape {
         self.signals.iter().position(|signal| signal.name == name)
     }
 
-    /// Bytes of a signal's value.
+    /// The number of bytes of a signal's value.
     #[must_use]
     pub fn size(&self, ty: Type) -> usize {
         match (ty, self.real) {
@@ -49,7 +49,7 @@ impl Shape {
         }
     }
 
-    /// Where the bytes of each signal stand in a sample.
+    /// The position of each signal's bytes in a sample.
     #[must_use]
     pub fn ranges(&self) -> Vec<Range<usize>> {
         let mut at = 0;
@@ -61,14 +61,14 @@ impl Shape {
         self.signals.iter().map(range).collect()
     }
 
-    /// Bytes of a sample.
+    /// The number of bytes of a sample.
     #[must_use]
     pub fn frame(&self) -> usize {
         self.signals.iter().map(|signal| self.size(signal.ty)).sum()
     }
 }
 
-/// A run: sample after sample, in each the signals in their order, each little-endian.
+/// A run: all samples in order, each with the values of the signals in order, little-endian.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     /// names and types
@@ -78,20 +78,20 @@ pub struct Samples {
 }
 
 impl Samples {
-    /// No samples yet, with room for `count`.
+    /// An empty run with capacity for `count` samples.
     #[must_use]
     pub fn with_capacity(shape: Shape, count: usize) -> Self {
         let bytes = Vec::with_capacity(shape.frame() * count);
         Self { shape, bytes }
     }
 
-    /// How many samples there are.
+    /// The number of samples.
     #[must_use]
     pub fn len(&self) -> usize {
         self.bytes.len() / self.shape.frame().max(1)
     }
 
-    /// Whether there are none.
+    /// Whether the run is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.bytes.is_empty()
@@ -114,7 +114,7 @@ impl Samples {
         }
     }
 
-    /// The values of a sample, into `values`.
+    /// Reads the values of a sample into `values`.
     pub fn read(&self, sample: usize, values: &mut Vec<Literal>) {
         values.clear();
         let frame = self.shape.frame();
@@ -126,7 +126,7 @@ impl Samples {
         }
     }
 
-    /// The run without the signals that keep their start from the first sample to the last; the first signal stays.
+    /// The run without the signals that keep their start value in all samples; the first signal stays.
     #[must_use]
     pub fn without_constant(&self) -> Self {
         let mut start = Self::with_capacity(self.shape.clone(), 1);
@@ -135,7 +135,7 @@ impl Samples {
         self.only(&(0..moved.len()).filter(|signal| *signal == 0 || moved[*signal]).collect::<Vec<_>>())
     }
 
-    /// Whether each signal ever has other bits than in the first sample of another run.
+    /// Whether each signal ever differs from its bits in the first sample of another run.
     #[must_use]
     pub fn moved(&self, from: &Self) -> Vec<bool> {
         let moves = |range: &Range<usize>| {
@@ -156,7 +156,7 @@ impl Samples {
         Self { shape: Shape { real: self.shape.real, signals }, bytes }
     }
 
-    /// The run among the signals of a shape, in which its own have these positions; the others keep their start.
+    /// The run with all signals of a shape, in which its own have these positions; the others keep their start value.
     #[must_use]
     pub fn among(&self, positions: &[usize], shape: &Shape) -> Self {
         let mut start = Self::with_capacity(shape.clone(), 1);
@@ -173,7 +173,7 @@ impl Samples {
         Self { shape: shape.clone(), bytes }
     }
 
-    /// Whether two samples differ in a bit.
+    /// Whether two samples differ in any bit.
     #[must_use]
     pub fn differs(&self, one: usize, other: usize) -> bool {
         let frame = self.shape.frame();
@@ -192,20 +192,20 @@ impl Samples {
         Self { shape: self.shape.clone(), bytes }
     }
 
-    /// From one sample to another, both included.
+    /// The samples from one to another, both included.
     #[must_use]
     pub fn between(&self, first: usize, last: usize) -> Self {
         self.first(last + 1).after(first)
     }
 
-    /// The run, and then another one.
+    /// The run followed by another one.
     #[must_use]
     pub fn joined(mut self, other: &Self) -> Self {
         self.bytes.extend_from_slice(&other.bytes);
         self
     }
 
-    /// These samples.
+    /// The run with these samples only.
     #[must_use]
     pub fn samples(&self, chosen: &[usize]) -> Self {
         let frame = self.shape.frame();

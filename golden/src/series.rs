@@ -1,4 +1,4 @@
-//! The values of a table's columns, column by column, and how they were written; when they were taken says `instants.rs`.
+//! The values of a table's columns, column by column, and their written precision. The sampling times are in `instants.rs`.
 
 use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
@@ -8,15 +8,15 @@ use crate::value::{allowed, instead, parse};
 use crate::written::Precision;
 use portable::{Literal, RealKind};
 
-/// What the columns of a table hold.
+/// The values of a table's columns.
 pub(crate) struct Columns {
-    /// all signals of the shape; those without a column keep their start
+    /// all signals of the shape; signals without a column keep their start value
     pub samples: Samples,
-    /// how the values of each signal were written
+    /// the written precision of each signal
     pub precision: Vec<Precision>,
     /// the line of each sample, counted from 1
     pub lines: Vec<usize>,
-    /// the signals whose first samples were left out, because another channel begins later, and how many of them
+    /// the signals whose first samples were left out, because another channel begins later, and their number
     pub skipped: Vec<(usize, usize)>,
 }
 
@@ -28,13 +28,13 @@ struct Series<'t> {
     lines: Vec<usize>,
     written: Precision,
     wrong: Wrong,
-    /// cells without a value since the last one: where, and how many
+    /// cells without a value since the last value: place of the first one, and their number
     blank: Option<([usize; 2], usize)>,
-    /// those after which a value came
+    /// empty cells that are followed by a value
     missing: Option<([usize; 2], usize)>,
 }
 
-/// What is wrong in the same way, where first, and how often.
+/// Errors of one kind: place of the first one, and their number.
 #[derive(Default)]
 struct Wrong {
     first: Option<Mistake>,
@@ -47,7 +47,7 @@ impl Wrong {
         self.first.get_or_insert_with(mistake);
     }
 
-    /// One message, whatever the number.
+    /// One message for any number of errors.
     fn said(self, what: &str) -> Option<Mistake> {
         let mut first = self.first?;
         if self.count > 1 {
@@ -57,10 +57,10 @@ impl Wrong {
     }
 }
 
-/// Reads the columns that are signals. Without a cycle time nothing is asked of the times.
+/// Reads the columns that are signals. Without a cycle time the times are not checked.
 ///
 /// # Errors
-/// All mistakes, in the order of the lines: short or long rows, bad cells, missing values, wrong times.
+/// All errors, in the order of the lines: short or long rows, bad cells, missing values, wrong times.
 pub(crate) fn read(
     table: &Table<'_>,
     signals: &[Option<usize>],
@@ -102,7 +102,7 @@ pub(crate) fn read(
     Ok(together(&series, &offsets, shape, lines.collect()))
 }
 
-/// Reads all rows once; returns what is wrong with their lengths.
+/// Reads all rows once; returns the errors in their lengths.
 fn read_rows<'t>(table: &Table<'t>, series: &mut [Series<'t>], times: &mut [Instants<'t>], real: RealKind) -> Wrong {
     let (mut cells, mut rows) = (Vec::new(), Wrong::default());
     for row in &table.rows {
@@ -149,7 +149,7 @@ impl<'t> Series<'t> {
         Self { signal, column, values, lines: Vec::new(), written, wrong, blank: None, missing: None }
     }
 
-    /// Its cell of a row. An export has none where the channel has no sample.
+    /// Reads its cell in a row. In an export the cell is missing if the channel has no sample.
     fn read(&mut self, table: &Table<'t>, row: &Row<'t>, cells: &[&'t str], real: RealKind) {
         let cell = cells.get(self.column.cell).copied().unwrap_or_default();
         let has_time = self.column.time.is_none_or(|time| cells.get(time.cell).is_some_and(|time| !time.is_empty()));
@@ -178,7 +178,7 @@ impl<'t> Series<'t> {
     }
 }
 
-/// How many samples of each column lie before the first one that all of them have.
+/// The number of samples of each column before the first common one.
 fn offsets(series: &[Series<'_>], times: &[Instants<'_>], cycle_time_ns: u32) -> Result<Vec<usize>, Mistake> {
     let of = |time: TimeColumn<'_>| times.iter().find(|known| known.column == time);
     let first = |series: &Series<'_>| series.column.time.and_then(of).and_then(Instants::first);
@@ -187,7 +187,7 @@ fn offsets(series: &[Series<'_>], times: &[Instants<'_>], cycle_time_ns: u32) ->
     columns.map(|(column, first)| instants::cycles_between(column, first, latest, cycle_time_ns)).collect()
 }
 
-/// The samples that all columns have; without a column each row is one.
+/// The samples that all columns have; without columns each row is a sample.
 fn together(series: &[Series<'_>], offsets: &[usize], shape: &Shape, rows: Vec<usize>) -> Columns {
     let with = || series.iter().zip(offsets);
     let count = with().map(|(series, offset)| series.values.len().saturating_sub(*offset)).min().unwrap_or(rows.len());

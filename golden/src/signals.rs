@@ -1,21 +1,22 @@
-//! Which column of a table is which signal of a block.
+//! Assigns the columns of a table to the signals of a block.
 
 use crate::mistake::Mistake;
 use crate::samples::Shape;
 use crate::table::{Column, Table, listed};
 
-/// Names of columns and of signals, as the user maps them.
+/// Names of columns and of signals, from the user's map.
 pub type Map = [(String, String)];
 
 /// The signal that leaves a column out.
 const LEFT_OUT: &str = "-";
 
-/// The signal of each column: as the map says, which has names of columns and of signals, else that of the same name; in an
-/// export the name is the channel's or its symbol's, as a whole or after its last point. `None`: the column is left out, because
-/// the map gives it `-` or a signal of the `other` side of the block, or because it is an export's and no signal.
+/// The signal of each column: from the map of column names and signal names, else the signal with the column's name. In an
+/// export the name is the channel's or its symbol's, as a whole or after its last point. `None` if the column is left out:
+/// because the map assigns `-` or a signal of the `other` side of the block, or because it belongs to an export and is not a
+/// signal.
 ///
 /// # Errors
-/// All mistakes: unknown and repeated columns.
+/// All errors: unknown and repeated columns.
 pub(crate) fn of_columns(
     table: &Table<'_>,
     shape: &Shape,
@@ -67,14 +68,14 @@ pub(crate) fn of_columns(
     if mistakes.is_empty() { Ok(signals) } else { Err(mistakes) }
 }
 
-/// What the map says of a column, by its name, or by its symbol where no other channel shows it.
+/// The map's entry for a column, by its name, or by its symbol if no other channel shows it.
 fn mapped<'m>(table: &Table<'_>, column: &Column<'_>, map: &'m Map) -> Option<&'m str> {
     let of = |name: &str| map.iter().find(|(key, _)| key == name).map(|(_, signal)| signal.as_str());
     let is_alone = |_: &&str| table.columns.iter().filter(|other| other.symbol == column.symbol).count() == 1;
     of(column.name).or_else(|| of(column.symbol).filter(is_alone))
 }
 
-/// The signal of that name, in an export also of its last part.
+/// The signal of that name; in an export also by its last part.
 fn named(name: &str, shape: &Shape, is_export: bool) -> Option<usize> {
     let last = name.rsplit('.').next().filter(|_| is_export);
     shape.place(name).or_else(|| last.and_then(|last| shape.place(last)))
@@ -91,7 +92,7 @@ fn wrong(column: &Column<'_>, mapped: Option<&str>, is_again: bool, shape: &Shap
     Mistake::new(column.place, found, allowed)
 }
 
-/// What the map names and none of the tables has.
+/// The names in the map that none of the tables has.
 #[must_use]
 pub fn unknown(map: &Map, tables: &[&Table<'_>]) -> Vec<Mistake> {
     let Some(table) = tables.last() else { return Vec::new() };

@@ -1,5 +1,5 @@
-//! Where the inputs of a golden case come from: a stimulus, or the recorded inputs of a scenario, which are never made anew unless
-//! somebody asks for it. Not what the block answers.
+//! The source of a golden case's inputs: a stimulus, or the recorded inputs of a scenario, which are generated again only on
+//! request. Not the answers of the block.
 
 use crate::csv;
 use crate::mistake::Mistake;
@@ -17,19 +17,19 @@ pub(crate) const INPUTS: &str = "inputs.csv";
 /// The file of the digests.
 pub(crate) const DIGEST: &str = "digest";
 
-/// Where inputs come from.
+/// The source of inputs.
 #[derive(Clone, Debug)]
 pub enum Source {
     /// computed each time
     Stimulus(Stimulus),
-    /// made once by this NC program
+    /// generated once by this NC program
     Scenario(PathBuf),
 }
 
-/// The inputs that a program makes now, if they are to be recorded: there are none yet, or `again`.
+/// The inputs that a program generates now, if they are to be recorded: if there are none yet, or with `again`.
 ///
 /// # Errors
-/// The program cannot be run, or the recorded inputs are those of another program.
+/// The program cannot be run, or differs from that of the recorded inputs.
 pub(crate) fn made(
     program: &Path,
     folder: &Path,
@@ -48,7 +48,7 @@ pub(crate) fn made(
     Ok(Some(scenario.inputs))
 }
 
-/// Whether the recorded inputs are those of this program.
+/// Checks that the recorded inputs are those of this program.
 ///
 /// # Errors
 /// They are not, in words.
@@ -66,7 +66,7 @@ pub(crate) fn same_program(program: &Path, folder: &Path) -> Result<(), String> 
 /// The recorded inputs.
 ///
 /// # Errors
-/// They are not there, or are no samples of the block.
+/// They do not exist, or are not samples of the block.
 pub(crate) fn recorded(folder: &Path, shape: &Shape) -> Result<Samples, String> {
     let path = folder.join(INPUTS);
     csv::read(&text(&path)?, shape).map_err(|mistakes| {
@@ -77,7 +77,7 @@ pub(crate) fn recorded(folder: &Path, shape: &Shape) -> Result<Samples, String> 
     })
 }
 
-/// What `digest` says of the program.
+/// The line about the program in `digest`.
 pub(crate) fn program_line(program: &Path) -> Result<String, String> {
     Ok(format!("program {}\n", digest(text(program)?.as_bytes())))
 }

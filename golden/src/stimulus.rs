@@ -1,4 +1,4 @@
-//! What the inputs of a block do, sample by sample: sums of components, and events that overrule them.
+//! The inputs of a block, sample by sample: sums of components, and events that override them.
 //!
 //! Everything comes from integers and `libm`, so that every host makes the same bits.
 
@@ -10,14 +10,14 @@ use portable::{Literal, RealKind};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 
-/// What the inputs do. An input that is not mentioned keeps its start.
+/// The inputs of a run. An input that is not mentioned keeps its start value.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Stimulus {
-    /// for each real input the components that are added up
+    /// for each real input the components to be added
     #[serde(default)]
     pub signal: BTreeMap<String, Vec<Component>>,
-    /// what overrules them, the later the stronger
+    /// events that override them; later ones override earlier ones
     #[serde(default)]
     pub event: Vec<Event>,
 }
@@ -30,37 +30,37 @@ pub struct Component {
     pub form: Form,
     /// its size, in the unit of the signal
     pub amplitude: f64,
-    /// where it is there; always, if it is not said
+    /// the cycles in which it is active; by default always
     #[serde(default)]
     pub window: Window,
 }
 
-/// Cycles in which a component or an event is there: `length` cycles from `at` on, again after every `every` cycles.
+/// Cycles in which a component or an event is active: `length` cycles from `at` on, repeated after every `every` cycles.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Window {
     /// the first cycle
     #[serde(default)]
     pub at: u64,
-    /// how many; 0: to the end
+    /// number of cycles; 0: to the end
     #[serde(default)]
     pub length: u64,
-    /// after how many it begins again; 0: never
+    /// cycles until it begins again; 0: never
     #[serde(default)]
     pub every: u64,
 }
 
-/// A value that overrules a signal.
+/// A value that overrides a signal.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Event {
     /// the signal
     pub signal: String,
-    /// the value, as a cell of a CSV file has it; a case file may also give a number, `true` or `nan`, `inf`, `-inf`. An
-    /// integer without sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, and 4
+    /// the value as a cell of a CSV file; a case file may also contain a number, `true` or `nan`, `inf`, `-inf`. An integer
+    /// without sign may count the samples: `counts*2/3+4` is twice the number of the sample, divided by 3, plus 4
     #[serde(deserialize_with = "cell")]
     pub value: String,
-    /// when
+    /// the cycles in which it is active
     pub window: Window,
 }
 
@@ -86,26 +86,26 @@ impl Component {
     }
 }
 
-/// Who answers to a block: it sets inputs from what the block put out. Events overrule it, too.
+/// A partner of a block: it sets inputs depending on the outputs of the block. Events override it, too.
 pub trait Partner {
     /// Sets inputs of a sample.
     fn lead(&mut self, inputs: &mut [Literal]);
-    /// Sees the inputs that the block gets in that sample.
+    /// Reads the inputs that the block gets in that sample.
     fn see(&mut self, inputs: &[Literal]);
 }
 
-/// Makes a run of a block's inputs.
+/// Generates a run of a block's inputs.
 ///
 /// # Errors
-/// What the stimulus says of a signal that the block does not have, or cannot have.
+/// The stimulus contains a signal, or a value of it, that the block cannot have.
 pub fn samples(stimulus: &Stimulus, shape: &Shape, count: usize) -> Result<Samples, String> {
     answered(stimulus, shape, count, None)
 }
 
-/// Makes a run of a block's inputs with a partner.
+/// Generates a run of a block's inputs with a partner.
 ///
 /// # Errors
-/// What the stimulus says of a signal that the block does not have, or cannot have.
+/// The stimulus contains a signal, or a value of it, that the block cannot have.
 pub fn answered(
     stimulus: &Stimulus,
     shape: &Shape,
@@ -125,7 +125,7 @@ pub fn answered(
         values.copy_from_slice(&start);
         for (signal, components) in &mut signals {
             let parts = components.iter_mut().map(|(component, waveform)| component.at(waveform, sample));
-            // Not `sum()`: the sign of the zero that it begins with is not the same in all versions of Rust.
+            // Not `sum()`: the sign of its initial zero differs between versions of Rust.
             values[*signal] = real(parts.fold(0.0, |sum, part| sum + part), shape.real);
         }
         if let Some(partner) = &mut partner {
@@ -144,7 +144,7 @@ pub fn answered(
     Ok(samples)
 }
 
-/// What an event writes.
+/// The value that an event writes.
 enum Written {
     /// one value
     Fixed(Literal),
@@ -162,7 +162,7 @@ impl Written {
     }
 }
 
-/// The factors of `counts*2/3+4`; none: it is something else.
+/// The factors of `counts*2/3+4`; `None` for any other text.
 fn counting(text: &str) -> Option<Written> {
     let rest = text.strip_prefix("counts")?;
     let (rest, more) = rest.split_once('+').unwrap_or((rest, "0"));
@@ -173,7 +173,7 @@ fn counting(text: &str) -> Option<Written> {
     Some(Written::Counting { times, parts, more })
 }
 
-/// The position of a real input whose components make sense.
+/// The position of a real input with valid components.
 fn real_signal(name: &str, components: &[Component], shape: &Shape) -> Result<usize, String> {
     let signal = position(name, shape)?;
     if shape.signals[signal].ty != Type::Real {
@@ -189,7 +189,7 @@ fn with_waveforms(components: &[Component]) -> Vec<(&Component, Waveform<'_>)> {
     components.iter().map(|component| (component, Waveform::new(&component.form))).collect()
 }
 
-/// Which input an event overrules, with which value, when.
+/// The input that an event overrides, with the value and the time.
 fn overruling(event: &Event, shape: &Shape) -> Result<(usize, Written, Window), String> {
     let signal = position(&event.signal, shape)?;
     let counts = shape.signals[signal].ty == Type::U32;

@@ -14,13 +14,13 @@ pub struct Subject {
     step: Cycle,
     given: Vec<Literal>,
     answers: Vec<Literal>,
-    /// what it got so far, and what it gave
+    /// its inputs and outputs so far
     pub inputs: Samples,
     pub outputs: Samples,
 }
 
 impl Subject {
-    /// Before the first cycle, with the start values of its inputs.
+    /// The state before the first cycle, with the start values of its inputs.
     ///
     /// # Panics
     /// If the axis does not have the block.
@@ -38,20 +38,20 @@ impl Subject {
         }
     }
 
-    /// Sets an input from this cycle on; an input that the block does not have is passed over. Whether it has it.
+    /// Sets an input from this cycle on; returns whether the block has it.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
         let Some(at) = self.inputs.shape.place(name) else { return false };
         self.given[at] = literal(value, self.inputs.shape.signals[at].ty, self.inputs.shape.real);
         true
     }
 
-    /// What an input is, until it is set its start value. None: the block does not have it.
+    /// The present value of an input, initially its start value. `None` if the block does not have it.
     #[must_use]
     pub fn input(&self, name: &str) -> Option<f64> {
         self.inputs.shape.place(name).map(|at| number(self.given[at]))
     }
 
-    /// What an output was in the last cycle, before the first one its start value. None: the block does not have it.
+    /// The value of an output in the last cycle, initially its start value. `None` if the block does not have it.
     #[must_use]
     pub fn output(&self, name: &str) -> Option<f64> {
         self.outputs.shape.place(name).map(|at| number(self.answers[at]))
@@ -70,7 +70,7 @@ impl Subject {
         self.outputs.push(&self.answers);
     }
 
-    /// One cycle with what improved position control sees; returns `v_add` [um/s].
+    /// One cycle with the inputs of improved position control; returns `v_add` [um/s].
     pub fn cycle(&mut self, signals: &Signals) -> f64 {
         let Signals { v_command, v_motor, v_direct } = *signals;
         for (input, value) in [("v_command", v_command), ("v_motor", v_motor), ("v_direct", v_direct)] {
@@ -80,20 +80,20 @@ impl Subject {
         self.get("v_add")
     }
 
-    /// What went in and came out so far is forgotten.
+    /// Clears the record of inputs and outputs.
     pub fn record_anew(&mut self) {
         self.inputs.bytes.clear();
         self.outputs.bytes.clear();
     }
 
-    /// What went in and came out since then, or since the start, as CSV.
+    /// The record of inputs and outputs as CSV, since it was cleared or since the start.
     #[must_use]
     pub fn csv(&self) -> String {
         csv::write(&[&self.inputs, &self.outputs], Reals::Decimal)
     }
 }
 
-/// A value of a signal as a number; every value of a signal is one exactly.
+/// A value of a signal as a number, which is exact for every value.
 pub(crate) fn number(value: Literal) -> f64 {
     match value {
         Literal::Bool(value) => f64::from(u8::from(value)),

@@ -42,7 +42,7 @@ pub(crate) fn allowed(ty: Type, real: RealKind) -> &'static str {
     }
 }
 
-/// What to do about such a cell; empty: what is allowed says it.
+/// The remedy for such a cell; empty if the allowed values are sufficient.
 pub(crate) fn instead(cell: &str, ty: Type, real: RealKind) -> &'static str {
     match (ty, real, cell.strip_prefix("0x").map(str::len)) {
         (Type::Real, RealKind::F64, Some(8)) => "real = \"f32\" in the set: 8 digits are those of REAL",

@@ -6,14 +6,14 @@ use serde::Deserialize;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub enum Form {
-    /// 1; within a window a step
+    /// 1; a step if limited by a window
     Constant,
     /// a sine
     Sine {
         /// cycles of the block in one period
         period: f64,
     },
-    /// a sine whose frequency rises linearly, and begins again
+    /// a sine whose frequency rises linearly, and starts again
     Chirp {
         /// period at the beginning
         from: f64,
@@ -31,13 +31,13 @@ pub enum Form {
     Move {
         /// cycles of each of the four phases
         phase: u32,
-        /// cycles of a ramp, of which a quarter each the acceleration grows and falls
+        /// cycles of a ramp; the acceleration rises in the first quarter and falls in the last one
         ramp: u32,
     },
 }
 
 impl Form {
-    /// What cannot be: a period or a length that is not above 0.
+    /// The error in a form: a period or a length that is not above 0.
     #[must_use]
     pub fn mistake(&self) -> Option<String> {
         let times = match *self {
@@ -51,7 +51,7 @@ impl Form {
     }
 }
 
-/// A form in motion; to be asked sample by sample.
+/// A form in operation, evaluated sample by sample.
 pub struct Waveform<'f> {
     form: &'f Form,
     random: Random,
@@ -68,7 +68,7 @@ impl<'f> Waveform<'f> {
         Self { form, random: Random(88_172_645_463_325_252 ^ (seed << 20)) }
     }
 
-    /// The value at a sample. Noise is another value at each call.
+    /// The value at a sample. Noise has another value at each call.
     pub fn at(&mut self, sample: u64) -> f64 {
         let n = exact(sample);
         let turns = match *self.form {

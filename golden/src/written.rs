@@ -1,17 +1,17 @@
-//! How many digits of the values of a column were written, and what the last of them was worth.
+//! The number of written digits of a column's values, and the unit of the last digit.
 
 use portable::{Extreme, Literal, RealKind};
 
-/// How many digits of the values of a column were written.
+/// The number of written digits of a column's values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Precision {
-    /// the most significant digits of a value; 0: all are there, or the signal has no column
+    /// the largest number of significant digits; 0 if all are written, or if the signal has no column
     pub digits: usize,
-    /// the most digits after the point
+    /// the largest number of decimals
     decimals: i32,
 }
 
-/// Significant digits and digits after the point of a number as it was written; all of them if it is written in bits.
+/// Significant digits and decimals of a number as written; all digits if it is written in bits.
 fn written(cell: &str) -> (usize, i32) {
     if cell.starts_with("0x") {
         return (usize::MAX, 0);
@@ -23,7 +23,7 @@ fn written(cell: &str) -> (usize, i32) {
 }
 
 impl Precision {
-    /// One value more; only reals have digits.
+    /// Includes another value; only reals have digits.
     pub(crate) fn add(&mut self, cell: &str, value: Literal) {
         if matches!(value, Literal::F64(_) | Literal::F32(_)) {
             let (digits, decimals) = written(cell);
@@ -32,7 +32,7 @@ impl Precision {
         }
     }
 
-    /// Of a whole column: all digits are there if a value has more than the type.
+    /// The precision of a whole column: all digits are written if a value has more than the type.
     pub(crate) fn of_column(self, real: RealKind) -> Self {
         let full = match real {
             RealKind::F64 => 16,
@@ -41,7 +41,7 @@ impl Precision {
         if self.digits > full { Self::default() } else { self }
     }
 
-    /// The digits of a value that was rounded once more when it was multiplied by a factor.
+    /// The precision of values that were rounded once more when they were multiplied by a factor.
     pub(crate) fn inexact(self, real: RealKind, factor: f64) -> Self {
         let full = match real {
             RealKind::F64 => 15,
@@ -55,7 +55,7 @@ impl Precision {
         }
     }
 
-    /// What the last digit of a value was worth when it was written.
+    /// The unit of the last written digit of a value.
     pub(crate) fn unit(self, value: f64) -> f64 {
         let digits = i32::try_from(self.digits).unwrap_or(0);
         match self.digits {

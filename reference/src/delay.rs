@@ -72,7 +72,7 @@ pub fn interpolated<R: Real>(samples: &[R; LONGEST], coeffs: &Coeffs<R>, x: R) -
 #[portable]
 pub fn shift<R: Real>(samples: &mut [R; LONGEST], x: R) {
     for k in 0..LONGEST {
-        // From the oldest on.
+        // From the oldest sample on.
         samples[LONGEST - 1 - k] = if k + 1usize < LONGEST { samples[LONGEST - 2 - k] } else { x };
     }
 }
@@ -90,7 +90,7 @@ pub fn is_intact<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
     intact
 }
 
-/// One cycle: takes the input, gives the delayed one.
+/// One cycle: takes the input, returns the delayed one.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, delayed: &mut Delayed<R>) {
     delayed.overwritten = false;

@@ -1,4 +1,4 @@
-//! Which real type a block has. Nothing is computed here.
+//! The real type of a block. Nothing is computed here.
 
 use portable::{Real, portable};
 

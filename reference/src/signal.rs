@@ -240,6 +240,13 @@ pub fn error_only_velocity() -> u32 {
     49u32
 }
 
+/// error_id: excitation: the motor stands still or has changed its direction, v_excite fades out; not a fault; stays until the
+/// next start
+#[portable]
+pub fn error_reversal() -> u32 {
+    51u32
+}
+
 /// error_id: improved position control is enabled on a gantry slave, the error 70600 of the controller
 #[portable]
 pub fn error_gantry_slave() -> u32 {

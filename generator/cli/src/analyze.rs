@@ -1,4 +1,4 @@
-//! `axgen analyze`: whether the loop of each axis is stable, its margins, the weights that it bears; as a table, as JSON, as a picture.
+//! `axgen analyze`: stability of the loop of each axis, its margins, its largest weights; as a table, as JSON, as a picture.
 
 use crate::arguments::{AnalyzeArguments, DriveArguments, SetArguments};
 use crate::exit::Exit;

@@ -1,4 +1,4 @@
-//! The command line: what it takes, in the words of its help. Nothing is done here.
+//! The command line: its arguments, in the words of its help. Nothing is done here.
 
 use crate::emit;
 use crate::measure;
@@ -72,7 +72,7 @@ pub enum Command {
         /// The axis; optional if the set has only one
         #[arg(long, value_name = "X")]
         axis: Option<String>,
-        /// The block: ipc, feedforward, position_control, spindle, axis or spindle_axis
+        /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
         #[arg(long, value_name = "B", default_value = "ipc")]
         block: String,
         /// The engine: reference, program, c, rust, st, twincat, codesys or scl

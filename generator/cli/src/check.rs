@@ -1,4 +1,5 @@
-//! `axgen check`: reads and checks the set, and says what its blocks would do; with `--verbose` what is certain of them, in figures.
+//! `axgen check`: reads and checks the set, and reports the effect of its blocks; with `--verbose` also their proven
+//! properties, in figures.
 
 use crate::arguments::SetArguments;
 use crate::exit::Exit;

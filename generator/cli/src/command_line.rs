@@ -1,4 +1,4 @@
-//! Reading the command line: what is wrong with it is said as messages are, for machines too.
+//! Parses the command line. Its errors have the form of messages, for programs too.
 
 use crate::arguments::Cli;
 use crate::exit::Exit;
@@ -10,19 +10,19 @@ use generator::codes;
 use std::ffi::{OsStr, OsString};
 use std::io::{self, Write};
 
-/// The command with its options; if there is none, how axgen ends, which has been said.
+/// The command with its options; otherwise the exit code, after a reported error.
 pub fn read() -> Result<Cli, Exit> {
     Cli::try_parse().map_err(|error| {
         let arguments: Vec<OsString> = std::env::args_os().collect();
         let format = if asks_for_json(&arguments) { Format::Json } else { Format::Human };
         match error.kind() {
-            // The text is what was asked for.
+            // The text was requested.
             ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => {
                 let printed = output::taken(error.print().and_then(|()| io::stdout().flush()));
                 printed.err().map_or(Exit::Done, |exit| exit.say(format))
             }
             _ if format == Format::Json => Exit::input(codes::USAGE, "axgen", found(&error)).say(format),
-            // For people it has colours.
+            // For readers it has colours.
             _ => {
                 let _ = error.print();
                 Exit::Input(generator::diagnostics::Report::default())
@@ -31,7 +31,7 @@ pub fn read() -> Result<Cli, Exit> {
     })
 }
 
-/// Whether messages are for machines, on a command line that may be wrong elsewhere.
+/// Whether messages are for programs, on a command line that may have other errors.
 fn asks_for_json(arguments: &[OsString]) -> bool {
     let pairs = arguments.iter().zip(arguments.iter().skip(1).map(Some).chain([None]));
     let is = |text: &OsString, wanted: &str| text.as_os_str() == OsStr::new(wanted);
@@ -42,7 +42,7 @@ fn asks_for_json(arguments: &[OsString]) -> bool {
     })
 }
 
-/// What clap says, without what it says each time.
+/// The message of clap without its constant parts.
 fn found(error: &clap::Error) -> String {
     if error.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
         return "a command is missing".to_owned();

@@ -1,4 +1,4 @@
-//! `axgen generate --check` and `--diff`: what on disk differs from what would be written. Nothing is written.
+//! `axgen generate --check` and `--diff`: the differences between the disk and the generated files. Nothing is written.
 
 use crate::exit::Exit;
 use crate::leftovers::{Leftovers, Scope};
@@ -15,7 +15,7 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// How differences are said.
+/// The form in which differences are shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Show {
     /// the files' names
@@ -24,7 +24,7 @@ pub enum Show {
     Lines,
 }
 
-/// Compares a folder with what would be made there, and says every difference. Silent where there is none.
+/// Compares a folder with the generated files, and shows every difference. Prints nothing if there is none.
 pub fn run(plan: &Plan<'_>, recorded: &Recorded, scope: &Scope<'_>, show: Show) -> Result<Exit, Exit> {
     let files = plan.files(&recorded.set, |file| difference(file, &recorded.out, show));
     let made = files.iter().map(|(name, entry, _)| (name.as_str(), entry.as_ref())).collect();
@@ -35,7 +35,7 @@ pub fn run(plan: &Plan<'_>, recorded: &Recorded, scope: &Scope<'_>, show: Show) 
     say(files.into_iter().map(|(.., difference)| difference).chain([manifest]).chain(left_over))
 }
 
-/// What is said of a file that differs from the one in a folder; none: it does not.
+/// The text about a file that differs from the one in a folder; `None` if it does not differ.
 fn difference(file: &File, folder: &Path, show: Show) -> Result<Option<String>, Exit> {
     let path = folder.join(&file.name);
     let is_missing = |error: io::Error| matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory);
@@ -68,7 +68,7 @@ fn say(differences: impl Iterator<Item = Result<Option<String>, Exit>>) -> Resul
     Ok(exit)
 }
 
-/// The lines that differ, as a unified diff: from what is on disk to what would be written.
+/// The differing lines as a unified diff, from the file on disk to the generated one.
 fn lines(path: &Path, found: &[u8], wanted: &str) -> String {
     let found = String::from_utf8_lossy(found);
     let diff = TextDiff::from_lines(found.as_ref(), wanted);

@@ -1,4 +1,4 @@
-//! What `axgen run --compare` says: what a recording can prove, how far it agrees with an engine, and where it differs.
+//! The output of `axgen run --compare`: what a recording can prove, its agreement with an engine, and its differences.
 
 use crate::exit::Exit;
 use crate::given::name_of;
@@ -18,7 +18,7 @@ use golden::samples::Samples;
 use golden::written::Precision;
 use std::path::Path;
 
-/// What is compared with a recording.
+/// The block that is compared with a recording.
 pub struct Subject<'s> {
     pub designed: &'s Designed,
     pub block: &'s Block,
@@ -27,7 +27,7 @@ pub struct Subject<'s> {
     pub others: Vec<&'s Designed>,
 }
 
-/// What moved, how much of it with mode ON, and what was taken for granted.
+/// The signals that moved, the part with mode ON, and the assumptions.
 pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_>) -> Result<(), Exit> {
     let (moving, still): (Vec<_>, Vec<_>) = evidence.signals.iter().partition(|span| span.moves());
     let list = |texts: Vec<String>| if texts.is_empty() { "nothing".to_owned() } else { texts.join(", ") };
@@ -53,7 +53,7 @@ pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_
     Ok(())
 }
 
-/// Whether the recording proves something; says why it does not.
+/// Whether the recording proves anything; if not, reports the reason.
 pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
     let mut report = Report::default();
     for lack in evidence.lacks() {
@@ -75,7 +75,7 @@ pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
     report.diagnostics.is_empty()
 }
 
-/// Says how a recording differs from what an engine gave for these inputs; gives whether it agrees.
+/// Reports the differences between a recording and the outputs of an engine for these inputs; returns whether they agree.
 pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subject: &Subject<'_>) -> Result<bool, Exit> {
     let Subject { designed, block, engine, .. } = subject;
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
@@ -87,7 +87,7 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
     if !recording.left_out.is_empty() {
         output::line(format!("left out, no signal of {}: {}", block.program.block, recording.left_out.join(", ")))?;
     }
-    // What the rounding of the inputs changes is asked of the reference: every engine would say the same.
+    // The reference shows the effect of rounded inputs: every engine has the same result.
     let moved = recording.moved_inputs();
     let moved = moved.map(|moved| engine::run(Engine::Reference, designed, block, &moved)).transpose();
     let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
@@ -114,7 +114,7 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
     Ok(agrees)
 }
 
-/// Names the mistake that explains the difference, or says that none does.
+/// Names the mistake that explains the difference, or reports that none does.
 fn explanation(
     recording: &Recording,
     inputs: &Samples,
@@ -149,11 +149,11 @@ fn explanation(
     Ok(())
 }
 
-/// What is tried, in words.
+/// The mistakes that are tried, in words.
 const TRIED: &str = "sign, factor, swapped or late columns, sampling, start, lost samples, inputs without a column, cycle time, real \
      type, axis";
 
-/// Whether no output differs by more than a millionth of its largest value, and no BOOL and no integer at all.
+/// Whether no output differs by more than a millionth of its largest value, and no BOOL and no integer differs.
 fn only_last_digits(errors: &[recording::Error]) -> bool {
     errors.iter().all(|error| error.largest <= 1e-6 * error.scale)
 }

@@ -1,4 +1,5 @@
-//! Whether the compiler of an engine works at all: to tell a program that cannot compile anything from one that refuses a block.
+//! Whether the compiler of an engine works at all: distinguishes a compiler that cannot compile anything from one that
+//! refuses a block.
 
 use golden::engine::{Compiler, Engine, rust};
 use std::path::Path;
@@ -8,10 +9,10 @@ use std::process::Command;
 struct Needed {
     language: &'static str,
     command: String,
-    /// the variable of the environment that chooses another
+    /// the environment variable that selects another one
     variable: &'static str,
     options: &'static [&'static str],
-    /// a program that every such compiler takes, with its file's name
+    /// a program that every such compiler accepts, with its file name
     program: [&'static str; 2],
 }
 
@@ -35,7 +36,7 @@ fn needed(engine: Engine) -> Option<Needed> {
     }
 }
 
-/// Whether an engine has what it needs: its compiler, if there is one, makes a program that runs.
+/// Whether an engine's compiler, if it needs one, produces a program that runs.
 pub fn works(engine: Engine) -> bool {
     let Some(Needed { command, options, program: [name, text], .. }) = needed(engine) else { return true };
     let Ok(folder) = tempfile::tempdir() else { return false };
@@ -51,7 +52,7 @@ fn runs(program: &Path) -> bool {
     Command::new(program).output().is_ok_and(|output| output.status.success())
 }
 
-/// What is said of one that does not; `text` is what it said itself.
+/// The message about an engine that does not work; `text` is the engine's own message.
 pub fn broken(engine: Engine, text: &str) -> String {
     let Some(Needed { language, command, variable, .. }) = needed(engine) else { return text.to_owned() };
     let text = if text.trim().is_empty() { "nothing" } else { text.trim() };

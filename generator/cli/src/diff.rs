@@ -1,4 +1,4 @@
-//! `axgen diff`: what a change between two sets means for the machine.
+//! `axgen diff`: the effect of a change between two sets on the machine.
 
 use crate::exit::Exit;
 use crate::input::said;
@@ -9,8 +9,7 @@ use generator::diff;
 use generator::pipeline::{self, Set};
 use std::path::Path;
 
-/// Runs the command. `options` are for the axis lists among the two; two lists are versions of one axis, whatever the files'
-/// names.
+/// Runs the command. `options` are for axis lists; two lists are versions of one axis, even if their file names differ.
 pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<Exit, Exit> {
     let (mut before, after) = both(old, new, options, format)?;
     if let ([before], [after], false, false) =
@@ -25,14 +24,14 @@ pub fn run(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Res
     Ok(if differ { Exit::Different } else { Exit::Done })
 }
 
-/// Reads two versions of axes. `options` are for the lists among the two.
+/// Reads two versions of axes. `options` are for axis lists.
 pub fn both(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Result<(Set, Set), Exit> {
     let some_list = !is_set(old) || !is_set(new);
     let load = |path: &Path, are_warnings_said| {
         let none = ListOptions::default();
         read(path, if is_set(path) && some_list { &none } else { options }, format, are_warnings_said)
     };
-    // Both are read, so that the mistakes of both are said; warnings are of interest for the axes that are to run.
+    // Both are read, so that the errors of both are reported. Warnings are reported only for the new version.
     match (load(old, false), load(new, true)) {
         (Ok(before), Ok(after)) => Ok((before, after)),
         (Err(exit), _) | (_, Err(exit)) => Err(exit),
@@ -40,7 +39,7 @@ pub fn both(old: &Path, new: &Path, options: &ListOptions, format: Format) -> Re
 }
 
 fn read(path: &Path, options: &ListOptions, format: Format, are_warnings_said: bool) -> Result<Set, Exit> {
-    // What oscillates can be compared all the same: mostly with what no longer does.
+    // An unstable version can be compared, too: usually with one that is stable.
     let (set, report) = pipeline::read_to_look_at(path, options, &config::load);
     match set {
         Some(set) if !are_warnings_said => Ok(set),

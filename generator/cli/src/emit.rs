@@ -8,13 +8,13 @@ use generator::blocks::{self, Designed};
 use generator::target::{self, TARGETS};
 use std::borrow::Cow;
 
-/// The stages, in the order of the pipeline; at last the programs as the targets with passes of their own print them.
+/// The stages, in the order of the pipeline; at the end the programs for targets with their own passes.
 fn stages() -> Vec<&'static str> {
     let targets = TARGETS.iter().filter(|target| !target.passes.is_empty()).map(|target| target.name);
     ["parameters", "program"].into_iter().chain(pass::PASSES.map(|(name, _)| name)).chain(targets).collect()
 }
 
-/// What the help says of the option.
+/// The help text of the option.
 pub fn help() -> String {
     format!("Print one stage of the pipeline instead: {}", stages().join(", "))
 }
@@ -37,7 +37,7 @@ pub fn run<'a>(axes: impl Iterator<Item = &'a Designed>, stage: &str) -> Result<
     Ok(Exit::Done)
 }
 
-/// Prints the programs of an axis after a pass, or for a target; none: as the specialiser gives them.
+/// Prints the programs of an axis after a pass, or for a target; with `None`, the output of the specialiser.
 fn print(designed: &Designed, last: Option<&str>) -> Result<(), Exit> {
     let programs = match last.and_then(target::named) {
         Some(target) => {

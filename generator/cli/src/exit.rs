@@ -1,4 +1,4 @@
-//! The exit codes, which scripts rely on, and the way in which a failure is said.
+//! The exit codes, on which scripts rely, and the report of a failure.
 
 use crate::messages::{self, Format};
 use crate::output;
@@ -7,7 +7,7 @@ use generator::diagnostics::{Diagnostic, Place, Report};
 use std::fmt::Display;
 use std::process::ExitCode;
 
-/// How the command ends. Messages that have not been said yet go to standard error.
+/// The end of the command. Messages that have not been reported yet are printed to standard error.
 #[derive(Debug)]
 pub enum Exit {
     /// 0
@@ -21,28 +21,28 @@ pub enum Exit {
 }
 
 impl Exit {
-    /// The input is wrong; `of` is the file or the option that it is about.
+    /// An error in the input; `of` is the file or the option.
     pub fn input(code: &'static str, of: impl Display, found: impl Display) -> Self {
         Self::Input(Diagnostic::error(code, Place::whole(of), found.to_string()).into())
     }
 
-    /// The environment is wrong; `of` is the file or the program that it is about.
+    /// An error of the environment; `of` is the file or the program.
     pub fn environment(code: &'static str, of: impl Display, found: impl Display) -> Self {
         Self::Environment(Diagnostic::error(code, Place::whole(of), found.to_string()).into())
     }
 
-    /// A file, or standard output, takes nothing.
+    /// A file or standard output cannot be written.
     pub fn unwritable(of: impl Display, error: impl Display) -> Self {
         Self::environment(codes::UNWRITABLE, of, error)
     }
 
-    /// A name of the command line that nothing has, and those that there are.
+    /// An unknown name on the command line, with the known names.
     pub fn no_such(option: &str, what: &str, name: &str, known: &[&str]) -> Self {
         let found = format!("no {what} `{}`", name.escape_default());
         Self::Input(Diagnostic::error(codes::NO_SUCH, Place::whole(option), found).allowed(known.join(", ")).into())
     }
 
-    /// Says why, if that has not been said.
+    /// Reports the reason, if it has not been reported.
     pub fn say(self, format: Format) -> Self {
         if let Self::Input(report) | Self::Environment(report) = &self {
             output::say(&messages::text(report, format));

@@ -1,4 +1,5 @@
-//! `axgen explain`: what a code of a message, an error of the controller, an error id of a block or a word means, and what to do.
+//! `axgen explain`: meaning and remedy of a message code, an error of the controller or an error id of a block, or the
+//! meaning of a word.
 
 use crate::exit::Exit;
 use crate::output;
@@ -7,7 +8,7 @@ use generator::blocks;
 use generator::codes::{self, CODES, Code, explain, of_controller};
 use generator::error_ids::{self, ErrorId};
 
-/// Runs the command; without a code it lists all.
+/// Runs the command; without a code it lists all codes.
 pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
     let Some(wanted) = code else {
         for code in CODES {
@@ -45,7 +46,7 @@ fn text(code: &Code) -> String {
     format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
 }
 
-/// What a word means: the name of a signal, a parameter, a value of one.
+/// The meanings of a word: the name of a signal, a parameter, or a value of one.
 fn of_word(wanted: &str) -> Vec<String> {
     let signals = blocks::signals(wanted).into_iter().map(|(block, is_output, doc)| {
         let kind = if is_output { "output" } else { "input" };
@@ -57,7 +58,7 @@ fn of_word(wanted: &str) -> Vec<String> {
     found
 }
 
-/// What the controller and the blocks mean by a number.
+/// The meanings of a number for the controller and the blocks.
 fn of_number(number: u32) -> Vec<String> {
     let of_block = error_ids::all().find(|known| known.id == number).map(|ErrorId { why, does, remedy, .. }| {
         format!("error_id {number} of a block: {why}\n\nWhat the block does: {does}\n\nWhat to do: {remedy}")

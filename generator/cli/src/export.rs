@@ -8,8 +8,8 @@ use generator::{config, import_export};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// Runs the command: the axis may be left out where the set has one; without a file, or to `-`, it writes to standard
-/// output; a file that is there is replaced only by force.
+/// Runs the command. The axis is optional if the set has only one. Without a file, or to `-`, it writes to standard output.
+/// An existing file is replaced only with `force`.
 pub fn run(set: &Path, axis: Option<&str>, out: Option<&Path>, force: bool, format: Format) -> Result<Exit, Exit> {
     let read = Mutex::new(vec![set.to_owned()]);
     let load = |path: &Path| {

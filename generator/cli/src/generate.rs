@@ -1,4 +1,4 @@
-//! `axgen generate`: reads the set, makes the files, writes them.
+//! `axgen generate`: reads the set, generates the files, writes them.
 
 use crate::arguments::SetArguments;
 use crate::compare_files::{self, Show};
@@ -19,16 +19,16 @@ use generator::write::{Folder, Refusal};
 use generator::{codes, summary};
 use std::path::{Path, PathBuf};
 
-/// Axes that are described one by one; of more, only their number is said.
+/// Largest number of axes that are described one by one; of more, only the number is printed.
 const DESCRIBED_AXES: usize = 10;
 
 /// What the command takes, in addition to the set.
 pub struct GenerateArguments {
     /// target languages; empty: the set's
     pub targets: Vec<String>,
-    /// axes; empty: all
+    /// axes; empty for all
     pub axes: Vec<String>,
-    /// how many samples the runners have that are written next to the blocks; none: no runners
+    /// number of samples of the runners written next to the blocks; `None` for no runners
     pub runner: Option<usize>,
     /// the folder for the files
     pub out: PathBuf,
@@ -40,7 +40,7 @@ pub struct GenerateArguments {
     pub emit: Option<String>,
 }
 
-/// What the files are made for.
+/// The purpose of generating the files.
 enum Purpose {
     Compare(Show),
     Write(Folder),
@@ -84,7 +84,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &GenerateArguments
     Ok(Exit::Done)
 }
 
-/// Why nothing was written: a file that was edited is the user's to judge, the rest is the environment.
+/// The exit for a refusal: an edited file is an error of the input, everything else of the environment.
 pub fn refused(refusal: Refusal) -> Exit {
     match refusal {
         Refusal::Edited(_) => Exit::Input(refusal.report()),
@@ -92,8 +92,8 @@ pub fn refused(refusal: Refusal) -> Exit {
     }
 }
 
-/// The targets of the command line, else of the set, else the usual ones and those that the folder has from the set: they were asked
-/// for once, and would be out of date.
+/// The targets of the command line, else of the set, else the default ones and those of the set's files in the folder: these
+/// were requested earlier, and would become outdated.
 fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target>, Exit> {
     let there = recorded.targets().into_iter().filter(|name| target::named(name).is_some());
     let usual: Vec<String> = DEFAULT_TARGETS.into_iter().chain(there).map(str::to_owned).collect();
@@ -102,7 +102,7 @@ fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target
     for name in names {
         let known = TARGETS.map(|target| target.name);
         let target = target::named(name).ok_or_else(|| Exit::no_such("--target", "target", name, &known))?;
-        // A target that is named twice has its files once.
+        // A target that is named twice is generated once.
         if targets.iter().all(|chosen| chosen.name != target.name) {
             targets.push(target);
         }
@@ -110,7 +110,7 @@ fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target
     Ok(targets)
 }
 
-/// The targets, those that have runners with them.
+/// The targets, with runners where the language has them.
 fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exit> {
     if targets.iter().all(|target| target.with_runners(samples).is_none()) {
         let names: Vec<&str> = targets.iter().map(|target| target.name).collect();

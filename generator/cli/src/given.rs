@@ -1,4 +1,4 @@
-//! The files of samples that `axgen run` takes: a stimulus, a recording, or both.
+//! The files of samples for `axgen run`: a stimulus, a recording, or both.
 
 use crate::exit::Exit;
 use crate::messages::Format;
@@ -16,10 +16,10 @@ use golden::table::Table;
 use std::io;
 use std::path::Path;
 
-/// What a run gets, and what it is compared with.
+/// The inputs of a run, and the recording to compare with.
 pub struct Given {
     pub inputs: Samples,
-    /// the inputs that a file says, by their positions; the others keep their start
+    /// the inputs that a file contains, by their positions; the others keep their start values
     pub given: Vec<usize>,
     pub recording: Option<Recording>,
 }
@@ -64,7 +64,7 @@ pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: 
     Ok(Given { inputs, given, recording })
 }
 
-/// What was read, or all that is wrong: with the file, and with what the map names.
+/// The result of reading, or all errors, including unknown names in the map.
 pub fn checked<T>(read: Result<T, Vec<Mistake>>, unknown: &[Mistake], file: &Path) -> Result<T, Exit> {
     match read {
         Ok(read) if unknown.is_empty() => Ok(read),
@@ -101,7 +101,7 @@ pub fn text(path: &Path) -> Result<String, Exit> {
     })
 }
 
-/// What messages call it.
+/// Its name in messages.
 pub fn name_of(input: &Path) -> String {
     if is_standard(input) { "standard input".to_owned() } else { input.slashes() }
 }

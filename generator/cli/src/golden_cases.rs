@@ -8,7 +8,7 @@ use generator::diagnostics::Slashes;
 use golden::case::{self, Case};
 use std::path::{Path, PathBuf};
 
-/// Writes the vectors of every case; the inputs of a scenario only where there are none, or again.
+/// Writes the vectors of every case. Inputs of a scenario are written only if there are none, or with `again`.
 pub fn record(folders: &[PathBuf], again: bool) -> Result<Exit, Exit> {
     for case in read_all(folders)? {
         let failed = |text| Exit::environment(codes::CASE, case.folder.slashes(), text);
@@ -36,7 +36,7 @@ pub fn verify(folders: &[PathBuf], files: &Files) -> Result<Exit, Exit> {
     Ok(exit)
 }
 
-/// Reads all cases before anything is done with one.
+/// Reads all cases before any of them is processed.
 fn read_all(folders: &[PathBuf]) -> Result<Vec<Case>, Exit> {
     folders.iter().map(|folder| case::read(folder).map_err(|text| unusable(folder, text))).collect()
 }

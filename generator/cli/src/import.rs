@@ -12,13 +12,13 @@ use std::path::Path;
 pub struct ImportArguments<'r> {
     /// the cycle time of the set; none: the set has a line to fill in
     pub cycle_time: Option<String>,
-    /// the name of the axis; none: from the file's name
+    /// the name of the axis; `None` for the file's name
     pub name: Option<String>,
-    /// the file to write; none, or `-`: standard output
+    /// the file to write; `None` or `-` for standard output
     pub out: Option<&'r Path>,
-    /// whether a file that is there may be replaced
+    /// whether an existing file may be replaced
     pub force: bool,
-    /// what messages look like
+    /// the format of messages
     pub format: Format,
 }
 

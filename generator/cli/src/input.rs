@@ -1,4 +1,4 @@
-//! Reading the set that a command names, with its messages on standard error.
+//! Reads the set that a command names, with its messages on standard error.
 
 use crate::arguments::SetArguments;
 use crate::exit::Exit;
@@ -10,7 +10,7 @@ use generator::config::{self, ListOptions, OptionKey};
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 
-/// Reads and checks the set; says all messages. With an error the command ends here.
+/// Reads and checks the set; reports all messages. With an error the command ends here.
 pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Exit> {
     let options = ListOptions {
         cycle_time: arguments.cycle_time.clone(),
@@ -21,21 +21,21 @@ pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Ex
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
-/// The same for a command that shows what the set would do, with options in the place of keys: a loop that is unstable is a warning.
+/// Reads the set for a command that shows its effect, with options that override keys: an unstable loop is only a warning.
 pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<(Set, usize), Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
     let (set, report) = pipeline::read_to_look_at(&arguments.set, &options, &config::load);
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
-/// The same for a command that proposes stages: the drive is read too if no stage is active yet.
+/// Reads the set for a command that proposes stages: the drive is read even if no stage is active yet.
 pub fn read_to_tune(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<Set, Exit> {
     let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
     let (set, report) = pipeline::read_to_tune(&arguments.set, &options);
     said(set, &report, format)
 }
 
-/// What came of reading, with all messages on standard error.
+/// The result of reading, after printing all messages to standard error.
 pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, Exit> {
     output::say(&messages::text(report, format));
     result.ok_or_else(|| {

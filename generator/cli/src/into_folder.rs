@@ -1,7 +1,7 @@
-//! Writes what a run makes into its folder, with the manifest, and takes out what is left over from earlier runs.
+//! Writes the generated files into their folder, with the manifest, and removes leftovers of earlier runs.
 //!
-//! The manifest is replaced first, and names what goes too; what goes is taken out of it last. A run that is killed anywhere leaves a
-//! manifest that names every file of ours, and at the worst some that are not there.
+//! The manifest is replaced first, and still names files that will be removed; they are deleted from it last. A run that is
+//! killed at any point leaves a manifest that names every generated file, and at worst some files that do not exist.
 
 use crate::exit::Exit;
 use crate::generate::refused;
@@ -14,15 +14,16 @@ use generator::target::File;
 use generator::write::{self, Folder, Written};
 use std::path::{Path, PathBuf};
 
-/// What was done.
+/// The result of writing.
 pub struct Done {
-    /// where the files are that were made
+    /// paths of the generated files
     pub paths: Vec<PathBuf>,
     pub written: Written,
     pub leftovers: Leftovers,
 }
 
-/// Holds a folder, and reads its manifest for a set. What a killed run was about to take out is put back: it is judged again.
+/// Locks a folder, and reads its manifest for a set. Files that a killed run was about to remove are restored, and judged
+/// again.
 pub fn open(out: &Path, set: &Path) -> Result<(Folder, Recorded), Exit> {
     let folder = write::open(out).map_err(refused)?;
     folder.path_of(manifest::NAME).map_err(refused)?;

@@ -1,4 +1,4 @@
-//! Which files of a folder a run leaves over: those that its set has generated earlier and generates no more; and the manifest after it.
+//! The leftovers of a folder: files that the set generated earlier and no longer generates; and the manifest after the run.
 
 use crate::input::counted;
 use crate::recorded::Recorded;
@@ -13,13 +13,13 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// What a run looks at: with `--axis` and `--target` it judges the files of these only.
+/// The scope of a run: with `--axis` and `--target` it judges only files of these.
 pub struct Scope<'s> {
     /// the axes of the set
     known: BTreeSet<&'s str>,
-    /// empty: all
+    /// empty for all
     axes: &'s [String],
-    /// empty: all
+    /// empty for all
     targets: &'s [String],
 }
 
@@ -33,8 +33,8 @@ impl<'s> Scope<'s> {
         self.axes.is_empty() && self.targets.is_empty()
     }
 
-    /// Whether a file that this set has generated would be generated again, if the set still had it. An axis that is gone is covered by
-    /// every run: it is none of the other axes.
+    /// Whether a file that this set has generated would be generated again, if the set still had its axis. A removed axis is
+    /// in the scope of every run, because it is not one of the other axes.
     fn covers(&self, entry: &Entry) -> bool {
         let has_target = self.targets.is_empty() || entry.target == PAGE || self.targets.contains(&entry.target);
         match &entry.axis {
@@ -44,34 +44,35 @@ impl<'s> Scope<'s> {
         }
     }
 
-    /// The targets that the set has files of in a folder, and that the run no longer generates.
+    /// The targets of the set's files in a folder that the run no longer generates.
     pub fn dropped<'r>(&self, recorded: &'r Recorded, is_made: impl Fn(&str) -> bool) -> Vec<&'r str> {
         let dropped = recorded.targets().into_iter().filter(|target| !is_made(target));
         if self.is_whole() { dropped.collect() } else { Vec::new() }
     }
 }
 
-/// What a run finds in a folder in addition to the files that it makes.
+/// The files in a folder besides those that the run generates.
 #[derive(Debug, Default)]
 pub struct Leftovers {
-    /// files that go: ours, as they were generated
+    /// files to be removed: generated and not edited
     pub removed: Vec<String>,
-    /// files that stay, though they are generated no more: somebody has edited them, or put others in their place
+    /// files that stay although they are no longer generated: they were edited or replaced by others
     pub kept: Vec<(String, Owner)>,
-    /// generated files that no set is known to generate
+    /// generated files that no known set generates
     pub unlisted: Vec<String>,
-    /// how many files that are made now were those of another set
+    /// number of files of another set that this run now generates, by set
     pub taken: BTreeMap<String, usize>,
-    /// how many other files another set has there
+    /// number of other files of another set, by set
     pub others: BTreeMap<String, usize>,
-    /// the manifest while files are replaced: whenever the run is killed, it names every file of ours
+    /// the manifest while files are replaced: it names every generated file even if the run is killed
     pub meanwhile: Manifest,
     /// the manifest afterwards
     pub after: Manifest,
 }
 
 impl Leftovers {
-    /// Compares the manifest of a folder with what the run makes: every file by its name, with its line, unless it is of other sets.
+    /// Compares the manifest of a folder with the files of the run: every file by its name and its line, except files of
+    /// other sets.
     pub fn new(recorded: &Recorded, scope: &Scope<'_>, made: &BTreeMap<&str, Option<&Entry>>) -> Self {
         let mut left = Self { after: made.values().filter_map(|entry| entry.cloned()).collect(), ..Self::default() };
         let gone = sets_without_axes(recorded, made);
@@ -86,7 +87,7 @@ impl Leftovers {
                     *left.taken.entry(entry.set.clone()).or_default() += 1;
                 }
             } else if !is_there(&recorded.out.join(&entry.file)) {
-                // What is gone is named no longer.
+                // Files that no longer exist are not listed.
             } else if is_own && scope.covers(entry) {
                 no_more.insert(&entry.file, entry);
             } else {
@@ -107,7 +108,7 @@ impl Leftovers {
         left
     }
 
-    /// What becomes of a file that the set no longer generates.
+    /// Decides what happens to a file that the set no longer generates.
     fn judge(&mut self, out: &Path, file: &str, entry: &Entry, is_of_others: bool) {
         if is_of_others && entry.axis.is_some() {
             return;
@@ -116,7 +117,7 @@ impl Leftovers {
         let is_file = fs::symlink_metadata(&path).is_ok_and(|found| found.is_file());
         let content = if is_file { config::load(&path).ok() } else { None };
         match content.map_or(Owner::Other, |content| write::owner(&content)) {
-            // What axes share is made for the axes of all sets: none of them needs it any more.
+            // A shared file is generated for the axes of all sets: none of them needs it any more.
             Owner::Generated => {
                 if entry.axis.is_none() {
                     self.after.retain(|entry| entry.file != file);
@@ -132,7 +133,7 @@ impl Leftovers {
         }
     }
 
-    /// What is to be said of the files that stay.
+    /// The messages about files that stay.
     pub fn report(&self, out: &Path) -> Report {
         let place = |file: &String| Place::whole(out.join(file).slashes());
         let kept = self.kept.iter().map(|(file, owner)| {
@@ -146,7 +147,7 @@ impl Leftovers {
         Report { diagnostics: kept.chain(unlisted).collect() }
     }
 
-    /// The same for a command that only compares, with the files that would be removed, a line each.
+    /// The messages for a command that only compares, one line per message, including the files that would be removed.
     pub fn differences(&self, out: &Path) -> Vec<String> {
         let line = |file: &String, found: &str| format!("{}: {found}\n", out.join(file).slashes());
         let removed = self.removed.iter().map(|file| line(file, "is no longer generated"));
@@ -156,7 +157,7 @@ impl Leftovers {
         removed.chain(kept).chain(unlisted).collect()
     }
 
-    /// What is to be said of the files of other sets, a line each.
+    /// The messages about files of other sets, one line per message.
     pub fn of_other_sets(&self, out: &Path) -> String {
         let out = out.slashes();
         let taken =
@@ -176,7 +177,7 @@ fn how(owner: Owner) -> &'static str {
     }
 }
 
-/// The sets whose files of axes are all made by this run, or not there any more: mostly the file of the set was renamed.
+/// The sets whose files of axes are all generated by this run, or no longer exist: usually the file of the set was renamed.
 fn sets_without_axes<'r>(recorded: &'r Recorded, made: &BTreeMap<&str, Option<&Entry>>) -> BTreeSet<&'r str> {
     let mut sets: BTreeSet<&str> = recorded.manifest.iter().map(|entry| entry.set.as_str()).collect();
     for entry in recorded.manifest.iter().filter(|entry| entry.axis.is_some()) {

@@ -1,4 +1,4 @@
-//! The command `axgen`: which file does what was asked for. No work is done here.
+//! The command `axgen`: dispatches to the files of the commands. No work is done here.
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 #![warn(clippy::print_stderr)] // `output` prints
@@ -64,13 +64,13 @@ fn main() -> ExitCode {
     run(command, message_format).unwrap_or_else(|exit| exit.say(message_format)).into()
 }
 
-/// A write beyond a limit of file sizes fails then, and is said, in the place of a signal that ends the command.
+/// A write beyond a limit of file sizes then fails with a message instead of a signal that ends the command.
 fn too_large_files_are_errors() {
     #[cfg(unix)]
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
-/// Does what was asked for.
+/// Runs a command.
 fn run(command: Command, format: Format) -> Result<Exit, Exit> {
     match command {
         Command::Generate { set, targets, axes, runner, out, force, check, diff, emit } => {

@@ -1,4 +1,4 @@
-//! `axgen measure`: what a recording shows of an axis, as a report, as JSON, as a picture, and its response as CSV.
+//! `axgen measure`: the properties of an axis in a recording, as a report, as JSON, as a picture, and its response as CSV.
 
 use crate::arguments::MeasureArguments;
 use crate::exit::Exit;
@@ -44,23 +44,23 @@ pub fn interval(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time from 1us to 100ms is allowed: 1ms, 62.5us".to_owned())
 }
 
-/// How recordings are read.
+/// The options for reading recordings.
 pub struct Reading<'a> {
     pub map: &'a Map,
     /// the interval of rows without times [s]
     pub cycle_time: Option<f64>,
-    /// of the recording that has an excitation; none: not stated
+    /// sequence of the excited recording; `None` if not stated
     pub excitation: Option<Excitation>,
 }
 
-/// A recording, and a second one with an excitation if there is one.
+/// A recording, and optionally a second one with an excitation.
 pub struct Recordings<'a> {
     pub own: (&'a Path, Measured),
     pub excited: Option<(&'a Path, Measured)>,
 }
 
 impl<'a> Recordings<'a> {
-    /// Reads and measures both. Without a second recording the excitation that is stated is that of the first one.
+    /// Reads and measures both. Without a second recording the stated excitation is that of the first one.
     pub fn read(own: &'a Path, excited: Option<&'a Path>, of: &Reading<'_>) -> Result<Self, Exit> {
         let stated = of.excitation.unwrap_or(Excitation::Stated { bits: None, clock: None });
         let excited = excited.map(|file| Ok((file, measured(file, of, true, stated, None)?))).transpose()?;
@@ -71,7 +71,7 @@ impl<'a> Recordings<'a> {
         Ok(Self { own: (own, measured(own, of, other.is_some(), of_own, other)?), excited })
     }
 
-    /// The second one, as far as there is one.
+    /// The second recording, if there is one.
     pub fn second(&self) -> Option<&Measured> {
         self.excited.as_ref().map(|(_, measured)| measured)
     }
@@ -80,7 +80,7 @@ impl<'a> Recordings<'a> {
         std::iter::once(&self.own).chain(&self.excited)
     }
 
-    /// The verdicts as messages about the recordings: an error, if something is not measured.
+    /// The verdicts as messages about the recordings: an error, if a measurement is impossible.
     pub fn said(&self) -> Report {
         let mut report = Report::default();
         self.all().for_each(|(file, measured)| say(&mut report, name_of(file), &measured.verdicts));
@@ -121,7 +121,7 @@ pub fn run(recording: &Path, of: &MeasureArguments, format: Format) -> Result<Ex
     Ok(if all.measured().any(Measured::refuses) { Exit::Different } else { Exit::Done })
 }
 
-/// Reads a recording and measures it. Of two a name of the map may stand for a column of the other one.
+/// Reads a recording and measures it. If there are two, a name in the map may be a column of the other one.
 fn measured(
     file: &Path,
     of: &Reading<'_>,
@@ -160,7 +160,7 @@ pub fn say(report: &mut Report, of: impl Display, verdicts: &[Verdict]) {
     }
 }
 
-/// Verdicts for machines.
+/// Verdicts as JSON.
 pub fn verdicts_json<'v>(verdicts: impl Iterator<Item = &'v Verdict>) -> Vec<Value> {
     let text = |verdict: &Verdict| format!("{}; {}", verdict.found, verdict.instead);
     verdicts.map(|verdict| json!({ "code": verdict.code, "text": text(verdict) })).collect()

@@ -1,4 +1,4 @@
-//! Messages on standard error: for people with the line and a mark, for machines as JSON, one object a line.
+//! Messages on standard error: for readers with the line and a mark, for programs as JSON, one object per line.
 
 use clap::ValueEnum;
 use generator::config::{self, LARGEST_SAMPLES};
@@ -20,10 +20,11 @@ pub enum Format {
 /// Characters of a line that are shown around a mark.
 const WIDTH: usize = 100;
 
-/// Longer lines, in bytes, are not shown: nobody wrote them, and each message about one would cost as much as the line.
+/// Longer lines, in bytes, are not shown: they are not hand-written, and each message about one would cost as much as the
+/// line.
 const LONGEST: usize = 10_000;
 
-/// What some editors put before a text. It is not a character of the first line.
+/// The byte order mark that some editors write. It is not a character of the first line.
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// The text of all messages.
@@ -74,13 +75,13 @@ fn json(diagnostic: &Diagnostic, line: Option<&str>, text: &mut String) {
     let _ = writeln!(text, "{object}");
 }
 
-/// A file that is read again, with the line that was shown last: messages come in the order of the lines, mostly.
+/// A file that is read again, with the last line that was shown: messages usually come in the order of the lines.
 #[derive(Default)]
 struct Shown {
     bytes: Vec<u8>,
     line: usize,
     start: usize,
-    /// whether a byte order mark stood before these bytes
+    /// whether these bytes followed a byte order mark
     marked: bool,
 }
 
@@ -104,13 +105,13 @@ impl Shown {
     }
 }
 
-/// The bytes of a file that a message names; none if it cannot be read again.
+/// The bytes of a file that a message names; empty if it cannot be read again.
 fn read_again(file: &str) -> Vec<u8> {
     config::load_up_to(file.as_ref(), LARGEST_SAMPLES).map(config::text).unwrap_or_default()
 }
 
-/// A message, and the line that it is about, as far as it can be read again; each file is read once. A byte order mark is in
-/// neither the line nor the column.
+/// A message and its line, if the file can be read again; each file is read once. A byte order mark counts neither in the
+/// line nor in the column.
 fn seen<'d>(diagnostic: &'d Diagnostic, files: &mut BTreeMap<String, Shown>) -> (Cow<'d, Diagnostic>, Option<String>) {
     let Place { file, line, column } = &diagnostic.place;
     let Some(number) = line.checked_sub(1) else { return (Cow::Borrowed(diagnostic), None) };
@@ -125,20 +126,21 @@ fn seen<'d>(diagnostic: &'d Diagnostic, files: &mut BTreeMap<String, Shown>) -> 
     (Cow::Owned(moved), found)
 }
 
-/// The part of a line around a column, fit for a terminal, and where the column is in it.
+/// The part of a line around a column that fits a terminal, and the position of the column in it.
 fn around(line: &str, column: usize) -> (String, usize) {
     let at = column.max(1) - 1;
     let start = if at < WIDTH { 0 } else { at - WIDTH / 2 };
     let part = |from: usize, count: usize| visible(&line.chars().skip(from).take(count).collect::<String>());
     let (dots, more) = (if start == 0 { "" } else { "..." }, line.chars().nth(start + WIDTH).is_some());
     let before = format!("{dots}{}", part(start, at - start));
-    // A place after the end of the line is marked there.
+    // A position after the end of the line is marked there.
     let behind = at.saturating_sub(line.chars().count());
     let mark = before.chars().count() + behind;
     (format!("{before}{}{}", part(at, start + WIDTH - at), if more { "..." } else { "" }), mark)
 }
 
-/// A line with everything that could steer a terminal, or turn the order of the letters, written out as in a message.
+/// A line in which everything is escaped that could control a terminal, or change the direction of the letters, as in a
+/// message.
 fn visible(line: &str) -> String {
     let mut text = String::with_capacity(line.len());
     for character in line.chars() {

@@ -1,4 +1,4 @@
-//! Writing single files that a command was asked for, or standard output, and not over an input; what is in them does not matter.
+//! Writes single requested files, or standard output, but never over an input. The contents do not matter here.
 
 use crate::exit::Exit;
 use crate::output;
@@ -9,7 +9,7 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
-/// Which files that are there a command replaces, and what it says of the others.
+/// The existing files that a command replaces, and its message about the others.
 #[derive(Clone, Copy)]
 pub struct Rule<'r> {
     replace: Replace<'r>,
@@ -17,16 +17,16 @@ pub struct Rule<'r> {
 }
 
 impl<'r> Rule<'r> {
-    /// None at all.
+    /// No existing file.
     pub const NEVER: Self = Self { replace: Replace::None, found: "is there already; give another name" };
 
-    /// Any, by force.
+    /// Any existing file, with `force`.
     pub fn by_force(force: bool) -> Self {
         let replace = if force { Replace::All } else { Replace::None };
         Self { replace, found: "is there already; give another name, or --force to replace it" }
     }
 
-    /// Empty files, and those that begin as an output of the same command, which is run again and again; others by force.
+    /// Empty files, and files that begin like an output of the same command, which is often run again; others with `force`.
     pub fn own(force: bool, begins: &'r dyn Fn(&[u8]) -> bool) -> Self {
         Self {
             replace: if force { Replace::All } else { Replace::Those(begins) },
@@ -34,7 +34,7 @@ impl<'r> Rule<'r> {
         }
     }
 
-    /// Says beforehand that a file would not be replaced: a long run is not made for nothing.
+    /// Reports beforehand that a file would not be replaced, so that no long run is wasted.
     pub fn allows(self, path: &Path) -> Result<(), Exit> {
         write::is_replaced(path, self.replace).map(|_| ()).map_err(|error| self.failed(path, &error))
     }
@@ -55,26 +55,26 @@ pub fn write(out: Option<&Path>, bytes: &[u8], rule: Rule<'_>) -> Result<(), Exi
     }
 }
 
-/// Writes a file next to its place, where it is gone with what this gives.
+/// Writes a file next to its target; it is removed together with the returned value.
 pub fn stage<'p>(path: &'p Path, bytes: &[u8], rule: Rule<'p>) -> Result<Staged<'p>, Exit> {
     let one = write::stage_one(path, bytes, rule.replace).map_err(|error| rule.failed(path, &error))?;
     Ok(Staged { path, one, rule })
 }
 
-/// A file on its way.
+/// A staged file.
 pub struct Staged<'p> {
     path: &'p Path,
     one: One,
     rule: Rule<'p>,
 }
 
-/// Puts staged files in their places.
+/// Moves staged files to their targets.
 pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exit> {
     let mut files = files.into_iter();
     files.try_for_each(|Staged { path, one, rule }| one.commit().map_err(|error| rule.failed(path, &error)))
 }
 
-/// Refuses a file to write that the command reads itself.
+/// Refuses an output file that is an input of the command.
 pub fn kept_apart<'p>(
     out: impl Into<Option<&'p Path>>,
     inputs: impl IntoIterator<Item = &'p Path>,
@@ -85,7 +85,7 @@ pub fn kept_apart<'p>(
     }
 }
 
-/// Refuses two outputs of one command in one file, which need not be there yet.
+/// Refuses two outputs of one command in one file, which may not exist yet.
 pub fn told_apart(outs: &[&Path]) -> Result<(), Exit> {
     let place = |path: &Path| match (path.parent(), path.file_name()) {
         (Some(folder), Some(name)) => {
@@ -104,7 +104,7 @@ pub fn told_apart(outs: &[&Path]) -> Result<(), Exit> {
     }
 }
 
-/// Whether two paths lead to one regular file, whatever its names are. Devices may be both.
+/// Whether two paths lead to the same regular file, also by different names. Devices may be used twice.
 fn is_same(one: &Path, other: &Path) -> bool {
     let (Ok(one), Ok(other)) = (fs::canonicalize(one), fs::canonicalize(other)) else { return false };
     let (Ok(found), Ok(of_other)) = (fs::metadata(&one), fs::metadata(&other)) else { return false };

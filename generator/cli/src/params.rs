@@ -1,4 +1,4 @@
-//! `axgen params`: what a parameter is, from the one table.
+//! `axgen params`: the description of a parameter, from the table.
 
 use crate::exit::Exit;
 use crate::output;
@@ -32,7 +32,7 @@ pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
     Ok(Exit::Done)
 }
 
-/// What is known of the parameters that a text names, and of what the manuals name besides.
+/// The descriptions of the parameters that a text names, including parameters in the manuals that axgen does not read.
 pub fn of_name(wanted: &str) -> Vec<String> {
     let unread =
         |Other { name, meaning, unread }: &Other| format!("{name}\n  meaning   {meaning}\n  not read  {unread}\n");
@@ -41,7 +41,7 @@ pub fn of_name(wanted: &str) -> Vec<String> {
     parameters.map(describe).chain(others).collect()
 }
 
-/// What is known of the parameters that take a word.
+/// The descriptions of the parameters that accept a word.
 pub fn of_word(word: &str) -> Vec<String> {
     Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.takes(word)).map(describe).collect()
 }
@@ -68,7 +68,7 @@ fn is(parameter: &Parameter, wanted: &str) -> bool {
     by_id || paths.map(plain).any(|path| path == wanted_path || path.ends_with(&format!(".{wanted_path}")))
 }
 
-/// Everything that the table says.
+/// The full description in the table.
 fn describe(parameter: &Parameter) -> String {
     let mut lines = vec![format!("{} {}", parameter.path, parameter.id.map_or(String::new(), |id| format!("({id})")))];
     lines[0] = lines[0].trim_end().to_owned();

@@ -16,13 +16,13 @@ use std::path::PathBuf;
 pub struct ParamsOfArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
-    /// what the block on the machine was generated from
+    /// the set from which the block on the machine was generated
     pub on: PathBuf,
     /// the name of the form
     pub form: String,
-    /// the file to write; none, or `-`: standard output
+    /// the file to write; `None` or `-` for standard output
     pub out: Option<PathBuf>,
-    /// whether a file that is there may be replaced
+    /// whether an existing file may be replaced
     pub force: bool,
 }
 

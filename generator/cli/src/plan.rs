@@ -1,4 +1,4 @@
-//! All files that a run makes, each with its line for the manifest of its folder.
+//! All files of a run, each with its line for the manifest of its folder.
 
 use crate::recorded::Recorded;
 use crate::shared;
@@ -10,29 +10,29 @@ use generator::target::{self, File, TARGETS, Target, Unit};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What is made, and for which axes.
+/// The files to generate, and their axes.
 pub struct Plan<'p> {
     set: &'p Set,
-    /// empty: all
+    /// empty for all
     axes: &'p [String],
     targets: &'p [Target],
-    /// those, and the others that the set has files of in the folder
+    /// the targets, and the other targets of the set's files in the folder
     there: Vec<Target>,
-    /// the targets whose shared files are made
+    /// the targets whose shared files are generated
     shared: Vec<Shared<'p>>,
 }
 
-/// What the shared files of a target name.
+/// The axes in the shared files of a target.
 struct Shared<'p> {
     target: Target,
-    /// the axes of the set; none: the set has no files of the target any more
+    /// the axes of the set; empty if the set no longer has files of the target
     own: Vec<Unit<'p>>,
-    /// those of other sets
+    /// axes of other sets
     others: Vec<Unit<'p>>,
 }
 
 impl Shared<'_> {
-    /// All of both.
+    /// The axes of the set and of other sets.
     fn units(&self) -> Vec<Unit<'_>> {
         self.own.iter().chain(&self.others).cloned().collect()
     }
@@ -45,7 +45,7 @@ impl Shared<'_> {
 }
 
 impl<'p> Plan<'p> {
-    /// The plan for a folder. `dropped`: targets that the set had there, and has no more.
+    /// The plan for a folder. `dropped`: targets that the set had there and no longer has.
     pub fn new(
         (set, axes, targets): (&'p Set, &'p [String], &'p [Target]),
         recorded: &'p Recorded,
@@ -59,7 +59,7 @@ impl<'p> Plan<'p> {
         let others = |target: &Target| recorded.units_of_others(set, target);
         let own = targets.iter().copied().zip(shared::own(set, axes, targets, out));
         let own = own.map(|(target, own)| Shared { target, own, others: others(&target) });
-        // Other sets' axes stay in the project when those of this set go.
+        // Axes of other sets stay in the project when those of this set are removed.
         let dropped = TARGETS.into_iter().filter(|target| dropped.contains(&target.name));
         let dropped = dropped.map(|target| Shared { target, own: Vec::new(), others: others(&target) });
         let dropped = dropped.filter(|shared| !shared.others.is_empty());
@@ -67,7 +67,8 @@ impl<'p> Plan<'p> {
         Self { set, axes, targets, there, shared }
     }
 
-    /// Makes all files. Hands each to `take`, with its line for the manifest, which names `set`; a file without a line only other sets need.
+    /// Generates all files. Passes each to `take`, with its line for the manifest, which names `set`. A file without a line
+    /// is needed only by other sets.
     pub fn files<T: Send>(&self, set: &str, take: impl Fn(&File) -> T + Sync) -> Vec<(String, Option<Entry>, T)> {
         let entry = |file: &File, target: &str, axis: Option<&str>| Entry {
             file: file.name.clone(),
@@ -91,14 +92,14 @@ impl<'p> Plan<'p> {
         files
     }
 
-    /// What is to be said of axes that shared files do not name.
+    /// The messages about axes that shared files do not name.
     pub fn left_out(&self, out: &Path) -> String {
         let own = self.shared.iter().filter(|shared| !shared.own.is_empty());
         own.filter_map(|shared| shared::left_out(self.set, &shared.units(), &shared.target, out)).collect()
     }
 }
 
-/// What was made; a defect is one of axgen, not of its input.
+/// The result; a defect is an error of axgen, not of its input.
 fn made<T>(result: Result<T, Defect>) -> T {
     result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
 }

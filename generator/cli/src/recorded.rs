@@ -1,4 +1,4 @@
-//! What the manifest of an output folder, and the folder itself, say before a run: whose files lie there.
+//! The manifest of an output folder, and the folder itself, before a run: the owners of its files.
 
 use crate::exit::Exit;
 use generator::config;
@@ -10,14 +10,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The manifest of a folder as a set finds it.
+/// The manifest of a folder, as found by a set.
 #[derive(Debug)]
 pub struct Recorded {
     pub out: PathBuf,
     /// the name of the set
     pub set: String,
     pub manifest: Manifest,
-    /// what is in the file; `None`: there is none
+    /// the text of the file; `None` if it does not exist
     pub text: Option<Vec<u8>>,
 }
 
@@ -39,12 +39,12 @@ impl Recorded {
         Ok(Self { out: out.to_owned(), set: manifest::set_name(set), manifest, text })
     }
 
-    /// The targets of which the folder has files from this set.
+    /// The targets of the set's files in the folder.
     pub fn targets(&self) -> BTreeSet<&str> {
         self.manifest.iter().filter(|entry| entry.set == self.set).map(|entry| entry.target.as_str()).collect()
     }
 
-    /// The axes that other sets have in the folder for a target, as far as all their files are there.
+    /// The axes of other sets in the folder for a target, if all their files exist.
     pub fn units_of_others(&self, set: &Set, target: &Target) -> Vec<Unit<'_>> {
         let own: BTreeSet<String> = set.axes.iter().map(|of| of.axis.name.to_ascii_lowercase()).collect();
         let mut of_axes: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
@@ -65,7 +65,7 @@ impl Recorded {
         head::unit(axis, &files)
     }
 
-    /// The generated files of the folder that no line names, and that are not among those that the run makes.
+    /// The generated files of the folder that the manifest does not list and that the run does not generate.
     pub fn unlisted(&self, made: &BTreeSet<&str>) -> Vec<String> {
         let listed: BTreeSet<&str> = self.manifest.iter().map(|entry| entry.file.as_str()).collect();
         let mut unlisted: Vec<String> = FOLDERS.iter().flat_map(|folder| self.names(folder)).collect();
@@ -78,7 +78,7 @@ impl Recorded {
         unlisted
     }
 
-    /// The regular files of a folder below the output folder, by name, as far as they can be generated ones.
+    /// The regular files of a folder below the output folder, by name, that may be generated ones.
     fn names(&self, folder: &str) -> Vec<String> {
         const ENDS: [&str; 10] = ["c", "h", "rs", "st", "scl", "xml", "md", "TcPOU", "TcDUT", "plcproj-fragment"];
         let entries = fs::read_dir(self.out.join(folder)).into_iter().flatten().flatten();

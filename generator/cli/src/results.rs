@@ -21,24 +21,24 @@ pub struct Files {
     force: bool,
 }
 
-/// What came of one check.
+/// The result of one check.
 pub struct Outcome {
-    /// what was checked: an axis, a case
+    /// the checked axis or case
     pub group: String,
-    /// what of it: a block and an engine
+    /// the checked block and engine
     pub name: String,
-    /// why it failed; none: it did not
+    /// the reason of the failure; `None` if it passed
     pub failure: Option<String>,
 }
 
-/// Writes outcomes in one of the forms for machines.
+/// Writes outcomes in a form for programs.
 type Form = fn(&str, &[Outcome]) -> String;
 
-/// Whether a file begins as one in such a form.
+/// Whether a file begins like one in such a form.
 type Begins = &'static dyn Fn(&[u8]) -> bool;
 
 impl Files {
-    /// The files that were asked for, each with its form and how such a file begins.
+    /// The requested files, each with its form and the beginning of such a file.
     fn forms(&self) -> impl Iterator<Item = (&Path, Form, Rule<'static>)> {
         let forms: [(_, Form, Begins); 2] =
             [(&self.junit, junit, &|found| found.starts_with(JUNIT.as_bytes())), (&self.json, as_json, &is_json)];
@@ -47,7 +47,7 @@ impl Files {
             .filter_map(|(path, form, begins)| Some((path.as_deref()?, form, Rule::own(self.force, begins))))
     }
 
-    /// Refuses to write over an input of the command, or over a file that is none of its results.
+    /// Refuses to write over an input of the command, or over a file that is not one of its results.
     pub fn kept_apart(&self, input: Option<&Path>) -> Result<(), Exit> {
         one_file::told_apart(&self.forms().map(|(file, ..)| file).collect::<Vec<_>>())?;
         self.forms().try_for_each(|(file, _, rule)| {
@@ -56,7 +56,7 @@ impl Files {
         })
     }
 
-    /// Writes the files that were asked for, once all of them are staged.
+    /// Writes the requested files, after all of them are staged.
     pub fn write(&self, suite: &str, outcomes: &[Outcome]) -> Result<(), Exit> {
         let staged =
             self.forms().map(|(file, form, rule)| one_file::stage(file, form(suite, outcomes).as_bytes(), rule));
@@ -64,10 +64,10 @@ impl Files {
     }
 }
 
-/// How the results of any `verify` begin.
+/// The beginning of the results of any `verify`.
 const JUNIT: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<testsuites>\n  <testsuite name=\"axgen ";
 
-/// The same as JSON: of its three keys the first, with a number.
+/// Whether a file begins like the JSON results: with the first of three keys and a number.
 fn is_json(found: &[u8]) -> bool {
     let digits = found.strip_prefix(b"{\n  \"failures\": ").unwrap_or_default();
     let end = digits.iter().position(|byte| !byte.is_ascii_digit()).unwrap_or_default();
@@ -98,7 +98,7 @@ fn junit(suite: &str, outcomes: &[Outcome]) -> String {
     text + "  </testsuite>\n</testsuites>\n"
 }
 
-/// Text in an attribute; what XML 1.0 cannot hold at all becomes a blank.
+/// Text in an attribute; characters that XML 1.0 cannot contain become blanks.
 fn escaped(text: &str) -> String {
     text.chars().fold(String::new(), |mut to, character| {
         match character {

@@ -26,21 +26,21 @@ pub struct RunArguments {
     pub block: String,
     /// the engine
     pub engine: String,
-    /// where the inputs are; none: in `compare`, or in the scenario
+    /// file of the inputs; `None` if they are in `compare` or in the scenario
     pub stimulus: Option<PathBuf>,
-    /// the NC program that makes the inputs
+    /// the NC program that generates the inputs
     pub scenario: Option<PathBuf>,
-    /// how that program is run
+    /// the options of that program
     pub options: golden::scenario::Options,
     /// a recording of the outputs
     pub compare: Option<PathBuf>,
-    /// which column of the recording or the stimulus is which signal, where the names do not say it
+    /// the column of each signal in the recording or the stimulus, where the names differ
     pub map: Vec<(String, String)>,
-    /// where the outputs go; none: nowhere if they are compared, else standard output
+    /// file for the outputs; `None`: no output if they are compared, else standard output
     pub out: Option<PathBuf>,
-    /// whether any file there may be replaced, not only an earlier output
+    /// whether any existing file may be replaced, not only an earlier output
     pub force: bool,
-    /// reals as the digits of their bits
+    /// whether reals are written as the digits of their bits
     pub hex: bool,
 }
 
@@ -103,7 +103,7 @@ pub fn engine_named(name: &str) -> Result<Engine, Exit> {
     found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))
 }
 
-/// Whether a path stands for standard input or output.
+/// Whether a path means standard input or output.
 pub fn is_standard(path: &Path) -> bool {
     path.as_os_str() == "-"
 }

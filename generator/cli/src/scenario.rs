@@ -21,19 +21,19 @@ use std::path::{Path, PathBuf};
 pub struct ScenarioArguments {
     /// the axis; none: the only one
     pub axis: Option<String>,
-    /// the block; none: the usual one of the axis
+    /// the block; `None` for the usual one of the axis
     pub block: Option<String>,
-    /// what stands for the drive of a path axis
+    /// the drive of a path axis
     pub drive: DriveArguments,
     /// the NC program
     pub program: PathBuf,
-    /// how the program is run
+    /// the options of the program
     pub options: Options,
-    /// where the inputs go
+    /// file for the inputs
     pub stimulus: Option<PathBuf>,
-    /// where the picture goes
+    /// file for the picture
     pub picture: Option<PathBuf>,
-    /// whether any file there may be replaced, not only an earlier output
+    /// whether any existing file may be replaced, not only an earlier output
     pub force: bool,
 }
 
@@ -52,7 +52,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &ScenarioArguments
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
     let name = request.program.file_stem().unwrap_or_default().to_string_lossy();
     let drawn = picture::svg(&scenario, &name, designed);
-    // An earlier stimulus has signals of the block in its first line, an earlier picture is one of ours.
+    // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let [of_stimulus, of_picture] = [Rule::own(request.force, &is_stimulus), Rule::own(request.force, &is_picture)];
@@ -66,7 +66,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &ScenarioArguments
     Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
 }
 
-/// When the blocks of the program acted.
+/// A table of the times of the program's blocks.
 fn table(scenario: &Scenario, designed: &Designed, block: &Block) -> String {
     let time = |sample: usize| sample as f64 * designed.axis.cycle_time();
     let samples = scenario.inputs.len();
@@ -88,14 +88,14 @@ fn table(scenario: &Scenario, designed: &Designed, block: &Block) -> String {
     text
 }
 
-/// Whether a file begins with the names of some of these signals, which a stimulus does.
+/// Whether a file begins with the names of some of these signals, as a stimulus does.
 fn is_header(found: &[u8], inputs: &Samples) -> bool {
     let first = found.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let is_signal = |name: &[u8]| inputs.shape.signals.iter().any(|signal| signal.name.as_bytes() == name);
     first.split(|byte| *byte == b',').all(is_signal)
 }
 
-/// The block that a scenario is for.
+/// The block of a scenario.
 pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Block, Exit> {
     let names = blocks::names(&designed.axis);
     match name.or(scenario::usual_block(&names)) {
@@ -104,7 +104,7 @@ pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Bloc
     }
 }
 
-/// How a program is run, from the command line.
+/// The options of a program, from the command line.
 pub fn options(program_axis: Option<String>, cycles: Option<usize>) -> Options {
     let usual = Options::default();
     Options { program_axis, cycles: cycles.unwrap_or(usual.cycles) }
@@ -116,7 +116,7 @@ pub fn cycles(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|cycles| (1..=most).contains(cycles)).ok_or(format!("1 to {most} is allowed"))
 }
 
-/// The scenario of a program on an axis; what of the program does not act as it says is a warning on standard error.
+/// The scenario of a program on an axis. Parts of the program that do not act as written are warnings on standard error.
 pub fn made(
     program: &Path,
     designed: &Designed,
@@ -128,7 +128,7 @@ pub fn made(
         let (code, found) = of.said();
         Exit::input(code, program.slashes(), found)
     })?;
-    // Comments of programs have umlauts in the encodings of old systems: a byte is a character of Latin-1 then.
+    // Comments of programs contain umlauts in the encodings of old systems: then each byte is a character of Latin-1.
     let text =
         String::from_utf8(bytes).unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
     let place = |line, column| Place { line, column, ..Place::whole(program.slashes()) };

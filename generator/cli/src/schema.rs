@@ -1,4 +1,4 @@
-//! `axgen schema`: the JSON schema of a set, for editors that complete and check as one types.
+//! `axgen schema`: the JSON schema of a set, for completion and checks in editors.
 
 use crate::exit::Exit;
 use crate::output;

@@ -1,7 +1,8 @@
-//! What the files that axes share name: the axes of the set, and those that other sets have generated into the same folder.
+//! The axes in shared files: the axes of the set, and those that other sets have generated into the same folder.
 //!
-//! With `--axis` they name the axes that are written, and those whose files are in the folder already: what TwinCAT's project file
-//! names is there, whichever axes were written one by one, and writing one anew takes none out: docs/decisions/files.md.
+//! With `--axis` these are the axes being written and those whose files already exist in the folder. TwinCAT's project file
+//! then names existing files only, in any order of writing, and writing one axis again does not remove another:
+//! docs/decisions/files.md.
 
 use generator::blocks::Designed;
 use generator::diagnostics::Slashes;
@@ -14,13 +15,13 @@ use std::fs;
 use std::path::Path;
 use std::slice;
 
-/// The folders that a file of a target lies in, below the output folder.
+/// The depth of folders in which a target's files lie, below the output folder.
 const DEPTH: usize = 2;
 
-/// Axes that are named one by one; of more, only their number is said.
+/// Largest number of axes that are named one by one; of more, only the number is printed.
 const NAMED_AXES: usize = 10;
 
-/// The axes of the set that the shared files of each target name: mostly all.
+/// The axes of the set in the shared files of each target: usually all.
 pub fn own<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) -> Vec<Vec<Unit<'s>>> {
     let files = if axes.is_empty() { String::new() } else { names_below(out, DEPTH) };
     let of = |target: &Target| {
@@ -37,7 +38,7 @@ pub fn own<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) ->
     targets.iter().map(of).collect()
 }
 
-/// What is to be said where the shared files of a target, which name these axes, are not those of the whole set.
+/// The message if the shared files of a target, which name these axes, are not those of the whole set.
 pub fn left_out(set: &Set, named: &[Unit<'_>], target: &Target, out: &Path) -> Option<String> {
     let is_named: BTreeSet<&str> = named.iter().map(|unit| unit.axis).collect();
     let whole = units(set);
@@ -52,9 +53,9 @@ pub fn left_out(set: &Set, named: &[Unit<'_>], target: &Target, out: &Path) -> O
     Some(format!("{target}: the shared files leave out {axes}: their files are not in {out}\n"))
 }
 
-/// Whether the folder has all files of an axis, as they are now or were once.
+/// Whether the folder has all files of an axis, in any version.
 fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bool {
-    // To make an axis only for the names of its files takes its time.
+    // Generating an axis only for the names of its files takes time.
     if !files.contains(&target::stem(&designed.axis.name)) {
         return false;
     }
@@ -63,7 +64,7 @@ fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bo
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }
 
-/// The names of all files in a folder and so many folders below it, a line each. Folders may be links.
+/// The names of all files in a folder and in `depth` levels of folders below it, one per line. Folders may be links.
 fn names_below(folder: &Path, depth: usize) -> String {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let name = |entry: fs::DirEntry| match depth.checked_sub(1) {

@@ -1,4 +1,4 @@
-//! Times as options take them. Which of them are allowed says the command.
+//! Parses times of options. The command decides which of them are allowed.
 
 /// A time of an option [s]: a number and one of these units, each with its size [s]. A unit that ends like another one comes
 /// first.

@@ -1,4 +1,4 @@
-//! `axgen tune`: stages that recordings of an axis ask for, as a report or as JSON.
+//! `axgen tune`: proposes stages from recordings of an axis, as a report or as JSON.
 
 use crate::arguments::{DriveArguments, SetArguments, TuneArguments};
 use crate::exit::Exit;

@@ -21,16 +21,16 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// So many samples, inputs and outputs of them, a computer's memory holds.
+/// The largest number of samples, with inputs and outputs, that a computer's memory can hold.
 const MOST_SAMPLES: usize = 10_000_000;
 
-/// How many samples each run has: without any, nothing would be verified.
+/// The number of samples of each run, at least 1: otherwise nothing would be verified.
 pub fn samples(text: &str) -> Result<usize, String> {
     let within = text.parse().ok().filter(|samples| (1..=MOST_SAMPLES).contains(samples));
     within.ok_or_else(|| format!("a whole number from 1 to {MOST_SAMPLES} is allowed"))
 }
 
-/// The engines of these names, the reference before them; all, if there is no name.
+/// The engines of these names, preceded by the reference; all if there is no name.
 fn chosen(names: &[String]) -> Result<Vec<Engine>, Exit> {
     let engines = names.iter().map(|name| engine_named(name)).collect::<Result<Vec<_>, _>>()?;
     let is_chosen = |engine: &Engine| *engine == Engine::Reference || engines.is_empty() || engines.contains(engine);
@@ -66,11 +66,11 @@ pub fn run(
 pub struct Scenario {
     /// the NC program
     pub program: PathBuf,
-    /// the axis; none: the only one
+    /// the axis; `None` for the only one
     pub axis: Option<String>,
-    /// the block; none: the usual one of the axis
+    /// the block; `None` for the usual one of the axis
     pub block: Option<String>,
-    /// how the program is run
+    /// the options of the program
     pub options: golden::scenario::Options,
 }
 
@@ -96,7 +96,7 @@ pub fn run_scenario(
     run.end(files)
 }
 
-/// How far it is, on a terminal; elsewhere nothing. Machines have nothing but objects on standard error.
+/// The progress, on a terminal only. For programs standard error contains only objects.
 fn progress(runs: usize, format: Format) -> ProgressBar {
     if format == Format::Json {
         return ProgressBar::hidden();
@@ -107,10 +107,10 @@ fn progress(runs: usize, format: Format) -> ProgressBar {
     bar
 }
 
-/// What has come of the runs.
+/// The results of the runs.
 struct Run {
     outcomes: Vec<Outcome>,
-    /// the engines that are not there, and why
+    /// the missing engines, and the reasons
     missing: BTreeMap<Engine, String>,
 }
 
@@ -124,7 +124,7 @@ impl Run {
         Ok(Self { outcomes: Vec::new(), missing: BTreeMap::new() })
     }
 
-    /// Writes the results. An engine that is not there is named at the end; the others have run then.
+    /// Writes the results. A missing engine is reported at the end, after the others have run.
     fn end(self, files: &Files) -> Result<Exit, Exit> {
         files.write("axgen verify", &self.outcomes)?;
         if self.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
@@ -138,7 +138,7 @@ impl Run {
         if report.has_errors() { Err(Exit::Environment(report)) } else { Ok(Exit::Done) }
     }
 
-    /// Prints a line for each engine, and notes what came of it.
+    /// Prints a line for each engine, and stores its result.
     fn every_engine(
         &mut self,
         engines: &[Engine],
@@ -196,7 +196,7 @@ impl Run {
     }
 }
 
-/// What stands in the row of an engine that is not there.
+/// The text in the row of a missing engine.
 const NOT_RUN: &str = "not run";
 
 fn place(place: FirstDifference) -> String {

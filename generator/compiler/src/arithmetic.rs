@@ -1,7 +1,7 @@
-//! Operators on values, in the arithmetic of their own type: what folding and the interpreter agree on.
+//! Operators on values, in the arithmetic of their own type, for both folding and the interpreter.
 //!
 //! Integers wrap around, reals round to nearest, comparisons with a NaN are false. An operator that does not fit its
-//! operands is a defect that the typing pass has excluded.
+//! operands is a defect, which the typing pass excludes.
 
 use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 
@@ -79,7 +79,7 @@ fn compare<T: PartialOrd>(operator: Binary, a: T, b: T) -> Option<Literal> {
     }))
 }
 
-/// The value of an operation that each target prints in its own way.
+/// The value of an intrinsic operation.
 pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKind) -> Literal {
     match (intrinsic, operands, kind) {
         (Intrinsic::InRange | Intrinsic::Within, [Literal::F64(x), Literal::F64(limit)], _) => {
@@ -101,7 +101,7 @@ pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKi
     }
 }
 
-/// A real number as f64, exactly; `None`: another value.
+/// A real number as f64, exactly; `None` for any other value.
 pub fn wide(value: Literal) -> Option<f64> {
     match value {
         Literal::F64(value) => Some(value),
@@ -110,7 +110,7 @@ pub fn wide(value: Literal) -> Option<f64> {
     }
 }
 
-/// Whether a literal in a source file can carry the value: not an infinity, not a NaN.
+/// Whether a literal in a source file can represent the value: neither an infinity nor a NaN.
 pub(crate) fn is_finite(value: Literal) -> bool {
     wide(value).is_none_or(f64::is_finite)
 }

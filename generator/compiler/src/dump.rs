@@ -1,4 +1,4 @@
-//! A program as text, for people who look into the pipeline. Nothing reads it back.
+//! A program as text, for readers who inspect the pipeline. Nothing reads it back.
 
 use crate::program::{Expr, Origin, Program, Statement, Var, Variable};
 use portable::{Intrinsic, Literal, Unary};
@@ -14,25 +14,25 @@ impl Display for Program {
     }
 }
 
-/// What is written of a program.
+/// The writer of a program.
 pub(crate) struct Dump<'p> {
     program: &'p Program,
     text: String,
-    /// what stands for a value that an axis decides: of a coefficient, or of a variable at the start
+    /// the replacement of a value that depends on the axis: of a coefficient, or of a variable at the start
     decided: fn(Literal) -> Literal,
     with_notes: bool,
 }
 
-/// What is written next.
+/// The next piece to write.
 pub(crate) enum Piece<'a> {
     Text(&'a str),
     Value(Literal),
     Name(Var),
     Expr(&'a Expr),
-    /// with parentheses, unless it is simple
+    /// in parentheses, unless it is simple
     Operand(&'a Expr),
     Listed(&'a [Expr]),
-    /// what a statement does, without those inside it
+    /// a statement without the statements inside it
     Head(&'a Statement),
 }
 
@@ -43,12 +43,12 @@ impl<'p> Dump<'p> {
         Self { program, text: String::new(), decided: |value| value, with_notes: true }
     }
 
-    /// After a text, without notes; `decided` replaces the values that depend on the axis.
+    /// A dump that continues a text, without notes; `decided` replaces the values that depend on the axis.
     pub(crate) fn bare(program: &'p Program, decided: fn(Literal) -> Literal, text: String) -> Self {
         Self { program, text, decided, with_notes: false }
     }
 
-    /// One piece of it alone.
+    /// One piece alone.
     pub(crate) fn alone(mut self, piece: Piece<'_>) -> String {
         self.put([piece]);
         self.text
@@ -155,7 +155,7 @@ impl<'p> Dump<'p> {
             Var::Constant(_) => self.put([path]),
             Var::Local(index) => {
                 self.put([path]);
-                // Two locals may have one path: the number distinguishes them.
+                // Two locals may have the same path: the number distinguishes them.
                 let _ = write!(self.text, "%{index}");
             }
         }

@@ -4,7 +4,7 @@ use crate::arithmetic::{binary, intrinsic, unary};
 use crate::program::{Expr, Program, Statement, Var};
 use portable::Literal;
 
-/// A block in operation: what its variables hold.
+/// A block in operation: the values of its variables.
 pub struct Machine<'p> {
     program: &'p Program,
     inputs: Vec<Literal>,
@@ -33,7 +33,7 @@ impl<'p> Machine<'p> {
         self.step_watched(inputs, outputs, &mut |_, _| {});
     }
 
-    /// One cycle; `watch` gets every output that is written, by its position, with its new value, when it is written.
+    /// One cycle; `watch` is called for every write of an output, with its position and its new value.
     pub fn step_watched(
         &mut self,
         inputs: &[Literal],
@@ -48,16 +48,16 @@ impl<'p> Machine<'p> {
         outputs.extend_from_slice(&self.outputs);
     }
 
-    /// What the block remembers, in the order of [`Program::state`].
+    /// The state of the block, in the order of [`Program::state`].
     pub fn state(&self) -> &[Literal] {
         &self.state
     }
 
-    /// Puts the block into a state, which need not be one that it can reach: so a single step shows what one part of the
-    /// state does. In the order of [`Program::state`], each value of its variable's type.
+    /// Sets the state of the block, which may be one that it cannot reach: a single step then shows the effect of one part
+    /// of the state. In the order of [`Program::state`], each value of its variable's type.
     ///
     /// # Panics
-    /// If there are not as many values as variables.
+    /// If the number of values differs from the number of variables.
     pub fn set_state(&mut self, state: &[Literal]) {
         self.state.copy_from_slice(state);
     }
@@ -104,7 +104,7 @@ impl<'p> Machine<'p> {
                 Var::Local(index) => self.locals[index].expect("interp: a local is read after it was assigned"),
             },
             Expr::Unary(operator, operand) => unary(*operator, self.value(operand)),
-            // Without effects, evaluating both sides always gives what short-circuiting gives.
+            // Without side effects, evaluating both sides has the same result as short-circuiting.
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
             Expr::Intrinsic(called, operands) => match operands.as_slice() {
                 [a] => intrinsic(*called, &[self.value(a)], self.program.real),

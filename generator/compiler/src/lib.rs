@@ -4,10 +4,10 @@
 //! specialise -> pass -> interp, dump, ranges
 //!                    -> legalise -> print
 //! ```
-//! `program` is the data between the steps, `arithmetic` what folding and the interpreter agree on.
+//! `program` is the data between the steps, `arithmetic` the common part of folding and the interpreter.
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
-#![warn(unreachable_pub)] // what no other crate can see does not look as if it could
+#![warn(unreachable_pub)] // an item that no other crate can use must not look public
 
 pub mod arithmetic;
 mod dump;
@@ -22,7 +22,7 @@ pub mod structure;
 
 use portable::{Literal, Portable, Real};
 
-/// The scalar that a real is.
+/// A real as a scalar literal.
 pub fn leaf<R: Real>(value: R) -> Literal {
     portable::scalar(&value)
 }

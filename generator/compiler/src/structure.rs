@@ -1,17 +1,17 @@
-//! What is in a program, as text: all but the values of its coefficients, the first values of its variables and the notes. Two programs
-//! with the same text differ in such values only.
+//! The structure of a program as text: everything except the values of its coefficients, the start values of its variables
+//! and the notes. Programs with equal texts differ only in such values.
 
 use crate::dump::Dump;
 use crate::program::Program;
 use portable::{Literal, RealKind};
 
-/// The text. Before the passes a program has all that its stages ask for, whatever the values are.
+/// The structure as text. Before the passes a program contains everything that its stages require, for any values.
 pub fn of(program: &Program) -> String {
     let real = if program.real == RealKind::F64 { "f64" } else { "f32" };
     Dump::bare(program, cleared, format!("block    {}\nreal     {real}\n", program.block)).whole()
 }
 
-/// The value of this type that all have alike.
+/// The value of this type that replaces all others.
 fn cleared(value: Literal) -> Literal {
     match value {
         Literal::Bool(_) => Literal::Bool(false),

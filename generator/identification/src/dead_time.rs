@@ -1,5 +1,5 @@
-//! The dead time of an axis: what its phase turns beyond the minimum phase of its magnitude; what it says of the
-//! channels. No offset of channels.
+//! The dead time of an axis: the phase beyond the minimum phase of its magnitude; and its meaning for the channels. No
+//! offset of channels.
 
 use crate::offset::{Phasor, Time, delay};
 use crate::response::Lines;
@@ -7,17 +7,17 @@ use crate::{Complex64, fourier, magnitude, turned};
 use portable::Extreme;
 use std::f64::consts::TAU;
 
-/// How near to half the sampling frequency the lines have to come, as a part of it.
+/// The lines must come this close to half the sampling frequency, as a part of it.
 const NYQUIST: f64 = 0.98;
-/// A standard error counts as that part of the magnitude at the least.
+/// Lower limit of a standard error, as a part of the magnitude.
 const LEAST_ERROR: f64 = 1e-3;
-/// How far from whole cycles a dead time may lie [s].
+/// Largest distance of a dead time from whole cycles [s].
 const FROM_WHOLE: f64 = 0.15e-3;
 
 /// The dead time of P [s]: the slope of its phase beyond the minimum phase of |P|, the Hilbert transform of ln |P|.
 ///
-/// The lines have to be evenly spaced from the first one, 1/(N T), to half the sampling frequency: an excitation with
-/// clocks of one cycle. None: they are not, or do not agree. Of signals that the controller's task samples it is a
+/// The lines must be evenly spaced from the first one, 1/(N T), to half the sampling frequency: an excitation with clocks of
+/// one cycle. `None` if they are not, or if they are inconsistent. For signals that the controller's task samples, it is a
 /// whole number of cycles: those of the bus and one more.
 #[must_use]
 pub fn of(lines: &Lines, cycle_time: f64) -> Option<Time> {
@@ -38,7 +38,7 @@ pub fn of(lines: &Lines, cycle_time: f64) -> Option<Time> {
 
 /// The phases of a system without dead time and with these magnitudes, at its lines. |P| is 1 at 0 Hz.
 ///
-/// The cepstrum, the inverse transform of ln |P|, is even; of the minimum phase it is that of rising time, twice.
+/// The cepstrum, the inverse transform of ln |P|, is even. The minimum phase belongs to its part at positive time, doubled.
 fn minimum_phase(lines: &Lines) -> Vec<f64> {
     let logarithm = |p: &Complex64| Complex64::from(0.5 * libm::log(p.norm_sqr()));
     let logarithms: Vec<Complex64> =
@@ -51,20 +51,20 @@ fn minimum_phase(lines: &Lines) -> Vec<f64> {
     fourier::of_real(&cepstrum)[1..].iter().map(|line| line.im).collect()
 }
 
-/// What a dead time says of the two channels.
+/// The meaning of a dead time for the two channels.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Channels {
-    /// a whole number of cycles: both may be recorded by the task that runs the block. Whole cycles more or less
-    /// cannot be seen
+    /// a whole number of cycles: both may be recorded by the task that runs the block. An offset of whole cycles cannot be
+    /// detected
     Whole(u32),
-    /// not a whole number of cycles: a channel is from elsewhere
+    /// not a whole number of cycles: a channel has another source
     NotWhole,
-    /// below one cycle: no controller is as fast
+    /// below one cycle: no controller is that fast
     TooShort,
 }
 
 impl Channels {
-    /// By a dead time [s] at a cycle time T [s].
+    /// The meaning of a dead time [s] at a cycle time T [s].
     #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least one, saturates")]
     pub fn of(dead_time: f64, cycle_time: f64) -> Self {

@@ -1,4 +1,4 @@
-//! Frequency and damping of a vibration from what it leaves after ramps. No spectrum: windows of ramps shift it.
+//! Frequency and damping of a vibration from its decay after ramps. No spectrum: windows of ramps shift it.
 
 use crate::least_squares::{Fit, fit};
 use crate::segments::{Segment, after_ramps};
@@ -10,16 +10,16 @@ use std::ops::Range;
 /// The time from a ramp's end to its window, and the length of a window [s].
 const SETTLE: f64 = 0.15;
 const LENGTH: f64 = 0.8;
-/// Where the search starts: parts of the frequency, and dampings.
+/// Start values of the search: parts of the frequency, and dampings.
 const PARTS: [f64; 5] = [0.94, 0.97, 1.0, 1.03, 1.06];
 const DAMPINGS: [f64; 5] = [0.003, 0.01, 0.03, 0.08, 0.2];
-/// Steps of Levenberg and Marquardt.
+/// Maximum number of Levenberg-Marquardt steps.
 const STEPS: u32 = 40;
 /// Step of the difference quotients of ln f and ln sigma.
 const STEP: f64 = 1e-5;
-/// A step below that ends the search.
+/// A smaller step ends the search.
 const PRECISION: f64 = 1e-9;
-/// Weight of the diagonal, at first; and where it ends.
+/// Weight of the diagonal, at the start and at the end.
 const DAMPED: f64 = 1e-3;
 const MOST_DAMPED: f64 = 1e9;
 
@@ -32,16 +32,16 @@ pub struct Decay {
     /// zeta = sigma/|sigma + j 2 pi f|, and its standard error
     pub damping: f64,
     pub damping_error: f64,
-    /// the largest at a window's begin, in the unit of the signal
+    /// the largest amplitude at the beginning of a window, in the unit of the signal
     pub amplitude: f64,
 }
 
-/// What else a window holds.
+/// The other signals in a window.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Companions<'a> {
-    /// of a following error: the gain of the position controller Kv [1/s], exp(-Kv t)
+    /// for a following error: the gain of the position controller Kv [1/s], exp(-Kv t)
     pub position_gain: Option<f64>,
-    /// lines that are forced [Hz]
+    /// frequencies of forced lines [Hz]
     pub forced: &'a [f64],
 }
 
@@ -51,9 +51,9 @@ pub fn windows(segments: &[Segment], cycle_time: f64) -> Vec<Range<usize>> {
     after_ramps(segments, whole(SETTLE / cycle_time), whole(LENGTH / cycle_time)).collect()
 }
 
-/// The vibration near a frequency [Hz] in windows of a signal: common f and sigma of exp(-sigma t) (cos, sin)(2 pi f
-/// t), next to 1, t, t^2 and the companions in each window; variable projection (Golub, Pereyra 1973) on the scaled
-/// signal. None: no decay is found there.
+/// The vibration near a frequency [Hz] in windows of a signal: common f and sigma of exp(-sigma t) (cos, sin)(2 pi f t),
+/// together with 1, t, t^2 and the companions in each window; variable projection (Golub, Pereyra 1973) on the scaled
+/// signal. `None` if no decay is found there.
 #[must_use]
 pub fn decay(
     signal: &[f64],
@@ -122,7 +122,7 @@ impl Problem<'_> {
         Some(residual)
     }
 
-    /// The residual, and its derivatives by ln f and ln sigma.
+    /// The residual, and its derivatives with respect to ln f and ln sigma.
     fn linear(&self, place: [f64; 2]) -> Option<(Vec<f64>, [Vec<f64>; 2])> {
         let by = |i: usize| {
             let at = |step: f64| self.residual(std::array::from_fn(|k| place[k] + if k == i { step } else { 0.0 }));
@@ -132,7 +132,7 @@ impl Problem<'_> {
         Some((self.residual(place)?, [by(0)?, by(1)?]))
     }
 
-    /// Levenberg and Marquardt from a place; none: it leaves where a vibration decays.
+    /// Levenberg-Marquardt search from a place; `None` if it leaves the range of decaying vibrations.
     fn descend(&self, mut place: [f64; 2]) -> Option<[f64; 2]> {
         let mut damped = DAMPED;
         for _ in 0..STEPS {

@@ -1,22 +1,22 @@
-//! The signal that excites an axis: a maximum-length sequence. What a start of it means for the machine.
+//! The signal that excites an axis: a maximum-length sequence; and its effects on the machine.
 
 use crate::{Complex64, fourier};
 use portable::{Extreme, peak};
 use std::f64::consts::PI;
 
-/// How long a clock of the default excitation holds [s].
+/// Duration of a clock of the default excitation [s].
 const CLOCK: f64 = 2e-3;
-/// How long its period is at the least [s].
+/// Minimum duration of its period [s].
 const PERIOD: f64 = 4.0;
-/// Periods that are measured by default.
+/// Default number of measured periods.
 pub const PERIODS: usize = 8;
-/// Amplitude by default, where velocities are in m/s.
+/// Default amplitude, for velocities in m/s.
 pub const AMPLITUDE: f64 = 2e-3;
-/// How long the excitation rises, and falls [s].
-const FADE: f64 = 0.1;
-/// Lines within the half-power width of a vibration.
+/// Rise time and fall time of the excitation [s].
+pub const FADE: f64 = 0.1;
+/// Minimum number of lines within the half-power width of a vibration.
 const LINES_IN_WIDTH: f64 = 4.0;
-/// The speed of the move while exciting, in amplitudes, at the least: friction keeps its sign.
+/// Minimum speed of the move during the excitation, in amplitudes: friction keeps its sign.
 pub const LEAST_SPEED: f64 = 2.5;
 
 /// Tapped bits of the shift registers from 7 bits on, counted from the front: all with the longest period, 2^n - 1 clocks.
@@ -31,14 +31,13 @@ const TAPS: [&[u32]; 9] = [
     &[14, 13, 12, 2],
     &[15, 14],
 ];
-/// The fewest and the most bits.
+/// The smallest and the largest number of bits.
 const BITS: [u32; 2] = [7, 15];
 
 /// A maximum-length sequence.
 ///
-/// A register of n bits begins with ones. A clock puts out the last bit, 1 as +1 and 0 as -1, then shifts the
-/// exclusive-or of the tapped bits in at the front. A clock lasts c cycles: the period is N = (2^n - 1) c cycles, its
-/// sum is one clock.
+/// A register of n bits starts with ones. A clock outputs the last bit, 1 as +1 and 0 as -1, then shifts the exclusive-or of
+/// the tapped bits in at the front. A clock lasts c cycles: the period is N = (2^n - 1) c cycles, and its sum is one clock.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub struct Sequence {
     bits: u32,
@@ -46,21 +45,21 @@ pub struct Sequence {
 }
 
 impl Sequence {
-    /// With a register of 7 to 15 bits and clocks of at least one cycle; none: other numbers.
+    /// A sequence with a register of 7 to 15 bits and clocks of at least one cycle; `None` for other numbers.
     #[must_use]
     pub fn new(bits: u32, clock: u32) -> Option<Self> {
         (BITS[0]..=BITS[1]).contains(&bits).then_some(())?;
         (clock > 0).then_some(Self { bits, clock })
     }
 
-    /// For a cycle time T [s]: c = max(1, round(2 ms / T)), and the fewest bits with N T >= 4 s.
+    /// The sequence for a cycle time T [s]: c = max(1, round(2 ms / T)), and the smallest number of bits with N T >= 4 s.
     #[must_use]
     pub fn for_cycle(cycle_time: f64) -> Self {
         Self::shortest(cycle_time, PERIOD)
     }
 
-    /// The same, and with lines no farther apart than a quarter of the half-power width 2 zeta f of the slowest
-    /// vibration [Hz].
+    /// The sequence for a cycle time, with a line distance of at most a quarter of the half-power width 2 zeta f of the
+    /// slowest vibration [Hz].
     #[must_use]
     pub fn for_vibration(cycle_time: f64, hz: f64, damping: f64) -> Self {
         let spacing = 2.0 * damping * hz / LINES_IN_WIDTH;
@@ -99,13 +98,13 @@ impl Sequence {
         1.0 / (self.period() as f64 * cycle_time)
     }
 
-    /// Half the frequency of its clocks 1/(2 c T) [Hz]: up to there every line is strong.
+    /// Half the frequency of its clocks 1/(2 c T) [Hz]: every line below is strong.
     #[must_use]
     pub fn half_clock(&self, cycle_time: f64) -> f64 {
         0.5 / (f64::from(self.clock) * cycle_time)
     }
 
-    /// +1 and -1, cycle by cycle, without end.
+    /// The endless signal of +1 and -1, cycle by cycle.
     pub fn signs(&self) -> impl Iterator<Item = f64> + use<> {
         let Self { bits, clock } = *self;
         let taps = TAPS[(bits - BITS[0]) as usize];
@@ -121,7 +120,7 @@ impl Sequence {
 
     /// The amplitude of the line k of the period, k = 1..=N/2, of the sequence of amplitude 1: 2 |U_k| / N.
     ///
-    /// |U_k| = sqrt(2^n) sin(pi k c / N) / sin(pi k / N): equal but for the hold of a clock.
+    /// |U_k| = sqrt(2^n) sin(pi k c / N) / sin(pi k / N): equal for all lines except for the hold of a clock.
     #[must_use]
     pub fn line(&self, k: usize) -> f64 {
         let turn = PI * k as f64 / self.period() as f64;
@@ -130,7 +129,7 @@ impl Sequence {
     }
 }
 
-/// An excitation: what is added to the commanded velocity, in the unit of its amplitude.
+/// An excitation, which is added to the commanded velocity, in the unit of its amplitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Excitation {
     pub sequence: Sequence,
@@ -138,12 +137,12 @@ pub struct Excitation {
     pub cycle_time: f64,
     /// A
     pub amplitude: f64,
-    /// periods that are measured M, after one in which the axis settles
+    /// measured periods M, after one in which the axis settles
     pub periods: usize,
 }
 
 impl Excitation {
-    /// v_excite = A g s, cycle by cycle to its end: g rises from 0 to 1 in 0.1 s and falls alike after the last period.
+    /// v_excite = A g s, cycle by cycle to its end: g rises from 0 to 1 in 0.1 s, and falls in 0.1 s after the last period.
     pub fn samples(&self) -> impl Iterator<Item = f64> + use<> {
         let (fade, full, amplitude) = (self.fade(), (self.periods + 1) * self.sequence.period(), self.amplitude);
         let part = move |n: usize| n.min(fade).min(full + fade - n) as f64 / fade as f64;
@@ -156,12 +155,14 @@ impl Excitation {
         self.sequence.period()..(self.periods + 1) * self.sequence.period()
     }
 
+    /// The cycles in which it rises, and falls.
+    #[must_use]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    fn fade(&self) -> usize {
+    pub fn fade(&self) -> usize {
         libm::ceil(FADE / self.cycle_time - 1e-9).larger(1.0) as usize
     }
 
-    /// How long all of it lasts [s].
+    /// Its total duration [s].
     #[must_use]
     pub fn duration(&self) -> f64 {
         ((self.periods + 1) * self.sequence.period() + self.fade()) as f64 * self.cycle_time
@@ -179,20 +180,20 @@ impl Excitation {
         kp * self.step()
     }
 
-    /// The way of the move while exciting (M + 1) N T v, at the speed v.
+    /// The length of the move during the excitation (M + 1) N T v, at the speed v.
     #[must_use]
     pub fn path(&self, speed: f64) -> f64 {
         ((self.periods + 1) * self.sequence.period()) as f64 * self.cycle_time * speed
     }
 
-    /// The slowest move while exciting, 2.5 A.
+    /// The slowest move during the excitation, 2.5 A.
     #[must_use]
     pub fn least_speed(&self) -> f64 {
         LEAST_SPEED * self.amplitude
     }
 
-    /// The largest value of what answers the excitation with this frequency response [Hz], settled: of j 2 pi f P the
-    /// acceleration of the motor, of a response of the load the acceleration of the load.
+    /// The largest settled value of the response to the excitation, for this frequency response [Hz]: the acceleration of
+    /// the motor for j 2 pi f P, the acceleration of the load for a response of the load.
     #[must_use]
     pub fn peak(&self, response: impl Fn(f64) -> Complex64) -> f64 {
         let period: Vec<f64> = self.sequence.signs().take(self.sequence.period()).collect();
@@ -205,8 +206,8 @@ impl Excitation {
     }
 }
 
-/// The fastest move, by the pitch of rack and pinion or of a screw: its mesh frequency speed/pitch stays below the
-/// band that is of interest [Hz].
+/// The fastest move, from the pitch of a rack and pinion or of a screw: its mesh frequency speed/pitch stays below the band
+/// of interest [Hz].
 #[must_use]
 pub fn largest_speed(pitch: f64, lowest_hz: f64) -> f64 {
     pitch * lowest_hz

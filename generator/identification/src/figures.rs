@@ -1,4 +1,4 @@
-//! What is left of the vibrations of a record with stages, as parts of what it had without: measured like a record.
+//! The remaining part of a record's vibrations with stages, relative to the record without: measured in the same way.
 
 use crate::peaks::windowed;
 use crate::shape::{Shape, Stages};
@@ -8,32 +8,32 @@ use portable::{Extreme, peak};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// When a vibration is measured.
+/// The time in which a vibration is measured.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum When {
     /// at constant speed: from 0.4 s after a ramp's end to the next ramp
     Driving,
-    /// about ramps: 1.0 s from 0.1 s before each ramp; and its ring-down, the peak from 0.08 to 0.6 s after each ramp's end
+    /// around ramps: 1.0 s from 0.1 s before each ramp; and its ring-down, the peak from 0.08 to 0.6 s after each ramp's end
     Ramps,
 }
 
-/// A vibration that stages shall damp.
+/// A vibration to be damped by stages.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vibration {
     /// [Hz]
     pub hz: f64,
     pub when: When,
-    /// which of the record's channels shows it
+    /// the channel of the record that shows it
     pub channel: usize,
 }
 
-/// A record with the stages off: at rest at both ends, all of one length, sampled at T.
+/// A record with the stages off: at rest at both ends, all signals of one length, sampled at T.
 #[derive(Clone, Copy, Debug)]
 pub struct Record<'a> {
-    /// what is looked at: signals of the load, or of the motor
+    /// the examined signals: of the load, or of the motor
     pub channels: &'a [&'a [f64]],
     pub v_motor: &'a [f64],
-    /// command less position of the motor
+    /// following error: command minus position of the motor
     pub error: Option<&'a [f64]>,
     /// the ramps: the samples of each
     pub ramps: &'a [Range<usize>],
@@ -46,23 +46,23 @@ const RING: [f64; 2] = [0.08, 0.6];
 const OF_DWELL: [f64; 2] = [50.0 / 53.0, 56.0 / 53.0];
 const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
 const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
-/// Lines in 1/(length of a window).
+/// Lines per 1/(length of a window).
 const PADDED: f64 = 8.0;
-/// The highest frequency that the figures need, as a part of that of a vibration: an amplitude needs little beyond it,
-/// a peak 16 samples a period.
+/// The highest frequency for the figures, relative to that of a vibration: an amplitude needs little above it, a peak needs
+/// 16 samples per period.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
 
-/// What is left, as parts.
+/// The remaining parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Left {
-    /// of the amplitude of each vibration
+    /// the remaining part of the amplitude of each vibration
     pub residuals: Vec<f64>,
-    /// of the largest ring-down; none: no vibration is of ramps
+    /// the remaining part of the largest ring-down; `None` if no vibration belongs to ramps
     pub ring: Option<f64>,
 }
 
 impl Left {
-    /// The largest of all, and the mean.
+    /// The largest of all parts, and the mean.
     #[must_use]
     pub fn worst_and_mean(&self) -> [f64; 2] {
         let all = || self.residuals.iter().copied().chain(self.ring);
@@ -71,33 +71,33 @@ impl Left {
     }
 }
 
-/// What stages do to the motor in a record.
+/// The effect of stages on the motor in a record.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effect {
-    /// the peak of the following error by that without stages; none: it is not recorded, or always 0
+    /// the peak of the following error divided by that without stages; `None` if it is not recorded, or always 0
     pub following_error: Option<f64>,
     /// the largest value that the stages add: C R `v_motor`
     pub peak_v_add: f64,
 }
 
-/// A record whose figures are known without stages.
+/// A record with known figures without stages.
 pub struct Judge<'a> {
     vibrations: &'a [Vibration],
     record: Record<'a>,
     axis: Axis<'a>,
     what_if: WhatIf<'a>,
-    /// the same of `v_motor` alone, with all frequencies
+    /// the record of `v_motor` alone, with all frequencies
     of_motor: WhatIf<'a>,
-    /// the windows of dwells, of ramps and of ring-downs, in samples that are given back
+    /// the windows of dwells, of ramps and of ring-downs, in samples of the result
     dwells: Vec<Range<usize>>,
     about_ramps: Vec<Range<usize>>,
     rings: Vec<Range<usize>>,
-    /// amplitude, and ring-down, of each vibration without stages
+    /// amplitude and ring-down of each vibration without stages
     without: Vec<[f64; 2]>,
 }
 
 impl<'a> Judge<'a> {
-    /// None: a vibration is on no channel, or has no window: no dwell, no ramp.
+    /// `None` if a vibration has no channel, or no window (no dwell, no ramp).
     #[must_use]
     pub fn new(axis: Axis<'a>, record: Record<'a>, vibrations: &'a [Vibration]) -> Option<Self> {
         let needed = |vibration: &Vibration| vibration.hz * HIGHEST[usize::from(vibration.when == When::Ramps)];
@@ -120,7 +120,7 @@ impl<'a> Judge<'a> {
         judge.without.iter().all(|[amplitude, ring]| *amplitude > 0.0 && *ring > 0.0).then_some(judge)
     }
 
-    /// What stages with weights leave.
+    /// The remaining parts with these stages and weights.
     #[must_use]
     pub fn left(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Left {
         let with = self.amplitudes(&self.what_if.left(&self.what_if.controller(stages, of)));
@@ -130,7 +130,7 @@ impl<'a> Judge<'a> {
         Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
     }
 
-    /// Amplitude and ring-down of each vibration after a response at the lines.
+    /// Amplitude and ring-down of each vibration after applying a response at the lines.
     fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
         let of = |vibration: &Vibration| {
             let [signal, ringing] =
@@ -158,7 +158,7 @@ impl<'a> Judge<'a> {
         mean(windows.iter().filter_map(of))
     }
 
-    /// What stages with weights do to the motor.
+    /// The effect of stages and weights on the motor.
     #[must_use]
     pub fn effect(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Effect {
         let controller = self.of_motor.controller(stages, of);
@@ -176,8 +176,8 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The dwells [s]: from 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
-/// third and the fourth. An axis drives above 5 % of its largest velocity.
+/// The dwells [s]: from 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp,
+/// the third and the fourth. An axis drives above 5 % of its largest velocity.
 fn dwells(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
     let standstill = 0.05 * peak(record.v_motor);
     let v_motor = record.v_motor;
@@ -189,7 +189,7 @@ fn dwells(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
     })
 }
 
-/// The amplitude of a sine of w rad a sample in a windowed signal.
+/// The amplitude of a sine of w rad per sample in a windowed signal.
 fn sine(windowed: &[f64], w: f64) -> f64 {
     let step = turned(-w);
     let mut turn = Complex64::from(1.0);

@@ -1,6 +1,7 @@
 //! Discrete Fourier transforms of any length. No window, no physical unit.
 //!
-//! The kept libraries take their sines from the host, whose last bit differs from system to system; here they are libm's.
+//! Existing libraries take their sines from the host, whose last bit differs from system to system; here they come from
+//! libm.
 
 use crate::{Complex64, ZERO, turned};
 use std::f64::consts::{PI, TAU};
@@ -13,7 +14,7 @@ pub(crate) struct Fourier {
 }
 
 impl Fourier {
-    /// Of at least that length.
+    /// A transform of at least that length.
     pub(crate) fn at_least(length: usize) -> Self {
         let length = length.next_power_of_two().max(2);
         let turns = (0..length / 2).map(|k| turned(-TAU * k as f64 / length as f64)).collect();
@@ -92,7 +93,7 @@ pub(crate) fn of_real(samples: &[f64]) -> Vec<Complex64> {
 
 /// The N real samples with these lines X_k, k = 0..=N/2.
 pub(crate) fn real_of(lines: &[Complex64], length: usize) -> Vec<f64> {
-    // Of the conjugate the forward transform is the conjugate of the inverse one.
+    // The forward transform of the conjugate is the conjugate of the inverse transform.
     let line = |k: usize| if 2 * k <= length { lines[k].conj() } else { lines[length - k] };
     let all: Vec<Complex64> = (0..length).map(line).collect();
     of(&all).iter().map(|value| value.re / length as f64).collect()

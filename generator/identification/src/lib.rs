@@ -1,6 +1,6 @@
-//! From a recording to a proposal: how an axis is excited, its response, its vibrations, what stages of improved
-//! position control would leave of them, which stages are proposed. No parameter, no file, no block: arrays in,
-//! numbers out; the response of a stage is a closure of the caller.
+//! From a recording to a proposal: the excitation of an axis, its response, its vibrations, the effect of stages of improved
+//! position control on them, and proposed stages. No parameter, no file, no block: arrays in, numbers out; the response of a
+//! stage is a closure of the caller.
 //!
 //! Velocities are in one unit of the caller's, times in seconds, frequencies in Hz. z^-1 = exp(-j 2 pi f T), T the
 //! cycle of the position controller. P is the response from the commanded velocity `v_cmd` to the motor's `v_motor`;
@@ -8,22 +8,22 @@
 //!
 //! ```text
 //! fourier        transforms of any length
-//! excitation     the maximum-length sequence, and what a start of it means
+//! excitation     the maximum-length sequence, and its effects on the machine
 //! response       periods -> P with its standard errors; smoothing
 //! welch          spectra of signals without a period
-//! offset         how much later one channel is than another
-//! dead_time      what the phase of P turns beyond its minimum phase
+//! offset         the delay of one channel relative to another
+//! dead_time      the phase of P beyond its minimum phase
 //! segments       rest, driving, ramps of a record
-//! peaks          of the spectrum while driving
+//! peaks          peaks of the spectrum while driving
 //! least_squares  linear fits
 //! decay          frequency and damping of a vibration after ramps
-//! resonance      the same from a response
-//! source         on which side of the spring a vibration enters
-//! shape          a stage but for its weight
+//! resonance      frequency and damping of a vibration from a response
+//! source         the side of the spring on which a vibration enters
+//! shape          a stage without its weight
 //! what_if        a record as it would have been with stages
-//! figures        what is left of its vibrations
-//! scenarios      the drives that a proposal has to bear, and the weight that they bear
-//! search         shapes and weights that leave the least
+//! figures        the remaining part of its vibrations
+//! scenarios      the drives with which a proposal must be stable, and the allowed weight
+//! search         shapes and weights that leave the least vibration
 //! proposals      recommended, strong, cautious; first ones without a response
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler

@@ -1,6 +1,6 @@
-//! How much later one channel of a recording is than another one that it follows in a known way. No dead time of an
-//! axis: between `v_cmd` and `v_motor` an offset cannot be known, one cycle more of delay gives the same record to the
-//! bit.
+//! The delay of one channel of a recording relative to another one that it follows in a known way. Not the dead time of an
+//! axis: an offset between `v_cmd` and `v_motor` cannot be determined, because one more cycle of delay gives a bit-identical
+//! record.
 
 use crate::welch::Spectra;
 use crate::{Complex64, angle, magnitude, turned};
@@ -9,19 +9,19 @@ use std::f64::consts::TAU;
 
 /// Samples of a segment of the spectra.
 const SEGMENT: usize = 2048;
-/// Lines with less coherence are left out; the fewest that have to be left.
+/// Lines with less coherence are left out; the minimum number of remaining lines.
 const LEAST_COHERENCE: f64 = 0.3;
 const FEWEST_LINES: usize = 8;
-/// A coherence nearer to 1 is not believed: q stays finite.
+/// Upper limit of a coherence, so that q stays finite.
 const LARGEST_COHERENCE: f64 = 1.0 - 1e-9;
-/// Where an offset is searched [s], and in which steps.
+/// Range of the search for an offset [s], and its steps.
 const LARGEST: f64 = 10e-3;
 const STEP: f64 = 0.05e-3;
 /// An offset with a larger error is unknown [s].
 const LARGEST_ERROR: f64 = 0.1e-3;
-/// So is one for which another place is nearly as good.
+/// An offset is also unknown if another one is almost as good.
 const AS_GOOD: f64 = 0.9;
-/// Steps of Gauss and Newton.
+/// Number of Gauss-Newton steps.
 const REFINEMENTS: u32 = 8;
 
 /// A time with its standard error.
@@ -33,16 +33,16 @@ pub struct Time {
     pub error: f64,
 }
 
-/// How much later `y` is than `x` [s], where y = F x with a response F that is known: 1 for the same velocity twice, j
-/// 2 pi f for a velocity and its position, C for `v_motor` and the `v_add` of a dry run.
+/// The delay of `y` relative to `x` [s], where y = F x with a known response F: 1 for the same velocity twice, j 2 pi f for
+/// a velocity and its position, C for `v_motor` and the `v_add` of a dry run.
 ///
 /// ```text
 /// G = S_xy / (S_xx F)      Welch, segments of 2048 samples, lines with a coherence k above 0.3, at least 8
 /// tau: largest sum of q Re(G/|G| exp(j w tau)), q = k/(1 - k), within +-10 ms
-/// error: (sum of q w^2)^-1/2, times the rms of the weighted phases that are left, where that is above 1
+/// error: (sum of q w^2)^-1/2, times the rms of the weighted residual phases if it is above 1
 /// ```
 ///
-/// None: unknown. The record does not determine it to 0.1 ms, or two places are nearly as good.
+/// `None` if unknown: the record does not determine it to 0.1 ms, or two values are almost equally good.
 #[must_use]
 pub fn between(x: &[f64], y: &[f64], cycle_time: f64, known: impl Fn(f64) -> Complex64) -> Option<Time> {
     let spectra = Spectra::of(x, y, SEGMENT)?;
@@ -58,18 +58,18 @@ pub fn between(x: &[f64], y: &[f64], cycle_time: f64, known: impl Fn(f64) -> Com
     (phasors.len() >= FEWEST_LINES).then(|| delay(&phasors)).flatten()
 }
 
-/// What a line knows of a delay.
+/// The information of a line about a delay.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Phasor {
     /// 2 pi f [rad/s]
     pub omega: f64,
-    /// exp(-j w tau), disturbed
+    /// exp(-j w tau) with noise
     pub unit: Complex64,
     /// 1/variance of its phase
     pub weight: f64,
 }
 
-/// The delay that the phasors agree on; none: they do not.
+/// The delay on which the phasors agree; `None` if they do not.
 pub(crate) fn delay(phasors: &[Phasor]) -> Option<Time> {
     let score = |tau: f64| {
         let of = |p: &Phasor| p.weight * (p.unit * turned(p.omega * tau)).re;

@@ -1,5 +1,5 @@
-//! Peaks of the spectrum while an axis drives: where, how strong, which are in doubt, which stand. No damping: it
-//! comes from a decay.
+//! Peaks of the spectrum while an axis drives: frequency, amplitude, doubtful peaks, steady lines. No damping: it comes from
+//! a decay.
 
 use crate::segments::{Kind, Segment, settled};
 use crate::welch::hann;
@@ -9,29 +9,30 @@ use portable::Extreme;
 use std::f64::consts::{LN_2, PI, SQRT_2, TAU};
 use std::ops::Range;
 
-/// Driving is looked at from then on after a ramp [s].
+/// Driving is examined from this time after a ramp [s].
 const SETTLE: f64 = 0.3;
-/// The shortest window that counts [s].
+/// The shortest window that is used [s].
 const SHORTEST: f64 = 0.25;
-/// Windows are padded with zeros to that length at least.
+/// Windows are padded with zeros to at least this length.
 const PADDED: usize = 1 << 14;
-/// A peak is the largest within that distance, in 1/(length of the window).
+/// A peak is the largest line within this distance, in 1/(length of the window).
 const RESOLVED: f64 = 2.0;
-/// Power of a peak against the median about it: 10 dB.
+/// Minimum power of a peak relative to the median around it: 10 dB.
 const ABOVE: f64 = 10.0;
-/// Two peaks compete where the second has that part of the first one's power.
+/// Two peaks compete if the second has this part of the first one's power.
 const COMPETES: f64 = 0.3;
 /// A peak is at the edge within this number of lines, 1/(length of the window), of an end.
 const EDGE: f64 = 3.0;
-/// How much less a Hann window knows of a frequency than a rectangle: the square root of 2.34, of the moments of both.
+/// The factor of the frequency error of a Hann window relative to a rectangle: the square root of 2.34, from the moments of
+/// both.
 const OF_HANN: f64 = 1.53;
-/// A line stands where its amplitude in the second half of the windows is that part of the one in the first.
+/// A line is steady if its amplitude in the second half of the windows is at least this part of that in the first half.
 const STANDS: f64 = 0.8;
 
 /// The mean of the spectra of some windows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spectrum {
-    /// between lines [Hz]
+    /// distance of lines [Hz]
     pub spacing: f64,
     /// 1/(length of the shortest window) [Hz]
     pub resolution: f64,
@@ -46,11 +47,11 @@ pub struct Peak {
     /// [Hz], and its standard error
     pub hz: f64,
     pub hz_error: f64,
-    /// of a sine, in the unit of the signal
+    /// amplitude of a sine, in the unit of the signal
     pub amplitude: f64,
-    /// another peak has nearly as much power: which of the two matters is not known
+    /// another peak has almost as much power: it is unknown which of the two matters
     pub competes: bool,
-    /// it is so near to an end of the spectrum that its maximum may lie beyond
+    /// it is so close to an end of the spectrum that its maximum may be outside
     pub is_at_edge: bool,
 }
 
@@ -62,8 +63,8 @@ pub fn driving(segments: &[Segment], cycle_time: f64) -> Vec<Range<usize>> {
 }
 
 impl Spectrum {
-    /// Of windows of a signal: a quadratic trend is taken off, a Hann window, zeros to at least 2^14 samples. None: no
-    /// window.
+    /// The spectrum of windows of a signal: a quadratic trend is removed, a Hann window is applied, zeros are added up to at
+    /// least 2^14 samples. `None` if there is no window.
     #[must_use]
     pub fn of(signal: &[f64], windows: &[Range<usize>], cycle_time: f64) -> Option<Self> {
         let shortest = windows.iter().map(ExactSizeIterator::len).min()?;
@@ -87,8 +88,8 @@ impl Spectrum {
         })
     }
 
-    /// The peaks, the strongest first: the largest line within 2/(length of the window), 10 dB above the median of
-    /// half an octave to each side beyond that; a parabola through ln(power) places it.
+    /// The peaks, the strongest first: the largest line within 2/(length of the window), 10 dB above the median of half an
+    /// octave on each side beyond it; a parabola through ln(power) determines its place.
     #[must_use]
     pub fn peaks(&self) -> Vec<Peak> {
         let near = whole(RESOLVED * self.resolution / self.spacing).max(1);
@@ -123,7 +124,7 @@ impl Spectrum {
         self.peaks().into_iter().find(|peak| (band[0]..=band[1]).contains(&peak.hz))
     }
 
-    /// The largest amplitude within a band [Hz], a peak or not.
+    /// The largest amplitude within a band [Hz], whether it is a peak or not.
     #[must_use]
     pub fn amplitude(&self, band: [f64; 2]) -> f64 {
         let inside = |(k, _): &(usize, &f64)| (band[0]..=band[1]).contains(&(*k as f64 * self.spacing));
@@ -137,8 +138,8 @@ impl Spectrum {
         let place = if bend < 0.0 { 0.5 * (a - c) / bend } else { 0.0 };
         let hz = (k as f64 + place) * self.spacing;
         let power = libm::exp(b - 0.25 * (a - c) * place);
-        // The least error of a sine in white noise of a mean power m of a line: sqrt(m / power) / (pi length). Of a
-        // power the median is ln 2 m.
+        // The least error of a sine in white noise with the mean power m of a line: sqrt(m / power) / (pi length). The
+        // median of a power is ln 2 m.
         let mean = median / LN_2 / self.windows as f64;
         let end = (self.power.len() - 1) as f64 * self.spacing;
         Peak {
@@ -151,7 +152,7 @@ impl Spectrum {
     }
 }
 
-/// Samples without their quadratic trend, under a Hann window; none: too few.
+/// Samples without their quadratic trend, with a Hann window; `None` if there are too few.
 pub(crate) fn windowed(samples: &[f64]) -> Option<Vec<f64>> {
     let place = |n: usize| 2.0 * n as f64 / samples.len() as f64 - 1.0;
     let powers = |n: usize| Vector3::new(1.0, place(n), place(n) * place(n));
@@ -167,14 +168,14 @@ pub(crate) fn windowed(samples: &[f64]) -> Option<Vec<f64>> {
     Some(samples.iter().enumerate().map(without).zip(hann(samples.len())).map(|(value, hann)| value * hann).collect())
 }
 
-/// A windowed signal at one frequency [Hz]: twice the amplitude of a sine, turned by its phase at the window's begin.
+/// A windowed signal at one frequency [Hz]: twice the amplitude of a sine, with the phase at the beginning of the window.
 pub(crate) fn at(windowed: &[f64], cycle_time: f64, hz: f64) -> Complex64 {
     let term = |(n, sample): (usize, &f64)| turned(-TAU * hz * cycle_time * n as f64) * sample;
     windowed.iter().enumerate().map(term).sum::<Complex64>() * (4.0 / windowed.len() as f64)
 }
 
-/// Whether a line stands at constant speed: it is forced, and has no damping. Its amplitude in the second halves of
-/// the windows is at least 0.8 of that in the first.
+/// Whether a line is steady at constant speed: it is forced, and has no damping. Its amplitude in the second halves of the
+/// windows is at least 0.8 of that in the first.
 #[must_use]
 pub fn stands(signal: &[f64], windows: &[Range<usize>], cycle_time: f64, hz: f64) -> bool {
     let mut halves = [0.0; 2];
@@ -189,7 +190,8 @@ pub fn stands(signal: &[f64], windows: &[Range<usize>], cycle_time: f64, hz: f64
     halves[1].sqrt() >= STANDS * halves[0].sqrt() && halves[0] > 0.0
 }
 
-/// Whether two lines at two speeds are one order: frequency by speed is equal, within two standard errors and 1 %.
+/// Whether two lines at two speeds are the same order: the ratio of frequency and speed is equal, within two standard errors
+/// and 1 %.
 #[must_use]
 pub fn is_order(lines: [[f64; 2]; 2], speeds: [f64; 2]) -> bool {
     let [a, b] = [0, 1].map(|i| lines[i][0] / libm::fabs(speeds[i]));

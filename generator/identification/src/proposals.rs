@@ -1,5 +1,5 @@
-//! What is proposed: recommended, strong and cautious stages from a response and a record; first ones without a
-//! response. The search stands elsewhere.
+//! The proposals: recommended, strong and cautious stages from a response and a record; first ones without a response. The
+//! search is in `search`.
 
 use crate::figures::{Effect, Judge, Left, Record, Vibration};
 use crate::response::{Lines, is_too_uncertain};
@@ -14,16 +14,16 @@ use stability::{Drive, Loop, Points};
 const RECOMMENDED: [f64; 4] = [1.75, 2.0, 2.0, 2.0];
 const STRONG: [f64; 4] = [2.0; 4];
 const CAUTIOUS: [f64; 4] = [1.4; 4];
-/// Stages that leave more than that of every vibration are useless.
+/// Stages are useless if more than this part of every vibration remains.
 const USELESS: f64 = 0.8;
-/// The drive where none is known [cycles, s], and the part of its largest weight.
+/// The assumed drive if none is known [cycles, s], and the part of its largest weight.
 const UNKNOWN: [f64; 2] = [1.5, 0.003];
 const FIRST: f64 = 0.1;
-/// Its shapes: quality factors of DIRECT and INDIRECT, damping.
+/// The shapes for it: quality factors of DIRECT and INDIRECT, damping.
 const FIRST_Q: [f64; 2] = [10.0, 2.0];
 const FIRST_DAMPING: f64 = 0.8;
 
-/// Which proposal.
+/// The kind of a proposal.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Kind {
     /// Ms within 1.75, within 2 in the other scenarios
@@ -32,12 +32,12 @@ pub enum Kind {
     Strong,
     /// the recommended shapes with Ms within 1.4 in all scenarios
     Cautious,
-    /// a tenth of the weights that a usual drive bears: the response is not known
+    /// a tenth of the largest weights with a usual drive: the response is not known
     First,
 }
 
 impl Kind {
-    /// As reports call it.
+    /// Its name in reports.
     #[must_use]
     pub fn word(self) -> &'static str {
         match self {
@@ -49,23 +49,23 @@ impl Kind {
     }
 }
 
-/// Stages with weights, and what they do.
+/// Stages with weights, and their effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
     pub kind: Kind,
-    /// one a vibration
+    /// one stage per vibration
     pub stages: Vec<(Shape, f64)>,
-    /// what is left of the vibrations
+    /// the remaining parts of the vibrations
     pub left: Left,
-    /// what they do to the motor in the record
+    /// their effect on the motor in the record
     pub effect: Effect,
     /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more
     pub ms: [f64; 4],
-    /// more than 0.8 is left of every vibration
+    /// more than 0.8 of every vibration remains
     pub is_useless: bool,
 }
 
-/// Why nothing is proposed.
+/// The reason why nothing is proposed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refused {
     /// no vibration, or more than there are stages
@@ -80,17 +80,17 @@ pub enum Refused {
     NoWeight,
 }
 
-/// What a proposal is made from.
+/// The data for a proposal.
 pub struct Task<'a, 's> {
     /// T [s]
     pub cycle_time: f64,
-    /// Kv [1/s], where the position loop is closed
+    /// Kv [1/s], if the position loop is closed
     pub position_gain: Option<f64>,
     /// P, smoothed
     pub lines: &'a Lines,
     /// a record with the stages off
     pub record: Record<'a>,
-    /// which enter at the motor: |S/S0| says nothing of others
+    /// vibrations that enter at the motor: |S/S0| does not describe others
     pub vibrations: &'a [Vibration],
     pub stages: &'a Stages<'s>,
 }
@@ -143,7 +143,7 @@ fn modes(count: usize) -> Vec<Vec<Mode>> {
     (0..1_usize << count).map(|bits| (0..count).map(|i| mode(bits, i)).collect()).collect()
 }
 
-/// A proposal; none: a loop is not stable between the points at which its weights were found.
+/// A proposal; `None` if a loop is unstable between the points at which its weights were found.
 fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Proposal> {
     let (stages, left) = (found.stages.clone(), found.left.clone());
     search.scenarios.are_stable(search.stages, &stages).then(|| Proposal {
@@ -156,8 +156,8 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
     })
 }
 
-/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms.
-/// Modes and frequencies [Hz] of the vibrations; a stage for each. None: no vibration, or more than there are stages.
+/// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and
+/// frequencies [Hz] of the vibrations; one stage for each. `None` if there is no vibration, or more than there are stages.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],

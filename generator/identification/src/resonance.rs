@@ -6,26 +6,26 @@ use crate::response::Lines;
 use crate::{Complex64, magnitude};
 use portable::Extreme;
 
-/// The band about the vibration, as a part of its frequency.
+/// The band around the vibration, as a part of its frequency.
 const BAND: f64 = 0.12;
-/// Repetitions with the weights of the pole before.
+/// Iterations with weights from the previous pole.
 const STEPS: u32 = 8;
-/// A damping where the weights start.
+/// The damping with which the weights start.
 const START: f64 = 0.03;
-/// A standard error counts as that part of the magnitude at the least.
+/// Lower limit of a standard error, as a part of the magnitude.
 const LEAST_ERROR: f64 = 1e-6;
-/// Lines across a half-power width that is believed.
+/// Minimum number of lines across a half-power width.
 const FEWEST_LINES: f64 = 6.0;
 
-/// The vibration near a frequency f0 [Hz] in a response H: one pole and what is smooth about it.
+/// The vibration near a frequency f0 [Hz] in a response H: one pole and a smooth part.
 ///
 /// ```text
 /// H (s - p) = b0 + b1 s + b2 s^2        s = j (f - f0)/f0 within f0 +-12 %, weights 1/(se |s - p|), 8 times
 /// (Sanathanan, Koerner 1963)
 /// ```
 ///
-/// The pole is at 2 pi f0 (j + p). None: fewer lines than numbers, or no pole that decays within the band. The
-/// amplitude is the largest |H|.
+/// The pole is at 2 pi f0 (j + p). `None` if there are fewer lines than unknowns, or no pole that decays within the band.
+/// The amplitude is the largest |H|.
 #[must_use]
 pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
     let inside = |k: &usize| libm::fabs(lines.hz[*k] / f0 - 1.0) <= BAND;
@@ -38,7 +38,7 @@ pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
         for k in &inside {
             let (s, h) = (Complex64::new(0.0, lines.hz[*k] / f0 - 1.0), lines.response[*k]);
             let weight = 1.0 / (lines.error[*k].larger(LEAST_ERROR * magnitude(h)) * magnitude(s - pole));
-            // H s = b0 + b1 s + b2 s^2 + p H, by real and imaginary parts.
+            // H s = b0 + b1 s + b2 s^2 + p H, in real and imaginary parts.
             let factors = [Complex64::from(1.0), s, s * s, h].map(|factor| factor * weight);
             for (pair, factor) in columns.chunks_exact_mut(2).zip(factors) {
                 pair[0].extend([factor.re, factor.im]);
@@ -65,9 +65,9 @@ pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
     })
 }
 
-/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. None:
-/// fewer than 6 lines across, of which four make it a fifth too large, or the power does not fall to a half on both
-/// sides.
+/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. `None` if
+/// there are fewer than 6 lines across (with four the damping is a fifth too large), or if the power does not fall to a half
+/// on both sides.
 #[must_use]
 pub fn half_power(power: &[f64], peak: usize) -> Option<f64> {
     let half = power.get(peak)? / 2.0;

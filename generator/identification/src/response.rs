@@ -7,22 +7,22 @@ use nalgebra::{Matrix3, Vector3};
 use portable::Extreme;
 use std::f64::consts::TAU;
 
-/// The fewest periods with which an error is known.
+/// The smallest number of periods from which an error can be computed.
 pub const FEWEST_PERIODS: usize = 4;
-/// Lines of the excitation below that part of its largest are left out.
+/// Lines of the excitation below this part of its largest are left out.
 const WEAKEST: f64 = 1e-3;
-/// A segment of an excitation without a period [s].
+/// Length of a segment of an excitation without a period [s].
 const SEGMENT: f64 = 4.0;
-/// Segments that overlap by half know as much as this part of as many that do not.
+/// The number of independent segments is this part of the number of segments that overlap by half.
 const OF_OVERLAPPING: f64 = 9.0 / 11.0;
-/// Half width of the smoothing, as a part of the frequency, and in lines at the least.
+/// Half width of the smoothing: as a part of the frequency, and the minimum in lines.
 const HALF_WIDTH: f64 = 0.02;
 const FEWEST_LINES: f64 = 2.0;
-/// Cycles of delay that are taken out before lines are connected, as in [`stability::Response`].
+/// Cycles of delay that are removed before lines are interpolated, as in [`stability::Response`].
 const TAKEN_OUT: f64 = 2.0;
-/// A standard error counts as that part of the magnitude at the least: a record without noise has weights too.
+/// Lower limit of a standard error, as a part of the magnitude: a record without noise has weights too.
 const LEAST_ERROR: f64 = 1e-6;
-/// Two standard errors, as a part of the magnitude, from which on nothing is proposed at a frequency.
+/// Two standard errors, as a part of the magnitude, from which nothing is proposed at a frequency.
 pub const LARGEST_UNCERTAINTY: f64 = 0.5;
 
 /// A measured response, line by line.
@@ -32,29 +32,28 @@ pub struct Lines {
     pub hz: Vec<f64>,
     /// P
     pub response: Vec<Complex64>,
-    /// its standard error: of the distance in the complex plane
+    /// its standard error: the distance in the complex plane
     pub error: Vec<f64>,
-    /// from 0 to 1: which part of the measured power follows the excitation
+    /// from 0 to 1: the part of the measured power that follows the excitation
     pub coherence: Vec<f64>,
 }
 
-/// Why there is no response.
+/// The reason why there is no response.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Refused {
-    /// the two signals are of different length, or not of whole periods
+    /// the two signals have different lengths, or not whole periods
     NotPeriods,
     /// fewer than [`FEWEST_PERIODS`]
     TooFewPeriods(usize),
-    /// the velocity of the motor changes its sign at this sample: friction acts as an excitation of its own, with a
-    /// high coherence
+    /// the velocity of the motor changes its sign at this sample: friction acts as another excitation, with a high coherence
     Reverses(usize),
 }
 
 impl Lines {
     /// P from the measured periods of an excitation: those after the first one, in which the axis settles.
     ///
-    /// U_m, Y_m are the transforms of period m of `v_cmd`, `v_motor`, without a window; the excitation is the
-    /// instrument, so that a closed loop makes no bias.
+    /// U_m, Y_m are the transforms of period m of `v_cmd`, `v_motor`, without a window. The excitation is the instrument, so
+    /// that a closed loop causes no bias.
     ///
     /// ```text
     /// P = sum Y_m / sum U_m        e_m = Y_m - P U_m        se^2 = sum |e_m|^2 / (M (M - 1) |mean U|^2)
@@ -75,8 +74,8 @@ impl Lines {
         }
     }
 
-    /// The same of any two signals while an axis is excited, as `v_motor` and the acceleration of the load, which need
-    /// not keep a sign.
+    /// The response between any two signals while an axis is excited, such as `v_motor` and the acceleration of the load,
+    /// which may change their signs.
     ///
     /// # Errors
     /// [`Refused`]
@@ -100,12 +99,12 @@ impl Lines {
         Ok(lines)
     }
 
-    /// P from an excitation without a period, with all stages off: H1 = S_xy/S_xx over segments of 4 s under Hann
-    /// windows that overlap by half.
+    /// P from an excitation without a period, with all stages off: H1 = S_xy/S_xx over segments of 4 s with Hann windows
+    /// that overlap by half.
     ///
-    /// Less exact than periods: near a vibration of 11 Hz its phase is wrong by some degrees without any noise, and in
-    /// a closed loop noise makes a bias. k is the coherence, n = 9/11 of the number of segments (Welch 1967): se^2 =
-    /// |P|^2 (1 - k)/(k n).
+    /// Less exact than periods: near a vibration of 11 Hz its phase is wrong by some degrees even without noise, and in a
+    /// closed loop noise causes a bias. k is the coherence, n = 9/11 of the number of segments (Welch 1967):
+    /// se^2 = |P|^2 (1 - k)/(k n).
     ///
     /// # Errors
     /// [`Refused`]
@@ -130,12 +129,12 @@ impl Lines {
         Ok(lines)
     }
 
-    /// A line from its periods.
+    /// Adds a line from its periods.
     fn add(&mut self, hz: f64, commands: &[Complex64], answers: &[Complex64]) {
         let m = commands.len() as f64;
         let [u, y] = [commands, answers].map(|of| of.iter().sum::<Complex64>() / m);
         let p = y / u;
-        // Nothing was excited: such a line says nothing.
+        // A line without excitation contains no information.
         if !(p.re.is_finite() && p.im.is_finite()) {
             return;
         }
@@ -159,10 +158,10 @@ impl Lines {
         }
     }
 
-    /// The same, smoothed over frequency, with the errors that this leaves.
+    /// The response smoothed over frequency, with the resulting errors.
     ///
-    /// R = P exp(j w 2 T) turns slowly. At each line a quadratic in f is fitted to R with the weights (1 - |x|^3)^3 /
-    /// se^2, x = distance/(h + 1 line), half width h = max(2 lines, 0.02 f). Each line stays in.
+    /// R = P exp(j w 2 T) changes slowly. At each line a quadratic in f is fitted to R with the weights (1 - |x|^3)^3 /
+    /// se^2, x = distance/(h + 1 line), half width h = max(2 lines, 0.02 f). All lines are kept.
     #[must_use]
     pub fn smoothed(&self, cycle_time: f64) -> Self {
         let turn = |hz: f64| turned(TAU * hz * TAKEN_OUT * cycle_time);
@@ -190,14 +189,14 @@ impl Lines {
         smoothed
     }
 
-    /// P between its lines and beyond: the cubic spline of the crate `stability`; none: no line.
+    /// P between its lines and beyond: the cubic spline of the crate `stability`; `None` if there is no line.
     #[must_use]
     pub fn response(&self, cycle_time: f64) -> Option<stability::Response> {
         let is_rising = self.hz.first().is_some_and(|hz| *hz > 0.0) && self.hz.windows(2).all(|pair| pair[0] < pair[1]);
         is_rising.then(|| stability::Response::new(&self.hz, &self.response, &self.error, cycle_time))
     }
 
-    /// The lines of such a response, as from a file. The coherence is not known: it counts as 1.
+    /// The lines of such a response, as from a file. The coherence is unknown, and set to 1.
     #[must_use]
     pub fn of(response: &stability::Response) -> Self {
         let hz = response.frequencies().to_vec();
@@ -206,15 +205,15 @@ impl Lines {
         Self { coherence: vec![1.0; hz.len()], hz, response: values, error }
     }
 
-    /// The band [Hz] from the first to the last line; none: no line.
+    /// The band [Hz] from the first to the last line; `None` if there is no line.
     #[must_use]
     pub fn band(&self) -> Option<[f64; 2]> {
         Some([*self.hz.first()?, *self.hz.last()?])
     }
 }
 
-/// The share of each value in the value at 0 of the quadratic through values at places x with weights w; none: fewer
-/// than three places.
+/// The coefficient of each value in the value at 0 of the quadratic through values at places x with weights w; `None` if
+/// there are fewer than three places.
 fn shares(places: &[[f64; 2]]) -> Option<Vec<f64>> {
     let largest = places.iter().fold(0.0, |largest: f64, [_, w]| largest.larger(*w));
     let term = |[x, w]: &[f64; 2]| {

@@ -1,4 +1,4 @@
-//! The drives that a proposal has to bear, and how much weight they bear: the measured one, one that is half a cycle
+//! The drives with which a proposal must be stable, and the allowed weights: the measured drive, one that is half a cycle
 //! later, two with another load.
 
 use crate::response::Lines;
@@ -11,15 +11,15 @@ use std::f64::consts::{PI, TAU};
 
 /// Another mass of the load moves the vibrations by these factors: 1/sqrt(1 -+ 15 %).
 pub const STRETCHED: [f64; 2] = [1.084_652_289_093_281, 0.932_504_808_240_314];
-/// Cycles of delay that do not stretch.
+/// Cycles of delay that are not stretched.
 const NOT_STRETCHED: f64 = 1.0;
-/// Points: from that part of the lowest f0, each above the one before by that part.
+/// Points: from this part of the lowest f0, with this relative distance.
 const LOWEST: f64 = 0.1;
 const STEP: f64 = 0.005;
-/// The highest one, as a part of the sampling frequency.
+/// The highest point, as a part of the sampling frequency.
 const LAST: f64 = 0.499;
 
-/// The measured drive and the others.
+/// The measured drive and its variants.
 pub struct Scenarios {
     cycle_time: f64,
     position_gain: Option<f64>,
@@ -27,12 +27,13 @@ pub struct Scenarios {
     pub drives: [stability::Response; 4],
     /// t = tan(pi f T) of the points
     t: Vec<f64>,
-    /// 1 + L0, P, two standard errors by magnitude at the points of each drive
+    /// 1 + L0, P, two standard errors divided by the magnitude, at the points of each drive
     points: Vec<Vec<(Complex64, Complex64, f64)>>,
 }
 
 impl Scenarios {
-    /// Of measured lines at a cycle time T [s]; stages lie from the lowest f0 [Hz] on. None: no line.
+    /// The scenarios from measured lines at a cycle time T [s]; stages are at the lowest f0 [Hz] or above. `None` if there
+    /// is no line.
     ///
     /// ```text
     /// P        P exp(-j w T/2)        P'(f) = R(f/k) exp(-j w T), R = P exp(j w T), k = 1/sqrt(0.85), 1/sqrt(1.15)
@@ -62,14 +63,14 @@ impl Scenarios {
         self.t.iter().map(at).collect()
     }
 
-    /// C at the points, of stages with weights.
+    /// C at the points, for stages with weights.
     #[must_use]
     pub fn controller(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Vec<Complex64> {
         crate::shape::sum(stages, of, &self.t)
     }
 
-    /// The largest factor of C, up to `most`, up to which every loop is stable and has |S| within its limit, P at most
-    /// two standard errors away.
+    /// The largest factor of C, up to `most`, up to which every loop is stable and has |S| within its limit, for P within
+    /// two standard errors.
     #[must_use]
     pub fn largest_factor(&self, controller: &[Complex64], limits: [f64; 4], most: f64) -> f64 {
         let mut largest = most;
@@ -82,7 +83,7 @@ impl Scenarios {
         largest
     }
 
-    /// The largest |S| of each loop with C times a factor, at the points; without errors.
+    /// The largest |S| of each loop with C times a factor, at the points, without errors.
     #[must_use]
     pub fn ms(&self, controller: &[Complex64], factor: f64) -> [f64; 4] {
         let distance = |((rest, p, _), c): (&(Complex64, Complex64, f64), &Complex64)| magnitude(rest - c * p * factor);
@@ -90,9 +91,9 @@ impl Scenarios {
         std::array::from_fn(|scenario| 1.0 / least(&self.points[scenario]))
     }
 
-    /// Whether every loop with stages and weights is stable, as the crate `stability` finds it between all points too,
-    /// with P as measured. A drive whose loop is not stable without stages says nothing: that one runs on the machine,
-    /// and its lowest lines are uncertain.
+    /// Whether every loop with stages and weights is stable, as computed by the crate `stability` also between all points,
+    /// with the measured P. A drive whose loop is unstable without stages is ignored: it runs on the machine, and its lowest
+    /// lines are uncertain.
     #[must_use]
     pub fn are_stable(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> bool {
         let drives: Vec<Drive<'_>> = self.drives.iter().map(Drive::Measured).collect();
@@ -105,7 +106,7 @@ impl Scenarios {
     }
 }
 
-/// The scenarios of lines; none: no line.
+/// The scenarios from lines; `None` if there is no line.
 fn changed(lines: &Lines, cycle_time: f64) -> Option<[stability::Response; 4]> {
     let nyquist = 0.5 / cycle_time;
     let changed = |stretch: f64, delay: f64| {
@@ -140,11 +141,11 @@ pub(crate) fn controller<'a>(
     }
 }
 
-/// The largest factor of weights, with none above 7.
+/// The largest factor of weights for which none exceeds 7.
 #[must_use]
 pub fn most(of: &[(Shape, f64)]) -> f64 {
     LARGEST_WEIGHT / of.iter().fold(f64::MIN_POSITIVE, |most, (_, weight)| weight.larger(most))
 }
 
-/// Stages that a proposal has at the most.
+/// The largest number of stages of a proposal.
 pub const MOST_STAGES: usize = STAGES;

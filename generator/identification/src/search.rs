@@ -1,5 +1,5 @@
-//! The search for shapes and weights that leave the least: starts, then a compass search. What a proposal is stands
-//! elsewhere.
+//! The search for shapes and weights that leave the least vibration: starts, then a compass search. Proposals are in
+//! `proposals`.
 
 use crate::angle;
 use crate::figures::{Judge, Left};
@@ -7,7 +7,7 @@ use crate::scenarios::{Scenarios, most};
 use crate::shape::{DAMPING, Mode, Q, Shape, Stages, allpass, highest};
 use portable::Extreme;
 
-/// Starts: parts of f0, quality factors, dampings, and logarithms of the weights' ratios.
+/// Starts: factors of f0, quality factors, dampings, and logarithms of the ratios of weights.
 const F0: [f64; 2] = [1.0, 0.95];
 const Q_DIRECT: [f64; 2] = [3.0, 10.0];
 const Q_INDIRECT: [f64; 3] = [2.0, 5.0, 10.0];
@@ -19,45 +19,45 @@ const STEP_Q: f64 = 0.5;
 const STEP_DAMPING: f64 = 0.2;
 const STEP_RATIO: f64 = 0.5;
 const STEP_USED: f64 = 0.3;
-/// The steps are halved down to that part.
+/// The steps are halved down to this part.
 const SMALLEST: f64 = 0.02;
-/// Starts that the search goes on from.
+/// Number of starts from which the search continues.
 const BEST: usize = 3;
-/// How far f0 may go from the vibration.
+/// Largest relative distance of f0 from the vibration.
 const FARTHEST: f64 = 0.25;
-/// A lag of P from which an all-pass is tried, and from which there has to be one [degrees].
+/// Lags of P from which an all-pass is tried, and from which it is required [degrees].
 const TRIED: f64 = 20.0;
 const MANDATORY: f64 = 90.0;
-/// The part of Ms in the cost.
+/// The factor of Ms in the cost.
 const OF_MS: f64 = 0.1;
-/// More starts than that with the same modes are too many: ratios are left out, then dampings.
+/// The largest number of starts with the same modes; above it ratios are left out, then dampings.
 const MOST_STARTS: usize = 150;
 
-/// What is searched: one stage a vibration.
+/// A candidate: one stage per vibration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// f0, Q and damping of each stage; all-passes follow from f0
     pub shapes: Vec<Shape>,
     /// whether each stage has an all-pass
     pub turned: Vec<bool>,
-    /// ln of each weight by the first one
+    /// ln of each weight divided by the first one
     pub ratios: Vec<f64>,
     /// ln of the used part of the largest weights
     pub used: f64,
 }
 
-/// A candidate that was judged.
+/// A candidate with its evaluation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     pub candidate: Candidate,
     /// its stages with weights
     pub stages: Vec<(Shape, f64)>,
     pub left: Left,
-    /// the less the better
+    /// the lower, the better
     pub cost: f64,
 }
 
-/// Everything a candidate is judged with.
+/// The data for evaluating candidates.
 pub struct Search<'a, 's> {
     pub scenarios: &'a Scenarios,
     pub judge: &'a Judge<'a>,
@@ -70,15 +70,15 @@ pub struct Search<'a, 's> {
 }
 
 impl Search<'_, '_> {
-    /// How far P lags at a frequency [Hz], in degrees from -90 to 270: below 0 it leads, as next to an antiresonance.
+    /// The lag of P at a frequency [Hz], in degrees from -90 to 270: a negative lag is a lead, as near an antiresonance.
     #[must_use]
     pub fn lag(&self, hz: f64) -> f64 {
         let degrees = -angle(self.scenarios.drives[0].value(hz)).to_degrees();
         if degrees < -90.0 { degrees + 360.0 } else { degrees }
     }
 
-    /// The weights that the scenarios allow, what they leave, and the cost: J = max(r, ring) + mean(r, ring) + 0.1 Ms.
-    /// None: an all-pass that is needed is not to be had, or no weight is allowed.
+    /// The weights that the scenarios allow, the remaining vibration, and the cost: J = max(r, ring) + mean(r, ring) + 0.1
+    /// Ms. `None` if a required all-pass is impossible, or if no weight is allowed.
     #[must_use]
     pub fn judged(&self, candidate: &Candidate) -> Option<Judged> {
         let mut of = Vec::new();
@@ -99,12 +99,12 @@ impl Search<'_, '_> {
         cost.is_finite().then(|| Judged { candidate: candidate.clone(), stages: of, left, cost })
     }
 
-    /// The best that is found with any of these modes, one a vibration.
+    /// The best candidate for any of these modes, one mode per vibration.
     #[must_use]
     pub fn best(&self, modes: &[Vec<Mode>]) -> Option<Judged> {
         let starts = modes.iter().flat_map(|modes| self.starts(modes));
         let mut starts: Vec<Judged> = starts.filter_map(|start| self.judged(&start)).collect();
-        // Stable: of two that are as good the first one stays first.
+        // A stable sort: of two equal starts the first one stays first.
         starts.sort_by(|a, b| a.cost.total_cmp(&b.cost));
         let mut chosen: Vec<Judged> = Vec::new();
         for start in starts {
@@ -116,7 +116,7 @@ impl Search<'_, '_> {
         Some(self.with_allpasses(found))
     }
 
-    /// Tries an all-pass in each stage where P lags, and none where there is one that need not be.
+    /// Tries an all-pass in each stage where P lags, and removing it where it is not required.
     fn with_allpasses(&self, mut found: Judged) -> Judged {
         for stage in 0..found.candidate.shapes.len() {
             let lag = self.lag(found.candidate.shapes[stage].f0);
@@ -171,8 +171,8 @@ impl Search<'_, '_> {
         candidates
     }
 
-    /// A compass search: one step along each variable to both sides, the first that is better is taken; steps are
-    /// halved where none is.
+    /// A compass search: one step along each variable in both directions; the first improvement is taken. Steps are halved
+    /// if there is none.
     fn descend(&self, mut best: Judged) -> Judged {
         let mut part = 1.0;
         while part >= SMALLEST {
@@ -194,7 +194,7 @@ impl Search<'_, '_> {
         best
     }
 
-    /// A candidate with one variable moved; none: it does not move there.
+    /// A candidate with one variable changed; `None` if it cannot be changed there.
     fn moved(&self, of: &Candidate, variable: usize, part: f64) -> Option<Candidate> {
         let mut next = of.clone();
         let stages = of.shapes.len();
@@ -219,7 +219,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// f0, Q and damping of each stage, the ratios, the used part.
+/// The number of variables: f0, Q and damping of each stage, the ratios, the used part.
 fn variables(of: &Candidate) -> usize {
     4 * of.shapes.len()
 }
@@ -228,19 +228,19 @@ fn within(value: f64, [low, high]: [f64; 2]) -> f64 {
     value.larger(low).smaller(high)
 }
 
-/// The better of the two; the first one where they are as good.
+/// The better of the two; the first one if they are equal.
 pub(crate) fn better(a: Judged, b: Judged) -> Judged {
     if b.cost < a.cost { b } else { a }
 }
 
-/// Whether two starts have another shape of an INDIRECT stage, or of any where there is none.
+/// Whether the shapes of an INDIRECT stage differ between two starts; without INDIRECT stages, those of any stage.
 fn differ(a: &Candidate, b: &Candidate) -> bool {
     let is_indirect = |candidate: &Candidate| candidate.shapes.iter().any(|shape| shape.mode == Mode::Indirect);
     let counts = |shape: &&Shape| !is_indirect(a) || shape.mode == Mode::Indirect;
     !a.shapes.iter().filter(counts).eq(b.shapes.iter().filter(counts))
 }
 
-/// The shapes that a stage starts with.
+/// The start shapes of a stage.
 fn shapes(mode: Mode, hz: f64, is_simple: bool) -> Vec<Shape> {
     let mut shapes = Vec::new();
     let (parts, qs, dampings): (&[f64], &[f64], &[f64]) = match mode {

@@ -1,13 +1,14 @@
-//! What a record holds, by its command: rest, driving, ramps. No spectrum.
+//! The segments of a record, from its command: rest, driving, ramps. No spectrum.
 
 use portable::peak;
 use std::ops::Range;
 
-/// An axis accelerates above that part of its largest acceleration, and drives above that part of its largest velocity.
+/// An axis accelerates above the first part of its largest acceleration, and drives above the second part of its largest
+/// velocity.
 const ACCELERATES: f64 = 0.02;
 const DRIVES: f64 = 0.05;
 
-/// What the command asks for.
+/// The motion that the command asks for.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Kind {
     Rest,
@@ -49,7 +50,7 @@ pub fn ramps(segments: &[Segment]) -> impl Iterator<Item = Range<usize>> {
     segments.iter().filter(|segment| segment.kind == Kind::Accelerating).map(|segment| segment.samples.clone())
 }
 
-/// From some time after the ramp before to the next ramp, of one kind.
+/// The segments of one kind, from some time after the previous ramp to the next ramp.
 pub fn settled(segments: &[Segment], kind: Kind, settle: usize) -> impl Iterator<Item = Range<usize>> {
     let of = move |segment: &Segment| segment.samples.start + settle..segment.samples.end;
     segments.iter().filter(move |segment| segment.kind == kind).map(of).filter(|window| window.start < window.end)

@@ -1,15 +1,16 @@
-//! The shape of a stage: what a search changes of it. Its response is a closure of the caller, its weight stands elsewhere.
+//! The shape of a stage: the values that a search changes. Its response is a closure of the caller; its weight is not part
+//! of it.
 
 use crate::{Complex64, ZERO};
 use portable::Extreme;
 use std::f64::consts::PI;
 
-/// What a stage looks at. Both close the loop through the velocity of the motor.
+/// The input of a stage. Both close the loop through the velocity of the motor.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Mode {
-    /// at `v_motor`
+    /// `v_motor`
     Direct,
-    /// at the simulated oscillation of a load that `v_motor` drives
+    /// the simulated oscillation of a load that `v_motor` drives
     Indirect,
 }
 
@@ -21,8 +22,7 @@ pub struct Allpass {
     pub q: f64,
 }
 
-/// A stage but for its weight: one band-pass of order 1, for which the prototypes are equal, and an all-pass where
-/// there is one.
+/// A stage without its weight: one band-pass of order 1, for which the prototypes are equal, and optionally an all-pass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shape {
     pub mode: Mode,
@@ -30,21 +30,22 @@ pub struct Shape {
     pub f0: f64,
     /// quality factor of the band-pass
     pub q: f64,
-    /// of the simulated oscillation; without effect for DIRECT
+    /// damping of the simulated oscillation; without effect for DIRECT
     pub damping: f64,
     pub allpass: Option<Allpass>,
 }
 
-/// Gives the response of a stage with weight 1 from `v_motor` to `v_add`, its sign in it: a function of t = tan(pi f T).
+/// Returns the response of a stage with weight 1 from `v_motor` to `v_add`, including its sign: a function of t = tan(pi f
+/// T).
 pub type Stages<'a> = dyn Fn(&Shape) -> Box<dyn Fn(f64) -> Complex64 + 'a> + 'a;
 
-/// The bounds of a quality factor (P-AXIS-00752) and of a damping that is proposed.
+/// The bounds of a proposed quality factor (P-AXIS-00752) and of a proposed damping.
 pub const Q: [f64; 2] = [1.0, 10.0];
 pub const DAMPING: [f64; 2] = [0.05, 0.99];
-/// The highest f0 of a filter [Hz] (P-AXIS-00751), and as a part of the sampling frequency.
+/// The highest f0 of a filter: in Hz (P-AXIS-00751), and as a part of the sampling frequency.
 const HIGHEST: f64 = 500.0;
 const HIGHEST_PART: f64 = 0.45;
-/// Quality factor of an all-pass that is proposed: flat enough not to narrow the stage, steep enough to reach most leads.
+/// Quality factor of a proposed all-pass: flat enough not to narrow the stage, steep enough to reach most leads.
 pub const ALLPASS_Q: f64 = 2.0;
 /// The lowest f0 of an all-pass, as a part of that of its stage.
 const LOWEST_PART: f64 = 1e-3;
@@ -57,11 +58,11 @@ pub fn highest(cycle_time: f64) -> f64 {
     HIGHEST.smaller(HIGHEST_PART / cycle_time)
 }
 
-/// The all-pass of quality factor 2 that turns a stage by a lead [degrees] at its f0 [Hz]; none: no f0 up to the
-/// highest one reaches it.
+/// The all-pass of quality factor 2 that gives a stage a lead [degrees] at its f0 [Hz]; `None` if no f0 up to the highest
+/// one reaches it.
 ///
-/// H = (s^2 - B s + W^2)/(s^2 + B s + W^2), W = tan(pi f T), B = (1 + W^2) tan(pi f T / Q): its phase at the stage's
-/// f0 rises with its own f, from -360 to 0 degrees, and a lead is a lag of 360 degrees less.
+/// H = (s^2 - B s + W^2)/(s^2 + B s + W^2), W = tan(pi f T), B = (1 + W^2) tan(pi f T / Q): its phase at the stage's f0
+/// rises with its own f, from -360 to 0 degrees; a lead is a lag reduced by 360 degrees.
 #[must_use]
 pub fn allpass(f0: f64, lead: f64, cycle_time: f64) -> Option<Allpass> {
     let wanted = (lead % 360.0) - 360.0;

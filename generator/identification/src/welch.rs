@@ -4,7 +4,7 @@ use crate::{Complex64, ZERO, fourier};
 use portable::Extreme;
 use std::f64::consts::TAU;
 
-/// Spectra of x and y by line k/(length T), without the line at 0 Hz's meaning.
+/// Spectra of x and y by line k/(length T); the line at 0 Hz has no meaning.
 pub(crate) struct Spectra {
     /// samples of a segment, and segments
     pub length: usize,
@@ -21,7 +21,8 @@ pub(crate) fn hann(length: usize) -> impl Iterator<Item = f64> {
 }
 
 impl Spectra {
-    /// Of segments that overlap by half, each without its mean; none: the signals are shorter than one.
+    /// The spectra over segments that overlap by half, each without its mean; `None` if the signals are shorter than one
+    /// segment.
     pub(crate) fn of(x: &[f64], y: &[f64], length: usize) -> Option<Self> {
         let common = x.len().min(y.len());
         (length > 1 && common >= length).then_some(())?;

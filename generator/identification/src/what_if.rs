@@ -1,4 +1,5 @@
-//! A record as it would have been with stages: what acts on the motor is left by R = S/S0. Nothing is measured on it.
+//! A record as it would have been with stages: disturbances at the motor are multiplied by R = S/S0. Nothing is measured on
+//! it.
 
 use crate::fourier::Fourier;
 use crate::shape::{Shape, Stages, sum};
@@ -13,7 +14,7 @@ pub struct Axis<'a> {
     pub cycle_time: f64,
     /// gain Kv [1/s] of the position controller, if its loop is closed
     pub position_gain: Option<f64>,
-    /// P; it is interpolated, never S
+    /// P; P is interpolated, never S
     pub response: &'a stability::Response,
 }
 
@@ -26,10 +27,10 @@ impl Axis<'_> {
     }
 }
 
-/// 1 + L0, where P is known: the position is the integral of the velocity, as an encoder reads it at the same instant.
+/// 1 + L0 for a given P: the position is the integral of the velocity, as an encoder reads it at the same instant.
 ///
-/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums
-/// the velocities of the cycles before, half a cycle later: its |S| is up to a few percent larger.
+/// L0 = Kv T/2 (1 + z^-1)/(1 - z^-1) P, and (1 + z^-1)/(1 - z^-1) = 1/(j t). The loop of the crate `stability` sums the
+/// velocities of the previous cycles, half a cycle later: its |S| is up to a few percent larger.
 pub(crate) fn rest(axis: &Axis<'_>, t: f64, p: Complex64) -> Complex64 {
     let position = Complex64::new(0.0, -0.5 / t) * (axis.position_gain.unwrap_or(0.0) * axis.cycle_time);
     position * p + 1.0
@@ -38,7 +39,7 @@ pub(crate) fn rest(axis: &Axis<'_>, t: f64, p: Complex64) -> Complex64 {
 /// Signals of one record with the stages off, of equal length, at rest at both ends; and the axis.
 pub struct WhatIf<'a> {
     axis: Axis<'a>,
-    /// of the frequencies of the lines from the first one on
+    /// t at the frequencies of the lines, without 0 Hz
     t: Vec<f64>,
     /// 1 + L0 and P at the lines
     rest: Vec<Complex64>,
@@ -46,17 +47,17 @@ pub struct WhatIf<'a> {
     /// the transforms of the signals, from 0 Hz
     signals: Vec<Vec<Complex64>>,
     inverse: Fourier,
-    /// samples of the record, and those of what is given back for each of them
+    /// number of samples of the record, and record samples per sample of the result
     samples: usize,
     part: f64,
 }
 
 impl<'a> WhatIf<'a> {
-    /// Of signals; with a highest frequency [Hz] what lies above it is left out, and fewer samples are given back.
+    /// From signals. With a highest frequency [Hz], higher frequencies are left out, and fewer samples are returned.
     #[must_use]
     pub fn new(axis: Axis<'a>, signals: &[&[f64]], highest: Option<f64>) -> Self {
         let samples = signals.iter().map(|signal| signal.len()).max().unwrap_or(0);
-        // As long again: what rings on after the end of the record does not come back at its begin.
+        // Padded to twice the length: the decay after the end of the record does not reappear at its beginning.
         let forward = Fourier::at_least(2 * samples);
         let length = forward.length();
         let wanted = highest.map_or(1.0, |hz| (2.0 * hz * axis.cycle_time).smaller(1.0)) * length as f64;
@@ -83,7 +84,7 @@ impl<'a> WhatIf<'a> {
         }
     }
 
-    /// The time between samples that are given back [s].
+    /// The time between returned samples [s].
     #[must_use]
     pub fn step(&self) -> f64 {
         self.axis.cycle_time / self.part
@@ -94,27 +95,27 @@ impl<'a> WhatIf<'a> {
         1.0 / (self.step() * self.inverse.length() as f64)
     }
 
-    /// Lines from the first one on.
+    /// The lines without 0 Hz.
     #[must_use]
     pub fn lines(&self) -> usize {
         self.t.len()
     }
 
-    /// C at the lines from the first one on.
+    /// C at the lines without 0 Hz.
     #[must_use]
     pub fn controller(&self, stages: &Stages<'_>, of: &[(Shape, f64)]) -> Vec<Complex64> {
         sum(stages, of, &self.t)
     }
 
-    /// R = S/S0 = (1 + L0)/(1 + L0 - C P) at the lines from the first one on.
+    /// R = S/S0 = (1 + L0)/(1 + L0 - C P) at the lines without 0 Hz.
     #[must_use]
     pub fn left(&self, controller: &[Complex64]) -> Vec<Complex64> {
         let of = |((rest, p), c): ((&Complex64, &Complex64), &Complex64)| rest / (rest - c * p);
         self.rest.iter().zip(&self.p).zip(controller).map(of).collect()
     }
 
-    /// A signal times a response at its lines, and the same within a band [Hz] only; at 0 Hz times a real number, and
-    /// in no band.
+    /// A signal times a response at its lines, completely and within a band [Hz] only. At 0 Hz the factor is a real number;
+    /// this line is not part of a band.
     #[must_use]
     pub fn signal(&self, signal: usize, response: &[Complex64], at_0: f64, band: [f64; 2]) -> [Vec<f64>; 2] {
         let length = self.inverse.length();
@@ -145,7 +146,8 @@ impl<'a> WhatIf<'a> {
     }
 }
 
-/// The following error with stages, from that without: e + T sum(v - R v), v the velocity of the motor, both sampled at T.
+/// The following error with stages, from that without: e + T sum(v - R v), where v is the velocity of the motor; both
+/// sampled at T.
 #[must_use]
 pub fn following_error(error: &[f64], v_motor: &[f64], left: &[f64], cycle_time: f64) -> Vec<f64> {
     let mut sum = 0.0;

@@ -1,4 +1,4 @@
-//! What stages do at each other's f0, how long they delay, and the all-pass that gives back what a loop lags.
+//! The effect of stages at each other's f0, their group delay, and the all-pass that compensates the lag of a loop.
 
 use crate::axis::{Filter, Mode};
 use crate::blocks::ipc::filter as kinds;
@@ -7,11 +7,11 @@ use crate::design::band::{band, warped};
 use crate::design::response::{self, magnitude};
 use std::f64::consts::PI;
 
-/// Quality factor of the all-pass that is proposed: flat enough not to narrow the stage, steep enough to reach most leads.
+/// Quality factor of the proposed all-pass: flat enough not to narrow the stage, steep enough to reach most leads.
 const Q_FACTOR: f64 = 2.0;
 /// The highest f0 of a filter, as a part of the sampling frequency.
 const HIGHEST: f64 = 0.45;
-/// The lowest one, as a part of the stage's f0: lower ones turn by nothing that anybody needs.
+/// The lowest f0, as a part of the stage's f0. The phase of a lower one at the stage's f0 is negligible.
 const LOWEST: f64 = 1e-3;
 /// Halvings of the interval of the search.
 const STEPS: u32 = 60;
@@ -26,17 +26,18 @@ pub(super) fn group_delay(of: &StageDesign) -> f64 {
     -libm::atan2(turn.im, turn.re) / (2.0 * PI * f0 * 2.0 * STEP)
 }
 
-/// What another stage adds at the f0 of a stage, as a part of what the stage adds there.
+/// The gain of another stage at the f0 of a stage, relative to the gain of the stage there.
 pub(super) fn interaction(of: &StageDesign, other: &StageDesign) -> f64 {
     let t = warped(of.stage.f0(), of.cycle_time);
     let [own, others] = [of, other].map(|design| magnitude(response::of_stage(&design.coeffs, t)));
     others / own
 }
 
-/// Quality factor and f0 [Hz] of the all-pass that turns a stage by that many degrees of lead at its f0; none: it has an all-pass, or none
-/// reaches it.
+/// Quality factor and f0 [Hz] of the all-pass that gives a stage `lead` degrees of lead at its f0. `None` if the stage
+/// already has an all-pass or is an open-loop filter (SET_POINT), or if no f0 in the range reaches the lead.
 ///
-/// An all-pass turns from 0 to -360 degrees, and a lead is a lag of 360 degrees less. Its phase at the stage's f0 rises with its own f0.
+/// The phase of an all-pass falls from 0 to -360 degrees; a lead is a lag reduced by 360 degrees. The phase at the stage's
+/// f0 rises with the f0 of the all-pass.
 pub(super) fn allpass(of: &StageDesign, lead: f64) -> Option<[f64; 2]> {
     let has_one = of.stage.filter.iter().any(|filter| matches!(filter, Filter::Allpass { .. }));
     let is_open_loop = matches!(of.stage.mode, Mode::SetPoint { .. });

@@ -1,8 +1,8 @@
-//! The loop of an axis with drives to choose from: margins, and the largest weights of its stages. No file.
+//! The loop of an axis with several drives: margins, and the largest weights of its stages. No file.
 //!
 //! ```text
-//! lead   what a stage does at its f0, and the all-pass that gives back what the loop lags
-//! text   all that in words
+//! lead   the effect of a stage at its f0, and the all-pass that compensates the lag of the loop
+//! text   the analysis in words
 //! ```
 
 mod lead;
@@ -19,13 +19,13 @@ use crate::design::response;
 use portable::Extreme;
 use stability::{Complex64, Curve, Loop, Margins, Points};
 
-/// Lines of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
+/// Points of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
 const LINES: u32 = 600;
 const LOWEST: f64 = 1.0 / 20.0;
 
 /// An axis, and its loop with each drive.
 pub struct Analysis {
-    /// empty: no stage closes a loop
+    /// empty if no stage closes a loop
     pub drives: Vec<OfDrive>,
 }
 
@@ -35,7 +35,7 @@ pub struct OfDrive {
     pub margins: Margins,
     /// the stages that close the loop
     pub stages: Vec<OfStage>,
-    /// how far the drive alone lags at the f0 of each of them [degrees, 0 to 360]
+    /// lag of the drive alone at the f0 of each stage [degrees, 0 to 360]
     pub lag: Vec<(usize, f64)>,
     /// by frequency
     pub curve: Vec<Curve>,
@@ -46,14 +46,14 @@ pub struct OfDrive {
 pub struct OfStage {
     pub stage: usize,
     pub weight: f64,
-    /// of the stage and the drive together, at its f0, in (-360, 0]
+    /// phase of the stage and the drive together at the stage's f0, in (-360, 0]
     pub phase_at_f0_deg: f64,
-    /// up to which the loop is stable, and up to which Ms stays within 2; the others as they are
+    /// weights up to which the loop is stable, and up to which Ms stays within 2; the other stages unchanged
     pub largest_stable_weight: f64,
     pub largest_weight: f64,
 }
 
-/// The loop of an axis: with the drive that the model states, else with two usual ones; and with the ideal one.
+/// The loop of an axis with the drive that the model states, else with two usual drives; and with the ideal drive.
 #[must_use]
 pub fn analyze(designed: &Designed, model: &DriveModel) -> Analysis {
     let mut drives = Known::of(model);
@@ -82,7 +82,7 @@ fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
     OfDrive { drive, margins, stages, lag, curve }
 }
 
-/// The loop at the points of its margins, and evenly between them on a logarithmic scale.
+/// The loop at the points of its margins, and at evenly spaced points on a logarithmic scale.
 fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
     let nyquist = 0.5 / designed.axis.cycle_time();
     let lowest = closed_loop::stages(designed).map(|design| design.stage.f0()).fold(nyquist, f64::smaller) * LOWEST;
@@ -93,8 +93,8 @@ fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
     curve
 }
 
-/// The response from what a stage looks at to what it adds, with its weight and its sign, by the coefficients that a block has
-/// at a cycle time T [s]: a function of t = tan(pi f T).
+/// The response of a stage from its input velocity to its output, with weight and sign, from the coefficients that a block
+/// has at a cycle time T [s]: a function of t = tan(pi f T).
 pub fn of_stage(stage: &Stage, cycle_time: f64) -> impl Fn(f64) -> Complex64 + use<> {
     let coeffs = stage::stage(0, stage, cycle_time).coeffs;
     move |t| response::of_stage(&coeffs, t)

@@ -1,4 +1,5 @@
-//! An analysis in words: a table for each drive, a verdict for each stage and for the sum, and what the parameters alone say.
+//! An analysis in words: a table for each drive, a verdict on each stage and on the sum, and facts from the parameters
+//! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
 use crate::blocks::Designed;
@@ -6,7 +7,7 @@ use crate::blocks::ipc::stage::StageDesign;
 use crate::number::{decimals, digits, down_to, significant};
 use stability::MAX_MS;
 
-/// Beyond this lag of a loop at f0 an all-pass is mandatory, from the other on it is worth a try [degrees].
+/// Above the first lag of a loop at f0 an all-pass is mandatory; above the second it is worth trying [degrees].
 const MANDATORY: f64 = 90.0;
 const WORTH_A_TRY: f64 = 20.0;
 
@@ -82,7 +83,7 @@ fn verdict(stage: &OfStage) -> &'static str {
     }
 }
 
-/// What the parameters say without any loop, and the all-pass that the lag of a drive asks for.
+/// Facts from the parameters without a loop, and the all-pass for the lag of a drive.
 fn parameters(designed: &Designed, with: &OfDrive) -> Vec<String> {
     let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
     let mut lines = Vec::new();
@@ -102,7 +103,7 @@ fn parameters(designed: &Designed, with: &OfDrive) -> Vec<String> {
     lines
 }
 
-/// What the drive lags at the f0 of a stage, and what gives it back.
+/// The lag of the drive at the f0 of a stage, and the all-pass that compensates it.
 fn lag(of: &StageDesign, with: &OfDrive) -> Option<String> {
     let lag = with.lag.iter().find(|(stage, _)| *stage == of.index)?.1;
     if lag < WORTH_A_TRY {

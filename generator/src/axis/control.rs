@@ -1,10 +1,11 @@
-//! What surrounds improved position control: feedforward, position control, gantry. Plain data, as the parameters say it.
+//! Feedforward, position control, gantry, spindle: everything around improved position control, as plain data from the
+//! parameters.
 
 use super::Spindle;
 use crate::parameters::words::{DriveType, Motor, Width};
 use reference::position_control::Location;
 
-/// Everything of an axis but improved position control.
+/// All parameters of an axis except improved position control.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Control {
     pub feedforward: Option<Feedforward>,
@@ -21,7 +22,7 @@ pub struct Control {
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
     pub master_limit: Option<f64>,
-    /// parameters that scale or limit something and that nobody gave, with their defaults
+    /// parameters that scale or limit something and were not given, with their defaults
     pub assumed: Vec<String>,
     /// drive type (P-AXIS-00020), where it is given
     pub drive_type: Option<DriveType>,
@@ -35,7 +36,7 @@ impl Control {
         if self.is_rotary { ["0.001 deg", "0.0001 deg", "1000 deg/min"] } else { ["um", "0.1 um", "1 m/min"] }
     }
 
-    /// Whether nothing but improved position control is asked for.
+    /// Whether only improved position control is asked for.
     pub(crate) fn is_empty(&self) -> bool {
         self.feedforward.is_none() && self.position_control.is_none() && self.spindle.is_none()
     }
@@ -54,7 +55,7 @@ pub struct Ratio {
 }
 
 impl Ratio {
-    /// 0: what a correction leaves.
+    /// 0: the weight after a correction.
     pub(crate) const ZERO: Self = Self { num: 0, denom: 1 };
 
     /// num / denom, rounded once.
@@ -63,7 +64,7 @@ impl Ratio {
     }
 }
 
-/// Which of the planned quantities go one way.
+/// Which planned quantities go to one destination.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Quantities {
     pub velocity: bool,
@@ -81,7 +82,7 @@ impl Quantities {
         self.acceleration || self.jerk
     }
 
-    /// Those of both.
+    /// The union of both.
     pub(crate) fn with(self, other: Self) -> Self {
         let [velocity, acceleration] = [self.velocity || other.velocity, self.acceleration || other.acceleration];
         Self { velocity, acceleration, jerk: self.jerk || other.jerk }
@@ -120,7 +121,7 @@ pub struct Feedforward {
 }
 
 impl Feedforward {
-    /// What goes out as a velocity, to the position controller or to the drive.
+    /// The quantities that are output as a velocity, to the position controller or to the drive.
     pub(crate) fn sums(&self) -> Quantities {
         self.conventional.with(self.additive)
     }
@@ -144,7 +145,7 @@ pub enum TimeBase {
 }
 
 impl TimeBase {
-    /// By their numbers.
+    /// All time bases, by their numbers.
     pub(crate) const ALL: [Self; 3] = [Self::Minute, Self::Second, Self::Cycle];
 }
 

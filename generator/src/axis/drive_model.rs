@@ -1,30 +1,31 @@
-//! What is known of the drive, for the stability of the loop that improved position control closes. Nothing in a block is made of it.
+//! The known behaviour of the drive, for the stability of the loop that improved position control closes. No block depends
+//! on it.
 
 use std::sync::Arc;
 
 /// The drive between the commanded velocity and the motor's, and the position controller around it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DriveModel {
-    /// cycles after which the motor does what was commanded (`drive.delay`)
+    /// cycles until the motor follows the command (`drive.delay`)
     pub delay_cycles: Option<f64>,
     /// time constant after that [s] (`drive.time_constant`)
     pub time_constant: Option<f64>,
-    /// a measured response, in the place of both (`drive.response`)
+    /// a measured response, instead of both (`drive.response`)
     pub response: Option<MeasuredDrive>,
-    /// gain of the position controller Kv [1/s] (P-AXIS-00099), where it is given
+    /// gain of the position controller Kv [1/s] (P-AXIS-00099), if given
     pub position_gain: Option<f64>,
 }
 
 /// A measured response.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredDrive {
-    /// its file, as it is named
+    /// its file, as named in the set
     pub file: String,
     pub response: Arc<stability::Response>,
 }
 
 impl DriveModel {
-    /// Whether somebody said what the drive does.
+    /// Whether the behaviour of the drive is given.
     #[must_use]
     pub fn is_given(&self) -> bool {
         self.delay_cycles.is_some() || self.time_constant.is_some() || self.response.is_some()

@@ -15,14 +15,13 @@ pub struct Ipc {
     pub v_max: f64,
     /// time of the fade [s], before it is raised to one period of the lowest f0
     pub fade: f64,
-    /// bad samples in a row in whose place the last good one stands
+    /// number of consecutive bad samples that the last good one replaces
     pub ride_through: u32,
-    /// where its numbers come from
+    /// source of its numbers
     pub numbers: Numbers,
     /// whether the loop is watched
     pub watch: bool,
-    /// cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given; nothing in a block is made of
-    /// them
+    /// cycles between a command and the actual value that it caused (P-AXIS-00191), if given; no block depends on them
     pub delay_cycles: Option<u32>,
     /// the stages; an inactive one is `None`
     pub stage: [Option<Stage>; 3],
@@ -35,7 +34,7 @@ impl Ipc {
     /// The longest fade in cycles: all whole numbers up to 2^24 are exact in f32.
     pub(crate) const MAX_FADE_CYCLES: f64 = 16_777_216.0;
 
-    /// What the caller may tune; none: nothing.
+    /// The values that the caller may tune; `None` if there are none.
     pub fn tuning(&self) -> Option<Tuning> {
         if let Numbers::Weights(tuning) = self.numbers { Some(tuning) } else { None }
     }
@@ -69,13 +68,13 @@ impl Ipc {
 pub enum Numbers {
     /// from the parameters
     Fixed,
-    /// from the parameters; of weights and limit a part acts, which the caller tunes
+    /// from the parameters; the caller tunes which part of the weights and of the limit acts
     Weights(Tuning),
     /// from parameter sets
     Sets,
 }
 
-/// Inputs that tune, each a part of what the parameters ask for, 0 to 1: their starts.
+/// Inputs for tuning, each a fraction from 0 to 1 of the parameter: their start values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
     /// `tuning_limit`
@@ -101,7 +100,7 @@ impl Stage {
     /// The largest weight; a larger one is capped (P-AXIS-00754).
     pub const MAX_WEIGHT: f64 = 7.0;
 
-    /// num / denom, what the parameters ask for.
+    /// num / denom, the weight in the parameters.
     pub(crate) fn asked_weight(&self) -> f64 {
         f64::from(self.weight_fact_num) / f64::from(self.weight_fact_denom)
     }
@@ -111,19 +110,19 @@ impl Stage {
         self.asked_weight().smaller(Self::MAX_WEIGHT)
     }
 
-    /// What stands after a weight that is capped: ` (700 capped)`.
+    /// The text after a weight that is capped: ` (700 capped)`.
     pub(crate) fn cap(&self) -> String {
         let asked = self.asked_weight();
         if asked > Self::MAX_WEIGHT { format!(" ({} capped)", digits(asked)) } else { String::new() }
     }
 
-    /// Index of its first band-pass; 0 where it has none.
+    /// Index of its first band-pass; 0 if there is none.
     pub(crate) fn first_bandpass(&self) -> u32 {
         let mut filters = (0..).zip(&self.filter);
         filters.find(|(_, filter)| filter.kind() == FilterType::Bandpass).map_or(0, |(k, _)| k)
     }
 
-    /// Centre frequency of the stage's first band-pass [Hz]; the simulated oscillation has it too.
+    /// Centre frequency of the stage's first band-pass [Hz], which is also that of the simulated oscillation.
     ///
     /// # Panics
     /// If there is no band-pass, which the check excludes.
@@ -140,12 +139,12 @@ pub enum Mode {
     Direct { source: DirectSource },
     /// the oscillation simulated from the motor's velocity, with the damping ratio D (P-AXIS-00850, formerly P-AXIS-00756)
     Indirect { osc_damping: f64 },
-    /// the same from the command velocity
+    /// the oscillation simulated from the command velocity, with the damping ratio D
     SetPoint { osc_damping: f64 },
 }
 
 impl Mode {
-    /// Damping ratio of the simulated oscillation (P-AXIS-00850) where the mode has one.
+    /// Damping ratio of the simulated oscillation (P-AXIS-00850), if the mode has one.
     pub(crate) fn osc_damping(self) -> Option<f64> {
         match self {
             Self::Direct { .. } => None,
@@ -163,7 +162,7 @@ impl Mode {
         word.name()
     }
 
-    /// The velocity that it looks at.
+    /// The input velocity of the mode.
     pub(crate) fn source(self) -> &'static str {
         match self {
             Self::Direct { source } => source.name(),
@@ -172,7 +171,7 @@ impl Mode {
         }
     }
 
-    /// Both: `DIRECT from v_motor`.
+    /// Mode and source: `DIRECT from v_motor`.
     pub fn text(self) -> String {
         format!("{} from {}", self.word(), self.source())
     }

@@ -2,12 +2,14 @@
 
 mod control;
 mod drive_model;
+mod excitation;
 mod ipc;
 mod spindle;
 
 pub use crate::parameters::words::{DirectSource, Enable, Motor, Prototype, Width};
 pub use control::{Control, Feedforward, PositionControl, Quantities, Ratio, Resolution, TimeBase, Torque, Velocity};
 pub use drive_model::{DriveModel, MeasuredDrive};
+pub use excitation::Excitation;
 pub use ipc::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
 pub use reference::position_control::Location;
 pub use spindle::{Bus, Changeover, Spindle};
@@ -19,28 +21,30 @@ use std::collections::BTreeMap;
 /// An axis, ready to be designed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// as the set names it
+    /// as named in the set
     pub name: String,
-    /// of its blocks
+    /// real type of its blocks
     pub real: RealKind,
-    /// whether the names that linkers see have at most 31 characters in C
+    /// whether names that the linker sees have at most 31 characters in C
     pub short_names: bool,
     /// position-controller cycle [ns]
     pub cycle_time_ns: u32,
-    /// whether its blocks look at the rate of their calls
+    /// whether its blocks check the call rate
     pub counts_calls: bool,
     pub ipc: Ipc,
     pub control: Control,
-    /// what is known of the drive, for the stability of the loop
+    /// the excitation, if the set asks for it
+    pub excitation: Option<Excitation>,
+    /// the known behaviour of the drive, for the stability of the loop
     pub drive: DriveModel,
     /// every effective parameter, one `path value` a line, in the order of the parameter table
     pub canonical: String,
-    /// those of each block that does not use all of them, by its name
+    /// the effective parameters of each block that does not use all of them, by its name
     pub canonical_of: BTreeMap<&'static str, String>,
 }
 
 impl Axis {
-    /// The real type of its blocks, as sets and lists write it.
+    /// The real type of its blocks, as written in sets and lists.
     pub(crate) fn real_name(&self) -> &'static str {
         match self.real {
             RealKind::F64 => RealType::F64.name(),
@@ -48,7 +52,7 @@ impl Axis {
         }
     }
 
-    /// Whether its blocks look at the rate of their calls, in words.
+    /// Whether its blocks check the call rate, in words.
     pub(crate) fn calls(&self) -> &'static str {
         if self.counts_calls { "counted" } else { "not counted" }
     }

@@ -1,4 +1,4 @@
-//! The changeover of a spindle between position and velocity control. Plain data, as the parameters say it.
+//! The changeover of a spindle between position and velocity control, as plain data from the parameters.
 
 use super::{Ratio, Velocity};
 
@@ -7,23 +7,23 @@ use super::{Ratio, Velocity};
 pub struct Spindle {
     /// velocity above which M3 and M4 lead to velocity control [0.001 deg/s] (P-AXIS-00767, 00265)
     pub v_velocity_control_on: u32,
-    /// velocity from which position control is taken up again [0.001 deg/s] (P-AXIS-00768, 00266)
+    /// velocity at which position control begins again [0.001 deg/s] (P-AXIS-00768, 00266)
     pub v_position_control_on: u32,
     pub drive: Changeover,
-    /// gain of the position controller, of the drive or of the CNC [0.01/s] (P-AXIS-00099); 0: velocity control alone
+    /// gain of the position controller, in the drive or in the CNC [0.01/s] (P-AXIS-00099); 0 for velocity control alone
     pub kv: u32,
-    /// position control in the drive: cycles between sending a command and receiving the actual value that it caused (P-AXIS-00191);
-    /// else 0
+    /// position control in the drive: cycles between sending a command and receiving the actual value that it caused
+    /// (P-AXIS-00191); otherwise 0
     pub delay_cycles: u32,
-    /// of the velocity command on the way to position control [0.001 deg/s^2] (key `spindle.deceleration`)
+    /// deceleration of the velocity command on the way to position control [0.001 deg/s^2] (key `spindle.deceleration`)
     pub deceleration: f64,
     /// smallest window around the velocity of position control [0.001 deg/s] (key `spindle.window`)
     pub window: f64,
     /// largest step of the position command when the interpolator takes over [0.001 deg] (key `spindle.takeover_window`)
     pub takeover_window: f64,
-    /// within which the drive displays the new mode [ns] (key `spindle.mode_timeout`)
+    /// time within which the drive displays the new mode [ns] (key `spindle.mode_timeout`)
     pub mode_timeout_ns: u64,
-    /// within which the spindle has braked [ns] (key `spindle.brake_timeout`)
+    /// time within which the spindle has braked [ns] (key `spindle.brake_timeout`)
     pub brake_timeout_ns: u64,
 }
 
@@ -36,20 +36,20 @@ impl Spindle {
     }
 }
 
-/// Who changes the mode.
+/// The device that changes the mode.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Changeover {
-    /// position control in the CNC: the CNC alone, by opening its loop
+    /// position control in the CNC: only the CNC, by opening its loop
     Cnc {
         /// weight of the feedforward of the velocity (P-AXIS-00228/00229)
         feedforward: Option<Ratio>,
-        /// whether it is active despite G137 (P-AXIS-00255)
+        /// whether the feedforward is active despite G137 (P-AXIS-00255)
         default_active: bool,
     },
-    /// position control in the drive: it gets the mode and displays it
+    /// position control in the drive: the drive receives the mode and displays it
     Drive {
         bus: Bus,
-        /// number of the operation mode of position control: P-AXIS-00463, of SERCOS 0, the main mode
+        /// number of the operation mode of position control (P-AXIS-00463); for SERCOS 0, the main mode
         position_mode: i32,
         /// number of the operation mode of velocity control (P-AXIS-00464, 00264)
         velocity_mode: i32,

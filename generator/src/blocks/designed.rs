@@ -1,5 +1,5 @@
-//! An axis with everything that design makes of it, made once: what blocks, notes, certificates, summaries and the semantic diff
-//! are made of. No text, no program.
+//! An axis with all results of the design, made once. Blocks, notes, certificates, summaries and the semantic diff use it.
+//! No text, no program.
 
 use super::feedforward::design as feedforward;
 use super::ipc::{design as ipc, sets, stage::StageDesign};
@@ -8,24 +8,24 @@ use super::spindle::design as spindle;
 use crate::axis::Axis;
 use reference::ipc::STAGES;
 
-/// An axis as it is designed. All coefficients are in double precision; `axis.real` says what they are rounded to.
+/// A designed axis. All coefficients are in double precision; `axis.real` is the type that they are rounded to.
 #[derive(Clone, Debug)]
 pub struct Designed {
     pub axis: Axis,
     /// the stages of improved position control; an inactive one is `None`
     pub(crate) stage: [Option<StageDesign>; STAGES],
     pub ipc: reference::ipc::Coeffs<f64>,
-    /// what its parameter sets are told by: their structure and this one's number; 0 where it takes none
+    /// the structure id and the set number of its parameters; 0 if it takes no sets
     pub sets: [u32; 2],
-    /// all 0 where there is none
+    /// all 0 without feedforward
     pub feedforward: reference::feedforward::Coeffs<f64>,
-    /// all 0 where there is none
+    /// all 0 without position control
     pub position_control: reference::position_control::Coeffs<f64>,
-    /// all 0 where there is none
+    /// all 0 without a changeover
     pub spindle: reference::spindle::Coeffs<f64>,
 }
 
-/// The axis decides all of it.
+/// Two designs of equal axes are equal.
 impl PartialEq for Designed {
     fn eq(&self, other: &Self) -> bool {
         self.axis == other.axis

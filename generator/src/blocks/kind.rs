@@ -1,4 +1,4 @@
-//! What follows from what a block's folder says: verified program, self-test, recorded run, whatever the types of its reference are.
+//! The products of a block's folder for any type of its reference: verified program, self-test, recorded run.
 
 use super::designed::Designed;
 use super::part::{Certified, Part};
@@ -21,7 +21,7 @@ pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
 
-    /// What an axis runs in its place, if it does.
+    /// The block that an axis runs instead, if any.
     fn other(_: &Designed) -> Option<&'static dyn Typed> {
         None
     }
@@ -32,7 +32,7 @@ pub trait BlockKind: Part {
     /// Its name in files and on the command line.
     fn name(&self) -> &'static str;
 
-    /// Its inputs and its outputs, with what they mean.
+    /// Its inputs and its outputs with their meanings.
     fn signals(&self) -> [&'static [Field]; 2];
 
     /// The reference that an axis runs as this block.
@@ -65,7 +65,7 @@ impl dyn BlockKind + '_ {
         self.typed(designed).program(self, designed, last)
     }
 
-    /// What is certain of its outputs, whatever its state and its inputs hold.
+    /// The ranges of its outputs for any state and any inputs.
     ///
     /// # Errors
     /// A defect of the block or of a pass.
@@ -81,7 +81,7 @@ impl dyn BlockKind + '_ {
         self.typed(designed).block(self, designed)
     }
 
-    /// A run of N samples for a user's own board, of a block of that axis.
+    /// A run of N samples of an axis's block, for a user's own board.
     pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
         runner::record(&block.exercise, &mut *self.start(designed), samples)
     }
@@ -139,7 +139,7 @@ impl<B: Design> Typed for B {
     }
 }
 
-/// The program after the pass of that name; none: as the specialiser gives it.
+/// The program after the pass of that name; with `None`, the output of the specialiser.
 fn program<R: Real, B: Design + Reference<R>>(
     part: &dyn Part,
     designed: &Designed,
@@ -150,7 +150,7 @@ fn program<R: Real, B: Design + Reference<R>>(
     if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
 }
 
-/// Specialises one block and records what it does.
+/// Specialises one block and records its run.
 fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed) -> Result<Block, Defect> {
     let coeffs = || rounded(&B::design(designed), R::KIND);
     let notes = part.notes(designed).into_iter().collect();
@@ -177,17 +177,17 @@ fn block<R: Real, B: Design + Reference<R>>(part: &dyn Part, designed: &Designed
     Ok(Block { program, own, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }
 
-/// What is certain of the outputs of a program.
+/// The ranges of the outputs of a program.
 fn shown(part: &dyn Part, designed: &Designed, program: &Program) -> Shown {
-    // Where nothing adds a velocity, it is 0.
+    // If nothing adds a velocity, the limit is 0.
     let limit = part.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
-    ranges::run(program, &["v_add", "v_add_calculated"].map(|path| (path, limit)))
+    ranges::run(program, &["v_add", "v_add_calculated", "v_excite"].map(|path| (path, limit)))
 }
 
 /// A block of one axis, ready to be printed.
 #[derive(Clone, Debug)]
 pub struct Block {
-    /// verified
+    /// after the last pass
     pub program: Program,
     /// the same with the signals that the axis has
     pub own: AxisProgram,
@@ -200,14 +200,14 @@ pub struct Block {
     pub(crate) answers: RecordedAnswers,
     /// what is certain of its range, and its measured response
     pub certificate: Certified,
-    /// what is certain of its outputs, whatever its state and its inputs hold
+    /// the ranges of its outputs for any state and any inputs
     pub shown: Shown,
-    /// what is in it, without the values of its coefficients: the same text, the same structure
+    /// its structure without the values of its coefficients: equal text, equal structure
     pub structure: String,
 }
 
 impl Block {
-    /// The inputs of the run that its self-test on the controller has, sample by sample.
+    /// The inputs of its self-test on the controller, sample by sample.
     pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
         self.trial.inputs()
     }

@@ -1,16 +1,17 @@
 //! The function blocks that an axis may have, a folder each, and their registry.
 //!
 //! ```text
-//! designed  an axis with everything that design makes of it, once
-//! part      what a block's folder says of it
-//! kind      what follows: verified program, self-test, recorded run
-//! values    named values next to each other, for the semantic diff
+//! designed  an axis with all results of the design
+//! part      the interface of a block's folder
+//! kind      its products: verified program, self-test, recorded run
+//! values    named values of two versions, for the semantic diff
 //! ```
-//! A folder: `check` (rules), `design` (coefficients), `notes` (what each number means), `diff`, `summary`, and what the block
-//! needs next to them.
+//! A folder: `check` (rules), `design` (coefficients), `notes` (the meaning of each number), `diff`, `summary`, and other
+//! files that the block needs.
 
 pub(crate) mod axis;
 mod designed;
+pub(crate) mod excitation;
 pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
@@ -33,13 +34,14 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn BlockKind; 6] = [
+pub(crate) const BLOCKS: [&dyn BlockKind; 7] = [
     &reference::ipc::Ipc,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,
     &reference::axis::Axis,
     &reference::spindle_axis::SpindleAxis,
+    &reference::excitation::Excitation,
 ];
 
 /// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
@@ -47,6 +49,7 @@ pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
+pub(crate) const EXCITATION: &str = <reference::excitation::Excitation as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.
 pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn BlockKind> {
@@ -62,7 +65,7 @@ pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
-/// The signals of that name: the block, whether it is an output, and what it means.
+/// The signals of that name: the block, whether it is an output, and its meaning.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
     let of_block = |kind: &&'static dyn BlockKind| {
         let [inputs, outputs] = kind.signals();

@@ -12,7 +12,7 @@ use reference::spindle_axis::{Coeffs, SpindleAxis};
 
 impl Design for SpindleAxis {
     fn design(designed: &Designed) -> Coeffs<f64> {
-        // The loop of a drive, and of another block, has an encoder of its own.
+        // A loop in a drive or in another block has its own encoder.
         let spindle = reference::spindle::Coeffs { closes_loop: !designed.spindle.in_drive, ..designed.spindle };
         Coeffs { spindle, axis: Axis::design(designed) }
     }
@@ -20,7 +20,7 @@ impl Design for SpindleAxis {
 
 impl Part for SpindleAxis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // What takes parameter sets stands by itself.
+        // A block with parameter sets is a separate block.
         axis.control.spindle.is_some() && !axis.ipc.takes_sets()
     }
 
@@ -28,7 +28,7 @@ impl Part for SpindleAxis {
         "sx"
     }
 
-    /// Those of its parts.
+    /// The notes of its parts.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let within = |part: &'static str, notes: Vec<(String, String)>| {
             notes.into_iter().map(move |(path, text)| (format!("{part}.{path}"), text))
@@ -51,7 +51,7 @@ impl Part for SpindleAxis {
         parts
     }
 
-    /// Its parts say it.
+    /// The summaries of its parts cover it.
     fn summary(&self, _: &Designed) -> Summary {
         Summary::default()
     }
@@ -60,7 +60,7 @@ impl Part for SpindleAxis {
         ipc::limit(designed)
     }
 
-    /// The limit of what it adds.
+    /// The limit of its v_add.
     fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
         Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }

@@ -1,4 +1,4 @@
-//! Named values of two versions of an axis next to each other: what differs, in words.
+//! The differences between named values of two versions of an axis, in words.
 
 use crate::number::{pair, significant};
 use portable::Extreme;
@@ -36,7 +36,7 @@ pub(crate) fn description(values: &Values) -> Vec<String> {
     values.iter().map(|(what, value)| format!("{what} {}", value.text())).collect()
 }
 
-/// Whether two values are the same but for their last digits.
+/// Whether two values differ only in their last digits.
 pub(crate) fn is_same(old: f64, new: f64) -> bool {
     (old - new).abs() <= 1e-12 * old.abs().larger(new.abs())
 }
@@ -49,7 +49,7 @@ impl Value {
         }
     }
 
-    /// `old -> new`; none: they are the same.
+    /// `old -> new`; `None` if they are equal.
     fn difference(&self, new: &Self) -> Option<String> {
         match (self, new) {
             (Self::Number(old, unit), Self::Number(new, _)) => {

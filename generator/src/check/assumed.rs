@@ -1,10 +1,10 @@
-//! Values that nobody gave and that scale or limit something: what is assumed, and a warning where motion depends on it.
+//! Values that scale or limit something and were not given: their defaults, and a warning if motion depends on them.
 
 use crate::axis::{Axis, Enable};
 use crate::parameters::Name;
 use crate::{codes, config::values::key, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 
-/// Whether an axis is told that nobody gave it; without an active stage or a changeover the largest velocity limits nothing.
+/// Whether a missing value is reported. Without an active stage or a changeover the largest velocity limits nothing.
 pub(crate) fn is_told(name: Name, is_limited: bool) -> bool {
     let of_velocity = matches!(name, Name::VResoNum | Name::VResoDenom | Name::VTimeBase);
     let of_position = matches!(name, Name::MultiGainZ | Name::MultiGainN | Name::IncrPerRev | Name::ShiftTime);

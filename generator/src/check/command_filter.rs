@@ -1,10 +1,11 @@
-//! Filters of the position command, which belong to another function: a warning where stages act. Which of them are on is read here.
+//! Filters of the position command, which belong to another function: a warning if stages act. Only their activation is read
+//! here.
 
 use crate::axis::Axis;
 use crate::config::other_functions::{Found, OtherFunctions};
 use crate::{codes, diagnostics::Diagnostic, rules::effective::Effective};
 
-/// Filters of an axis that follow each other.
+/// Number of filters in series.
 const FILTERS: u32 = 3;
 /// The types of HSC filters (P-AXIS-00204), and their prototype (P-AXIS-00153). The NC program switches them on.
 const HSC_TYPES: [f64; 2] = [8.0, 12.0];
@@ -22,7 +23,7 @@ pub(crate) fn advise(axis: &Axis, list: &OtherFunctions, e: &mut Effective<'_>) 
     }));
 }
 
-/// A filter `filter[i]` that is on, or that an NC program switches on.
+/// A filter `filter[i]` that is on, or that an NC program can switch on.
 fn filter(list: &OtherFunctions, i: u32) -> Option<(String, &Found)> {
     let get = |name: &str| list.get(&format!("filter[{i}].{name}"));
     let is = |name: &str, wanted: &[f64]| get(name).is_some_and(|found| wanted.contains(&number(found)));
@@ -44,7 +45,7 @@ fn fir(list: &OtherFunctions) -> Option<(String, &Found)> {
     is_chosen.then(|| ("the command filter filter_fir is on (P-AXIS-00573, 00586)".to_owned(), enable))
 }
 
-/// A number or a truth value; 0: neither.
+/// A number or a truth value; 0 for anything else.
 fn number(found: &Found) -> f64 {
     match found.text.as_str() {
         word if word.eq_ignore_ascii_case("TRUE") => 1.0,

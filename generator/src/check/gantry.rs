@@ -1,4 +1,4 @@
-//! Gantries: a slave finds its master among the axes of the set. Only what concerns two axes is here.
+//! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here.
 
 use crate::axis::{Axis, Location, PositionControl, Velocity};
 use crate::codes;
@@ -8,7 +8,7 @@ use crate::number::rounded;
 use crate::parameters::{Name, Value, words::Words};
 use std::{collections::BTreeMap, fmt::Write};
 
-/// Logical axis numbers that two axes have; 0, the default, is none.
+/// Rejects logical axis numbers that two axes have; 0, the default, means none.
 pub(crate) fn numbers(axes: &[GivenAxis]) -> Report {
     let (mut report, mut first) = (Report::default(), BTreeMap::new());
     let number = |axis: &GivenAxis| axis.values.as_ref()?.get(key(Name::AxisNumber)).cloned();
@@ -26,7 +26,7 @@ pub(crate) fn numbers(axes: &[GivenAxis]) -> Report {
     report
 }
 
-/// Couples the slaves of a set to their masters; gives what is to be said of that. `places` are those of P-AXIS-00070, axis by
+/// Couples the slaves of a set to their masters and returns the messages. `places` has the place of P-AXIS-00070 for each
 /// axis.
 pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
     let mut report = Report::default();
@@ -48,7 +48,7 @@ pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
     report
 }
 
-/// A slave whose list stands alone has no master next to it.
+/// Warns of a slave whose list is used alone: its master is unknown.
 pub(crate) fn alone(axis: &Axis, place: Place) -> Report {
     let has_a_way_out = axis.control.position_control.is_some();
     let Some(number) = axis.control.master.filter(|_| has_a_way_out) else { return Report::default() };
@@ -59,7 +59,7 @@ pub(crate) fn alone(axis: &Axis, place: Place) -> Report {
     Diagnostic::warning(codes::MASTER_UNKNOWN, place, found).instead(instead).into()
 }
 
-/// The position of the master; else what is wrong and what to write instead.
+/// The position of the master among the axes; else what is wrong and what to write instead.
 fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (String, String)> {
     let named: Vec<usize> = (0..axes.len()).filter(|axis| axes[*axis].control.number == number).collect();
     let name = &axes[slave].name;
@@ -86,7 +86,7 @@ fn master_of(axes: &[&mut Axis], slave: usize, number: u32) -> Result<usize, (St
     }
 }
 
-/// Whether an axis follows another one, by way of any number of masters.
+/// Whether an axis follows another one, directly or through other masters.
 fn follows(axes: &[&mut Axis], axis: usize, wanted: usize) -> bool {
     let master_of = |axis: &usize| {
         let master = axes[*axis].control.master?;
@@ -95,7 +95,7 @@ fn follows(axes: &[&mut Axis], axis: usize, wanted: usize) -> bool {
     std::iter::successors(Some(axis), master_of).take(axes.len() + 1).skip(1).any(|master| master == wanted)
 }
 
-/// Unequal scalings are legal, and mostly a mistake.
+/// Warns of unequal scalings: they are legal, but usually a mistake.
 fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let (Some(of_slave), Some(of_master)) = (&slave.control.position_control, &master.control.position_control) else {
         return;
@@ -122,7 +122,7 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-/// Unequal lags: the gantry is askew while it moves.
+/// Warns of unequal lags: they skew the gantry while it moves.
 fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let [Some(of_slave), Some(of_master)] = [slave, master].map(|axis| axis.control.kv) else { return };
     if of_slave == of_master {
@@ -130,7 +130,7 @@ fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
     let [of_slave, of_master] = [of_slave, of_master].map(f64::from);
     let v_max = if slave.ipc.v_max < master.ipc.v_max { slave.ipc.v_max } else { master.ipc.v_max };
-    // 0.01/s, and thousandths.
+    // 0.01/s, and thousandths of a unit.
     let askew = (100.0 / of_slave - 100.0 / of_master).abs() * v_max / 1e3;
     let unit = if master.control.is_rotary { "deg" } else { "mm" };
     let found = format!(
@@ -148,7 +148,7 @@ fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     );
 }
 
-/// A slave that cannot follow what its master adds would pull the gantry askew.
+/// Warns of a slave that cannot follow what its master adds: it would skew the gantry.
 fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let is_shut = |control: &PositionControl| control.location != Location::Cnc && control.velocity.is_none();
     if slave.control.position_control.as_ref().is_some_and(is_shut) && master.ipc.is_active() {
@@ -164,7 +164,7 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-/// A master that loses its position takes the gantry askew.
+/// Warns of a master that loses its position: it skews the gantry.
 fn spindle(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     if master.control.spindle.is_some() {
         let found =
@@ -174,7 +174,7 @@ fn spindle(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-/// Everything that scales the way out that is used, in words.
+/// All scalings of the output in use, in words.
 fn scaling(control: &PositionControl) -> String {
     match (control.location, control.velocity) {
         (Location::Cnc, _) => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
@@ -185,7 +185,7 @@ fn scaling(control: &PositionControl) -> String {
     }
 }
 
-/// The slave takes over what its block must know of the master.
+/// Copies to the slave what its block needs to know of the master.
 fn take(axes: &mut [&mut Axis], slave: usize, master: usize) {
     let (number, ipc) = (axes[master].control.number, axes[master].ipc.clone());
     if !ipc.is_active() {
@@ -193,6 +193,6 @@ fn take(axes: &mut [&mut Axis], slave: usize, master: usize) {
     }
     let slave = &mut axes[slave];
     slave.control.master_limit = Some(ipc.limit());
-    // What the slave's block depends on is part of its own parameters.
+    // Values that the slave's block depends on are part of its own parameters.
     let _ = writeln!(slave.canonical, "master {number} v_add_max_fact {} vb_max {}", ipc.v_add_max_fact, ipc.v_max);
 }

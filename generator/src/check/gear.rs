@@ -1,11 +1,11 @@
-//! Which gear step of an axis is used, where that may be a surprise: an error where it is not there, else warnings.
+//! The gear step in use: an error if it does not exist, warnings if it may be a surprise.
 
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, path_with};
 use crate::{axis::Axis, codes, diagnostics::Diagnostic, rules::effective::Effective};
 use std::collections::BTreeSet;
 
-/// The gear step that the set names is one that the axis has, or there are none at all.
+/// Checks that the axis has the gear step that the set names, or no gear steps at all.
 pub(crate) fn check(e: &mut Effective<'_>) {
     let gear_key = key(Name::Gear);
     let steps = steps(e);
@@ -17,12 +17,12 @@ pub(crate) fn check(e: &mut Effective<'_>) {
     e.report.push(diagnostic.allowed("a gear step that the list or the set has").instead(instead));
 }
 
-/// What a user would want to know who did not choose the step, or whose step is not complete.
+/// Warns a user who did not choose the step, or whose step is incomplete.
 pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     let steps = steps(e);
     let gear_key = key(Name::Gear);
     let Some(gear) = e.validated_integer(gear_key) else { return };
-    // The first parameter of another step, where the surprise is shown.
+    // The first parameter of another step, as the place of the message.
     let Some(other) = of_others(e, gear).min_by_key(|(name, [step, _])| (*step, *name)) else { return };
     let lacking = lacking(e, gear, axis.control.position_control.is_none());
     if !lacking.is_empty() {
@@ -35,7 +35,7 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     }
 }
 
-/// The gear steps of which anything is given.
+/// The gear steps with given parameters.
 fn steps(e: &Effective<'_>) -> BTreeSet<u32> {
     e.all_given().filter(|(key, _)| is_of_a_gear(*key)).map(|((_, [step, _]), _)| step).collect()
 }
@@ -44,12 +44,12 @@ fn is_of_a_gear((name, _): Key) -> bool {
     name.parameter().path.starts_with("getriebe[")
 }
 
-/// What is given of other steps.
+/// The given parameters of other steps.
 fn of_others(e: &Effective<'_>, gear: u32) -> impl Iterator<Item = Key> {
     e.all_given().map(|(key, _)| key).filter(move |key| is_of_a_gear(*key) && key.1[0] != gear)
 }
 
-/// What the step lacks, other steps have and the axis needs: with the default that holds instead.
+/// Parameters that the axis needs, that other steps have and this one lacks, with their defaults.
 fn lacking(e: &Effective<'_>, gear: u32, is_uncontrolled: bool) -> Vec<String> {
     let is_needed = |name: Name| name == Name::Kv && is_uncontrolled || e.is_used((name, [gear, 0]));
     let names: BTreeSet<Name> = of_others(e, gear).map(|(name, _)| name).collect();

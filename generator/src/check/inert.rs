@@ -1,4 +1,4 @@
-//! Factors that are 0, and parameters that nothing uses: warnings. It looks at all blocks of an axis at once.
+//! Warnings for factors of 0, and for parameters that nothing uses. All blocks of an axis are considered together.
 
 use crate::config::values::{Key, key};
 use crate::parameters::words::{ProcessDatum, Words};
@@ -6,7 +6,7 @@ use crate::parameters::{Name, Parameter, Value};
 use crate::{axis::Axis, blocks::spindle::check::KEYS, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
 
-/// Of the parameters of lists, in the order of their table, those that only feedforward and position control use.
+/// The list parameters, in the order of their table, that only feedforward and position control use.
 const OF_CONTROL: [RangeInclusive<Name>; 6] = [
     Name::MultiGainN..=Name::MultiGainZ,
     Name::Load..=Name::Load,
@@ -21,7 +21,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     no_effect(axis, gear, e);
 }
 
-/// Factors that are given as 0: all that they weight is 0.
+/// Warns of factors that are given as 0: everything that they weight is 0.
 fn zeros(gear: u32, e: &mut Effective<'_>) {
     let (load, without_load) = ((Name::Load, [gear, 0]), "no ADD_ACC in vorsteuer.vorsteuerung");
     let shared = "the acceleration is always 0, and so is a jerk that has its time constant";
@@ -42,12 +42,12 @@ fn zeros(gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// Parameters that are given and that nothing uses: told by use, not by the manual's column of drive types. Where neither
-/// feedforward nor position control is there, a list may have them for other functions; keys of our own are for this one only.
+/// Warns of given parameters that nothing uses, decided by use, not by the manual's column of drive types. Without
+/// feedforward and position control, a list may contain them for other functions; axgen's own keys have no other use.
 fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let control = &axis.control;
     let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData];
-    // What a changeover does not use of these, its own rules say.
+    // The changeover's own rules report which of these it does not use.
     let of_spindle = if control.spindle.is_some() { &[] } else { &KEYS[..] };
     let of_stages = [0, 1, 2].map(|i| (Name::TuningWeight, [i, 0]));
     let own =
@@ -57,7 +57,8 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let of_lists = e
         .all_given()
         .map(|(key, _)| key)
-        // The list of a machine with improved position control alone has the scalings of its drive, too: only feedforward warns.
+        // The list of a machine with improved position control alone contains the scalings of its drive, too: only
+        // feedforward warns.
         .filter(|key| is_controlled || key.0.parameter().path.starts_with("vorsteuer."))
         .filter(|key| is_of_step(*key) && OF_CONTROL.iter().any(|names| names.contains(&key.0)));
     let none = Value::Word(ProcessDatum::None.name());

@@ -1,15 +1,15 @@
-//! From what was given to an axis that may be designed: defaults, ranges, rules. No file, no syntax, no coefficient.
+//! From given values to an axis that may be designed: defaults, ranges, rules. No file, no syntax, no coefficient.
 //!
 //! ```text
-//! assumed  what nobody gave and something depends on
-//! gear     which gear step is used, and what it lacks
-//! gantry   slaves find their masters
+//! assumed  values that were not given although something depends on them
+//! gear     the gear step in use, and its missing parameters
+//! gantry   slaves and their masters
 //! inert    factors of 0, parameters without effect
-//! units    numbers that were mostly written in another unit
+//! units    numbers that are probably in another unit
 //! command_filter  filters of the position command
 //! ```
-//! The rules of a block are in its folder (`blocks/ipc/check.rs`), what several of them need in `rules`. Only what something uses is
-//! validated: vendors' examples carry values in unused parameters that lie outside of their ranges.
+//! The rules of a block are in its folder (`blocks/ipc/check.rs`); rules that several blocks need are in `rules`. Only
+//! values in use are validated: vendors' examples contain unused parameters that are out of range.
 
 pub(crate) mod assumed;
 pub(crate) mod command_filter;
@@ -21,8 +21,10 @@ pub(crate) mod units;
 use crate::axis::{Axis, Control, DriveModel, Ipc};
 use crate::blocks::ipc::{check as ipc, drive_model};
 use crate::blocks::spindle::check as spindle;
-use crate::blocks::{FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
-use crate::blocks::{feedforward::check as feedforward, position_control::check as position_control};
+use crate::blocks::{EXCITATION, FEEDFORWARD, IPC, POSITION_CONTROL, SPINDLE};
+use crate::blocks::{
+    excitation::check as excitation, feedforward::check as feedforward, position_control::check as position_control,
+};
 use crate::codes;
 use crate::config::values::{Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -53,15 +55,15 @@ pub(crate) fn targets(values: &Values) -> Vec<String> {
 
 #[derive(Debug)]
 pub(crate) struct Checked<'v> {
-    /// it is there if, and only if, no message is an error
+    /// `Some` if and only if no message is an error
     pub(crate) axis: Option<Axis>,
     /// the gear step whose parameters are used
     pub(crate) gear: u32,
     pub(crate) effective: Effective<'v>,
 }
 
-/// One axis; its home is where the set names it. Without a cycle time, whose absence has been said, everything that does not
-/// need it is validated all the same. Its drive matters where a stage is active, or is to be proposed.
+/// One axis; its home is where the set names it. If the cycle time is missing, which has been reported, everything that does
+/// not need it is still validated. The drive matters if a stage is active, or is to be proposed.
 pub(crate) fn axis<'v>(
     name: &str,
     cycle_time: Option<u32>,
@@ -85,18 +87,20 @@ pub(crate) fn axis<'v>(
     effective.block = Some(IPC);
     let ipc = ipc::check(&mut effective, cycle_time, real);
     let control = control(&mut effective, cycle_time, (axis_type, changes_over), ipc.as_ref());
+    effective.block = Some(EXCITATION);
+    let excitation = excitation::check(&mut effective, cycle_time);
     let gear = control.as_ref().map_or(0, |(_, gear)| *gear);
     let has_drive = is_tuned || ipc.as_ref().is_some_and(Ipc::is_active);
     let drive = if has_drive { drive_model::check(&mut effective) } else { Some(DriveModel::default()) };
-    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control) {
+    let axis = match (real, short_names.zip(counts_calls), cycle_time, ipc.zip(drive), control.zip(excitation)) {
         (
             Some(real),
             Some((short_names, counts_calls)),
             Some(cycle_time_ns),
             Some((ipc, drive)),
-            Some((control, _)),
+            Some(((control, _), excitation)),
         ) if !effective.report.has_errors() => {
-            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE];
+            let blocks = [IPC, FEEDFORWARD, POSITION_CONTROL, SPINDLE, EXCITATION];
             let (canonical, own) = effective.canonical(blocks);
             let canonical_of = blocks.into_iter().zip(own).collect();
             Some(Axis {
@@ -107,6 +111,7 @@ pub(crate) fn axis<'v>(
                 counts_calls,
                 ipc,
                 control,
+                excitation,
                 drive,
                 canonical,
                 canonical_of,
@@ -117,10 +122,10 @@ pub(crate) fn axis<'v>(
     Checked { axis, gear, effective }
 }
 
-/// Characters of an axis name with which `ax_NAME_ipc_inputs_init` has 31.
+/// The length of an axis name for which `ax_NAME_ipc_inputs_init` has 31 characters.
 const LONGEST_OF_SHORT_NAMES: usize = 12;
 
-/// Whether names have to be short in C. It changes names only: the digest of the parameters does not cover it.
+/// Whether names have to be short in C. This changes only names, so the digest of the parameters does not cover it.
 fn short_names(e: &mut Effective<'_>, name: &str) -> Option<bool> {
     let asked = key(Name::ShortNames);
     let is_wanted = e.validated_word::<Boolean>(asked)? == Boolean::True;
@@ -132,7 +137,7 @@ fn short_names(e: &mut Effective<'_>, name: &str) -> Option<bool> {
     Some(is_wanted)
 }
 
-/// Whether the blocks look at the rate of their calls. Only where they do, the digest of the parameters covers the key.
+/// Whether the blocks check the call rate. The digest of the parameters covers the key only if they do.
 fn counts_calls(e: &mut Effective<'_>) -> Option<bool> {
     let is_counted = e.validated_word::<Boolean>(key(Name::CycleCounter))? == Boolean::True;
     if is_counted {
@@ -141,7 +146,7 @@ fn counts_calls(e: &mut Effective<'_>) -> Option<bool> {
     Some(is_counted)
 }
 
-/// Feedforward, position control, changeover and gantry, with the gear step; none: an error, which has been said.
+/// Feedforward, position control, changeover and gantry, with the gear step; `None` after a reported error.
 fn control(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
@@ -156,13 +161,13 @@ fn control(
     let is_spindle = axis_type == Some(AxisType::Spindle);
     let master = ipc::master(e);
     if ipc.is_some_and(|ipc| !ipc.is_active()) && master.is_none() && !changes_over && !is_asked_for(e) {
-        // Nothing of the drive matters: a real machine's list may hold whatever it likes.
+        // The drive does not matter: a real machine's list may contain any values for it.
         let drive_type = drive_type(e);
         return Some((Control { number, is_rotary, is_spindle, drive_type, ..Control::default() }, 0));
     }
-    // Without a drive, which has been said, the rest is validated all the same.
+    // Without a drive, which has been reported, the rest is still validated.
     let drive = drive::check(e).unwrap_or_default();
-    // Of every block the self-test moves within the axis's largest velocity.
+    // The self-test of every block moves within the axis's largest velocity.
     let v_max = (Name::VbMax, [drive.gear, 0]);
     e.block = Some(FEEDFORWARD);
     e.integer(v_max);
@@ -200,7 +205,7 @@ fn control(
     Some((control, drive.gear))
 }
 
-/// The drive type that is given, whether a block depends on it or not.
+/// The drive type, if given, even if no block depends on it.
 fn drive_type(e: &Effective<'_>) -> Option<DriveType> {
     match e.given(key(Name::DriveType))?.value {
         Some(Value::Word(word)) => DriveType::named(word),
@@ -208,7 +213,7 @@ fn drive_type(e: &Effective<'_>) -> Option<DriveType> {
     }
 }
 
-/// Kv, where it is given or a block uses its default.
+/// Kv, if it is given or if a block uses its default.
 fn kv(e: &mut Effective<'_>, gear: u32) -> Option<u32> {
     let kv = (Name::Kv, [gear, 0]);
     let is_readable = e.given(kv).is_some_and(|setting| setting.value.is_some());

@@ -1,4 +1,4 @@
-//! Numbers that were mostly written in another unit: velocities and decelerations of spindles in rpm, Kv in 1/s. Warnings.
+//! Warnings for numbers that are probably in another unit: velocities and decelerations of spindles in rpm, Kv in 1/s.
 
 use crate::axis::{Axis, Spindle};
 use crate::config::values::{Key, key};
@@ -8,16 +8,16 @@ use portable::Extreme;
 
 /// 1 rpm [0.001 deg/s], and 1 rpm/s [0.001 deg/s^2].
 const RPM: f64 = 6000.0;
-/// Units of a velocity of which one may be meant.
+/// Probable units of a velocity.
 const SPEED: [&str; 2] = ["rpm", "deg/s"];
-/// 10 rpm, which may be a threshold of a slow spindle [0.001 deg/s].
+/// 10 rpm, a possible threshold of a slow spindle [0.001 deg/s].
 const LOW: f64 = 60_000.0;
-/// No ramp of a spindle takes so long [s].
+/// Every ramp of a spindle is shorter [s].
 const LONGEST_RAMP: f64 = 100.0;
-/// A window below this hardly any drive comes into [0.001 deg/s], and a takeover none [0.001 deg].
+/// Hardly any drive reaches a smaller window [0.001 deg/s], and no takeover a smaller one [0.001 deg].
 const SMALL_WINDOW: f64 = 600.0;
 const SMALL_TAKEOVER: f64 = 10.0;
-/// 1/s: no axis is controlled so slowly [0.01/s].
+/// 1/s: every axis has a larger gain [0.01/s].
 const SLOW_KV: u32 = 100;
 /// 1 (m/min)/mm [0.01/s].
 const KV_PER_MINUTE: f64 = 1e5 / 60.0;
@@ -35,7 +35,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let value =
             if new == Name::VVelocityControlOn { spindle.v_velocity_control_on } else { spindle.v_position_control_on };
         let value = f64::from(value);
-        // 0 has a meaning of its own. A threshold is more than a part in 6000 of the largest velocity.
+        // 0 has its own meaning. A threshold is more than 1/6000 of the largest velocity.
         if value > 0.0 && (value < RPM || value < LOW && value * RPM <= largest) {
             in_rpm(e, at, value, SPEED, "");
         }
@@ -44,7 +44,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     windows(spindle, e);
 }
 
-/// Says that a number is 6000 times too small, if rpm were meant.
+/// Warns that a number is 6000 times too small if it was meant in rpm.
 fn in_rpm(e: &mut Effective<'_>, at: Key, value: f64, [of_minute, of_second]: [&str; 2], why: &str) {
     let found = format!("{} is {value}, which is only {} {of_minute}{why}", e.title(at), rounded(value / RPM));
     let instead = format!(
@@ -55,7 +55,7 @@ fn in_rpm(e: &mut Effective<'_>, at: Key, value: f64, [of_minute, of_second]: [&
     e.warn(codes::SPINDLE_UNIT, at, found, instead);
 }
 
-/// A deceleration with which the spindle brakes for minutes.
+/// Warns of a deceleration with which the spindle brakes for minutes.
 fn braking(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     let at = key(Name::SpindleDeceleration);
     let way = axis.ipc.v_max - f64::from(spindle.v_position_control_on);
@@ -67,7 +67,7 @@ fn braking(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     in_rpm(e, at, spindle.deceleration, ["rpm/s", "deg/s^2"], &braking);
 }
 
-/// Windows in rpm and in degrees.
+/// Warns of windows in rpm and in degrees.
 fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
     let [window, takeover] = [Name::SpindleWindow, Name::SpindleTakeoverWindow].map(key);
     let least = spindle.window.larger(f64::from(spindle.v_position_control_on) / 100.0);
@@ -82,7 +82,7 @@ fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
     }
 }
 
-/// A gain of the position controller in 1/s.
+/// Warns of a gain of the position controller in 1/s.
 fn kv(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let at = (Name::Kv, [gear, 0]);
     let Some(kv) = axis.control.kv.filter(|kv| *kv < SLOW_KV && e.given(at).is_some()) else { return };

@@ -5,6 +5,7 @@ use super::excite::Excite;
 use super::names::Names;
 use super::{AGREEMENT, LEAST_DRIVE, LEAST_QUIET, LEAST_WINDOW};
 use crate::axis::Axis;
+use crate::blocks::EXCITATION;
 use crate::number::digits;
 use crate::target::Target;
 use askama::Template;
@@ -50,7 +51,7 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
     };
     First {
         axis: axis.name.clone(),
-        names: Names::new(axis, "excitation", targets),
+        names: Names::new(axis, EXCITATION, targets),
         has_notices: false,
         counts_calls: axis.counts_calls,
         off: "`hold_to_run := FALSE`",

@@ -1,5 +1,5 @@
-//! The commissioning page of an axis: how somebody next to the machine brings its improved position control into operation,
-//! step by step, with the numbers of this axis. Nothing is designed here. What the page says is in its template;
+//! The commissioning page of an axis: how to put its improved position control into operation at the machine, step by step,
+//! with the numbers of this axis. Nothing is designed here. The text of the page is in its template;
 //! tests/tests/commissioning.rs follows it.
 
 mod excite;
@@ -21,17 +21,18 @@ use rows::{Limit, PARTS, limits};
 use stability::{Loop, MAX_MS};
 use stage::Stage;
 
-/// A measured velocity may differ so much from the commanded one [%]: less than any wrong unit, more than a rounding or a lag.
+/// Largest difference of a measured velocity from the commanded one [%]: less than any wrong unit causes, more than a
+/// rounding or a lag.
 const AGREEMENT: f64 = 2.0;
-/// What may be left of a signal that should have gone, of its peak [%].
+/// Largest rest of a signal that should have vanished, relative to its peak [%].
 const REST: f64 = 10.0;
-/// A peak of the DRYRUN, in which the loop is open, fits so many times into the limit.
+/// The limit must be at least this multiple of the peak in DRYRUN, in which the loop is open.
 const RESERVE: u32 = 2;
-/// From one row to the next an amplitude may grow by so much [%]: no two records of a machine are the same.
+/// Permitted growth of an amplitude from one row to the next [%]: two records of a machine always differ.
 const GROWTH: f64 = 5.0;
 /// Shortest rest before and after a move [s]: `axgen measure` reads the decay from 0.15 to 0.95 s after a ramp.
 const LEAST_QUIET: f64 = 1.2;
-/// Denominator of a weight of a stage that must be there and add nothing.
+/// Denominator of a stage's weight that must exist and have no effect.
 const NO_WEIGHT: u32 = 1_000_000;
 /// Shortest time over which a mean is taken [s].
 const LEAST_WINDOW: f64 = 0.5;
@@ -39,27 +40,27 @@ const LEAST_WINDOW: f64 = 0.5;
 const LEAST_DRIVE: f64 = 1.5;
 const SETTLING: f64 = 0.3;
 
-/// What the template shows.
+/// The data of the template.
 #[derive(Template)]
 #[template(path = "commissioning/page.md")]
 struct Page {
     axis: String,
-    /// the block to call: its name in the registry
+    /// the block to call, by its name in the registry
     kind: &'static str,
     names: Names,
-    /// whether the block to call holds the block `ipc` among others
+    /// whether the block to call contains the block `ipc`
     is_inside: bool,
-    /// whether that is the whole axis of a spindle
+    /// whether it is the whole axis of a spindle
     is_spindle: bool,
-    /// other blocks to call, which do not hold the block `ipc`
+    /// other blocks to call, which do not contain the block `ipc`
     others: String,
-    /// whether the block may report what is not a fault
+    /// whether the block may report notices
     has_notices: bool,
     is_tunable: bool,
     /// inputs of the block that hold it at rest
     off: String,
     takes_sets: bool,
-    /// the denominator of a weight that adds nothing
+    /// the denominator of a weight without effect
     no_weight: u32,
     /// digest of the parameters of the block `ipc`
     parameters: String,
@@ -76,12 +77,12 @@ struct Page {
     limits: Vec<Limit>,
     signals: Vec<Signal>,
     stages: Vec<Stage>,
-    /// what the rows are judged with
+    /// the drive for which the rows are judged
     drive: &'static str,
     max_ms: f64,
-    /// of a stage
+    /// for a stage
     all_rows: usize,
-    /// where the file that the weights are tried with lies
+    /// the place of the file for trying the weights
     trial: &'static str,
     /// [s]
     window: String,
@@ -95,14 +96,14 @@ struct Page {
     reserve: u32,
 }
 
-/// A velocity that the block reads.
+/// An input velocity of the block.
 struct Signal {
     name: &'static str,
     meaning: &'static str,
 }
 
-/// The page of an axis; none where improved position control does not act: no stage is active, or the axis is a gantry slave, whose master's
-/// block does. `parameters`: the digest of the parameters of its block `ipc`; `targets`: those that it is written for.
+/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts. `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the
+/// page.
 pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
     let name = format!("{}_commissioning.md", stem(&axis.name));
@@ -115,7 +116,7 @@ pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) 
 
 fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let axis = &designed.axis;
-    // The last block of the registry that holds it.
+    // The last block of the registry that contains `ipc`.
     let kind = blocks::names(axis).into_iter().rfind(|name| ["axis", "spindle_axis"].contains(name)).unwrap_or(IPC);
     let is_inside = kind != IPC;
     let is_tunable = axis.ipc.tuning().is_some();
@@ -174,13 +175,13 @@ fn off(stages: &[Stage], is_tunable: bool) -> String {
     off
 }
 
-/// The blocks of an axis without one that holds the others, but for the block `ipc`.
+/// The blocks of an axis except `ipc`, if no block contains the others.
 fn others(axis: &Axis) -> String {
     let names = blocks::names(axis).into_iter().filter(|name| *name != IPC);
     names.collect::<Vec<_>>().join(", ")
 }
 
-/// The velocities that a stage looks at.
+/// The input velocities of the stages.
 fn signals(axis: &Axis, is_inside: bool) -> Vec<Signal> {
     let is_read = |name: &str| axis.ipc.stage.iter().flatten().any(|stage| stage.mode.source() == name);
     let command = match is_inside {

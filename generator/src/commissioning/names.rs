@@ -1,4 +1,4 @@
-//! What the page calls blocks and signals: the names that they have in the targets that it is written for. No numbers.
+//! The names of blocks and signals on the page, as its targets have them. No numbers.
 
 use crate::axis::Axis;
 use crate::blocks;
@@ -11,26 +11,26 @@ pub(super) struct Names {
     pub(super) self_test: String,
     pub(super) fault: String,
     pub(super) error_id: String,
-    /// where the id of what is not a fault stands
+    /// the output with the id of a notice
     pub(super) notice: String,
-    /// where the id of a refused parameter set stands
+    /// the output with the id of a refused parameter set
     pub(super) refusal: String,
-    /// the option that makes a parameter set for the target
+    /// the option that writes a parameter set for the target
     pub(super) set_form: String,
-    /// the targets whose blocks have `Enable`; empty: none has
+    /// the targets whose blocks have `Enable`; may be empty
     pub(super) enabled: String,
-    /// whether all have
+    /// whether all targets have it
     pub(super) are_enabled: bool,
-    /// whether some have a function as self-test, some a function block
+    /// whether some targets have a function as self-test, some a function block
     pub(super) has_function: bool,
     pub(super) has_function_block: bool,
     pub(super) is_twincat: bool,
-    /// what may have the position controller in the place of the block; empty: nothing
+    /// a position controller that may replace the block; may be empty
     pub(super) other_controllers: String,
 }
 
 impl Names {
-    /// The block to call is `kind`.
+    /// The names for the block to call, `kind`.
     pub(super) fn new(axis: &Axis, kind: &str, targets: &[Target]) -> Self {
         let blocks = |target: &Target, kind: &str| {
             let short = blocks::named(kind).filter(|_| axis.short_names).map(|kind| kind.short_name());
@@ -62,7 +62,7 @@ impl Names {
     }
 }
 
-/// A name as the targets have it.
+/// A name in each of the targets.
 fn called(targets: &[Target], name: &dyn Fn(&Target) -> String) -> String {
     let mut names: Vec<(String, Vec<&str>)> = Vec::new();
     for target in targets {
@@ -81,7 +81,7 @@ fn called(targets: &[Target], name: &dyn Fn(&Target) -> String) -> String {
     }
 }
 
-/// What has the position controller where a target's program often has none.
+/// The usual position controller on a target whose programs often contain none.
 fn other_controller(target: &str) -> Option<&'static str> {
     match target {
         "twincat" => Some("TwinCAT NC"),

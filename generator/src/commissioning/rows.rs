@@ -1,10 +1,11 @@
-//! The rows of the commissioning page: parts of the designed weight and of the limit, as inputs and as parameters. No text.
+//! The rows of the commissioning page: fractions of the designed weight and of the limit, as inputs and as parameters. No
+//! text.
 
 use crate::axis::{Ipc, Stage};
 use crate::number::{decimals, digits, significant};
 use stability::MAX_MS;
 
-/// Parts of what was designed, one step after another [%]: small ones first, since what is wrong shows there.
+/// The steps, as parts of the designed value [%]: small ones first, because they already show mistakes.
 pub(super) const PARTS: [u32; 6] = [10, 20, 40, 60, 80, 100];
 
 /// The largest numerator and denominator of a weight (P-AXIS-00754/00755).
@@ -12,38 +13,39 @@ const LARGEST: u64 = 4_294_967_294;
 
 /// A step of a weight.
 pub(super) struct Row {
-    /// for the input
+    /// the value of the input
     pub(super) part: String,
-    /// what acts then
+    /// the resulting weight
     pub(super) weight: String,
-    /// the same as parameters
+    /// the weight as parameters
     pub(super) num: u64,
     pub(super) denom: u64,
-    /// what an ideal drive would leave of the vibration [%]
+    /// the part of the vibration that remains with an ideal drive [%]
     pub(super) left: String,
-    /// largest |S| of the loop with an ideal drive, and whether that is too much
+    /// largest |S| of the loop with an ideal drive, and whether it is too large
     pub(super) ms: String,
 }
 
-/// What a part of a weight would do with an ideal drive.
+/// The effect of a part of a weight with an ideal drive.
 pub(super) struct Step {
-    /// of the vibration
+    /// remaining part of the vibration
     pub(super) left: f64,
-    /// largest |S| of the loop; none: the stage closes no loop
+    /// largest |S| of the loop; `None` if the stage closes no loop
     pub(super) ms: Option<f64>,
 }
 
 /// A step of the limit.
 pub(super) struct Limit {
-    /// for the input
+    /// the value of the input
     pub(super) part: String,
     /// [um/s or 0.001 deg/s]
     pub(super) limit: String,
-    /// the same as a parameter
+    /// the limit as a parameter
     pub(super) v_add_max_fact: u32,
 }
 
-/// The steps of a weight; `step`: what an ideal drive does with a part of it, none where it oscillates, and there is no such row.
+/// The steps of a weight. `step`: the effect of a part of it with an ideal drive, `None` if the loop oscillates; such a row
+/// is left out.
 pub(super) fn rows(stage: &Stage, step: impl Fn(f64) -> Option<Step>) -> Vec<Row> {
     let row = |percent: u32| {
         let part = f64::from(percent) / 100.0;
@@ -66,7 +68,7 @@ pub(super) fn rows(stage: &Stage, step: impl Fn(f64) -> Option<Step>) -> Vec<Row
     PARTS.into_iter().filter_map(row).collect()
 }
 
-/// A part [%] of a weight as numerator and denominator: with the denominator of the parameters where that is possible.
+/// A part [%] of a weight as numerator and denominator, with the denominator of the parameters if possible.
 fn weight(stage: &Stage, percent: u32) -> [u64; 2] {
     let capped = stage.asked_weight() > Stage::MAX_WEIGHT;
     let [num, denom] = if capped { [7, 1] } else { [stage.weight_fact_num.into(), stage.weight_fact_denom.into()] };
@@ -79,7 +81,7 @@ fn weight(stage: &Stage, percent: u32) -> [u64; 2] {
     if num <= LARGEST && denom <= LARGEST { [num, denom] } else { millionths(stage.weight() * percent as f64 / 100.0) }
 }
 
-/// The nearest millionths of a weight, at least one.
+/// The nearest whole number of millionths of a weight, at least one.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a weight is above 0 and at most 7")]
 fn millionths(weight: f64) -> [u64; 2] {
     [(libm::round(weight * 1e6) as u64).max(1), 1_000_000]
@@ -89,7 +91,8 @@ fn gcd(a: u64, b: u64) -> u64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// The steps of the limit; none where it is 0. A tuned limit is a part of the designed one, a generated one a whole number of parts of vb_max.
+/// The steps of the limit; empty if it is 0. A tuned limit is a part of the designed one; a generated one is a whole number
+/// of parts of vb_max.
 pub(super) fn limits(ipc: &Ipc) -> Vec<Limit> {
     let row = |percent: u32| {
         let v_add_max_fact = (ipc.v_add_max_fact * percent).div_ceil(100);

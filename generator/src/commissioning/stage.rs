@@ -1,4 +1,5 @@
-//! What the commissioning page says of a stage: where its vibration is seen, how long a record must be, its steps. No design.
+//! The part of the commissioning page about a stage: where its vibration is visible, the length of a record, its steps. No
+//! design.
 
 use super::rows::{Row, Step, rows};
 use crate::axis::{DirectSource, Filter, Mode};
@@ -12,13 +13,13 @@ use portable::Extreme;
 use stability::Loop;
 use std::f64::consts::PI;
 
-/// The sections of a weight's steps begin with this one.
+/// First section number of the steps of a weight.
 const FIRST_WEIGHT_STEP: usize = 4;
-/// The sections of reading frequencies begin with this one.
+/// First section number for reading frequencies.
 const FIRST_READ_STEP: usize = 3;
 /// Time constants after which a section has come to rest: e^-10 is 5e-5.
 const TIME_CONSTANTS: f64 = 10.0;
-/// A record with a Hann window of so many periods of the bandwidth shows whether a peak lies within the band.
+/// The length of a record with a Hann window that shows whether a peak lies within the band, in periods of the bandwidth.
 const BANDS: f64 = 4.0;
 
 /// An active stage.
@@ -26,7 +27,7 @@ pub(super) struct Stage {
     pub(super) index: usize,
     pub(super) mode: &'static str,
     pub(super) source: &'static str,
-    /// in which record its vibration is seen
+    /// the record in which its vibration is visible
     pub(super) seen_in: String,
     /// [Hz]
     pub(super) f0: String,
@@ -36,7 +37,7 @@ pub(super) struct Stage {
     pub(super) rows: Vec<Row>,
     /// time at constant velocity that resolves its band [s]
     pub(super) seconds: f64,
-    /// after which its sections have come to rest [s]
+    /// time after which its sections are at rest [s]
     pub(super) quiet: f64,
     pub(super) f0_path: String,
     pub(super) mode_path: String,
@@ -77,7 +78,8 @@ impl Stage {
     }
 }
 
-/// What is measured there shows the vibration that the stage acts on: the velocity itself, or the load, which the motor need not show.
+/// The measured signal that shows the stage's vibration: the velocity itself, or the load, because the motor may not show
+/// it.
 fn seen_in(mode: Mode) -> String {
     match mode {
         Mode::Direct { .. } => format!("`{}`", mode.source()),
@@ -87,11 +89,11 @@ fn seen_in(mode: Mode) -> String {
     }
 }
 
-/// What a part of the weight does with an ideal drive; none: its loop oscillates. The stages before it have their weights already, those after
-/// it none.
+/// The effect of a part of the weight with an ideal drive; `None` if its loop oscillates. The stages before it have their
+/// full weights, those after it 0.
 ///
-/// A stage in the loop leaves |S| with it by |S| without it at f0. One that filters the command leaves |1 + H|, one that looks at the load
-/// 1 / (1 + |H|) where nothing turns the phase of its counter-motion.
+/// A stage in the loop leaves the ratio of |S| with it to |S| without it at f0. A stage that filters the command leaves |1 +
+/// H|; one with the velocity of the load leaves 1 / (1 + |H|) if nothing changes the phase of its counter-motion.
 fn step(design: &StageDesign, closed: Option<&Loop<'_>>, part: f64) -> Option<Step> {
     let (stage, index) = (&design.stage, design.index);
     let h = || response::of_stage(&design.coeffs, warped(stage.f0(), design.cycle_time)) * part;
@@ -111,8 +113,8 @@ fn step(design: &StageDesign, closed: Option<&Loop<'_>>, part: f64) -> Option<St
     }
 }
 
-/// Time in which the slowest part comes to rest [s]: a band-pass of bandwidth f0/Q has the time constant Q / (pi f0), each of its sections one at most
-/// as long; an oscillation 1 / (2 pi f0 D).
+/// Time in which the slowest part comes to rest [s]: a band-pass of bandwidth f0/Q has the time constant Q / (pi f0), and
+/// each of its sections at most this one; an oscillation 1 / (2 pi f0 D).
 fn quiet(design: &StageDesign) -> f64 {
     let stage = &design.stage;
     let of_filter = |filter: &Filter| {

@@ -1,8 +1,9 @@
-//! Which names an axis may have, and which name a file or a project gives it; nothing is looked up here.
+//! Allowed names of an axis, and the name from a file or a project. Nothing is looked up here.
 
 use std::path::Path;
 
-/// With what a target adds, the name of a type or of a function stays within the 63 characters that every compiler tells apart.
+/// With the additions of a target, the name of a type or a function has at most 63 characters, which every compiler
+/// distinguishes.
 const LONGEST: usize = 32;
 
 pub(crate) const ALLOWED: &str =
@@ -15,12 +16,12 @@ pub(crate) fn is_allowed(name: &str) -> bool {
     characters && ends && !name.contains("__") && name.len() <= LONGEST
 }
 
-/// The name that the stem of a file's name gives.
+/// The name from the stem of a file's name.
 pub(crate) fn of_file(path: &Path) -> String {
     of_words(&path.file_stem().unwrap_or_default().to_string_lossy())
 }
 
-/// A name from any words: what is not allowed becomes an underscore; `axis_` before a digit.
+/// A name from any words: a character that is not allowed becomes an underscore; `axis_` is put before a digit.
 pub(crate) fn of_words(words: &str) -> String {
     let words: Vec<&str> = words.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let name = words.join("_");

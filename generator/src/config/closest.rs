@@ -1,4 +1,4 @@
-//! Which known name an unknown one was probably meant to be; no message is made here.
+//! The known name that an unknown one was probably meant to be. No message is made here.
 
 use super::path;
 use crate::parameters::{Name, Parameter, path_with};
@@ -7,23 +7,23 @@ use std::sync::LazyLock;
 /// Longer names are not compared: the cost grows with the square.
 const LONGEST: usize = 128;
 
-/// The candidate with the fewest letters that differ, if they are few.
+/// The candidate with the fewest differing letters, if they are few.
 pub(crate) fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Option<&'c str> {
     let few = 1 + name.len() / 4;
     let name = Letters::new(name);
     let near = candidates.filter_map(|candidate| Some((distance(name, Letters::new(candidate), few)?, candidate)));
-    // The first of equals: the order of the candidates is the same on every host.
+    // The first of equals: the order of the candidates does not depend on the host.
     near.min_by_key(|(distance, _)| *distance).map(|(_, name)| name)
 }
 
-/// The path that a path was probably meant to be: one that differs in a few letters, or ends alike; of a table mostly a
+/// The path that a path was probably meant to be: it differs in a few letters, or has the same end; for a table usually a
 /// structure.
 pub(crate) fn path(path: &str, is_table: bool) -> Option<String> {
     let [first, second] = if is_table { [&STRUCTURES, &TEMPLATES] } else { [&TEMPLATES, &STRUCTURES] };
     among(path, first).or_else(|| among(path, second))
 }
 
-/// The path of the parameter that an id names: `P-AXIS-00758`.
+/// The path of the parameter with an id: `P-AXIS-00758`.
 pub(crate) fn of_id(written: &str) -> Option<String> {
     let is_it = |parameter: &&Parameter| parameter.id.is_some_and(|id| id.eq_ignore_ascii_case(written));
     Name::ALL.map(Name::parameter).into_iter().find(is_it).map(|parameter| path_with(parameter.path, [0, 0]))
@@ -37,28 +37,28 @@ pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
 }
 
-/// The first parameter below a structure, with the indices that the structure is written with.
+/// The first parameter below a structure, with the indices of the written structure.
 pub(crate) fn first_below(written: &str) -> Option<String> {
     let start = path::without_indices(written) + ".";
     let below = path::templates().find(|template| path::without_indices(template).starts_with(&start));
     below.map(|template| path_with(template, indices(written)))
 }
 
-/// The structures that are ours: which part of a path names each, and how many letters may differ.
+/// The structures that axgen reads: the part of a path that names each, and the number of letters that may differ.
 static OURS: [(usize, Letters<'_>, usize); 3] = [
     (0, Letters::new("vorsteuer"), 2),
     (1, Letters::new("improved_position_control"), 3),
     (1, Letters::new("sai_op_mode_change"), 3),
 ];
 
-/// Whether a path lies in a structure that is ours, or nearly.
+/// Whether a path lies in one of axgen's structures, or nearly.
 pub(crate) fn is_ours(path: &str) -> bool {
     let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
     let (first, rest) = (&path[..dot], &path[dot + 1..]);
     let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
     OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
-        // Most paths of a real list are told by their lengths, or by their first letters.
+        // Most paths of a real list are recognised by their lengths, or by their first letters.
         let strange = written.bytes().filter(|byte| name.counts[usize::from(byte & 31)] == 0);
         written.len().abs_diff(name.text.len()) <= most
             && strange.take(most + 1).count() <= most
@@ -94,7 +94,7 @@ fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
         let is_near = of_whole.is_some() || of_end.is_some();
         is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
-    // The first of equals, which is a path rather than its aliases.
+    // The first of equals, which is a path rather than one of its aliases.
     let best = candidates.iter().filter_map(score).min_by_key(|(score, _)| *score);
     best.map(|(_, template)| path_with(template, indices(written)))
 }
@@ -103,14 +103,14 @@ fn last(path: &str) -> &str {
     path.rsplit('.').next().unwrap_or(path)
 }
 
-/// The indices of a path, as far as they are numbers.
+/// The indices of a path that are numbers.
 fn indices(path: &str) -> [u32; 2] {
     let mut numbers =
         path.split('[').skip(1).map(|rest| rest.split(']').next().and_then(|n| n.parse().ok()).unwrap_or(0));
     std::array::from_fn(|_| numbers.next().unwrap_or(0))
 }
 
-/// A name, and how often it has each letter, whatever their case.
+/// A name, and the count of each letter, regardless of case.
 #[derive(Clone, Copy)]
 struct Letters<'n> {
     text: &'n str,
@@ -121,7 +121,7 @@ impl<'n> Letters<'n> {
     const fn new(text: &'n str) -> Self {
         let (mut counts, mut at) = ([0_u8; 32], 0);
         while at < text.len() {
-            let place = (text.as_bytes()[at] & 31) as usize; // digits and signs share the places of letters
+            let place = (text.as_bytes()[at] & 31) as usize; // digits and signs share the slots of letters
             counts[place] = counts[place].saturating_add(1);
             at += 1;
         }
@@ -129,14 +129,14 @@ impl<'n> Letters<'n> {
     }
 }
 
-/// How many letters must be changed, added or left out (Levenshtein), whatever their case; none: more than `most`.
+/// Number of letters to change, add or remove (Levenshtein), regardless of case; `None` if it is above `most`.
 fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     let lengths = [a.text.len(), b.text.len()];
     let is_far = lengths[0].abs_diff(lengths[1]) > most || lengths.iter().any(|length| *length > LONGEST);
     if is_far || at_least(&a.counts, &b.counts) as usize > most {
         return None;
     }
-    // What both begin and end with needs no comparing.
+    // A common beginning and a common end need no comparison.
     let (a, b) = (a.text.as_bytes(), b.text.as_bytes());
     let is_alike = |(x, y): &(&u8, &u8)| x.eq_ignore_ascii_case(y);
     let start = a.iter().zip(b).take_while(is_alike).count();
@@ -147,7 +147,8 @@ fn distance(a: Letters<'_>, b: Letters<'_>, most: usize) -> Option<usize> {
     Some(distance).filter(|distance| *distance <= most)
 }
 
-/// So many letters differ at least: each that only one of two names has, or has more often, takes a change of its own.
+/// A lower bound of the number of differing letters: each letter that only one name has, or has more often, takes one
+/// change.
 fn at_least(a: &[u8; 32], b: &[u8; 32]) -> u32 {
     let more = |a: &[u8; 32], b: &[u8; 32]| a.iter().zip(b).map(|(a, b)| u32::from(a.saturating_sub(*b))).sum::<u32>();
     more(a, b).max(more(b, a))
@@ -158,7 +159,7 @@ mod tests {
     use super::*;
     use crate::unit::sets::Random;
 
-    /// Random names next to the definition: no filter refuses what is near.
+    /// Compares random names with the definition: no filter may reject a near name.
     #[test]
     fn distances() {
         let mut random = Random(1);

@@ -1,6 +1,7 @@
-//! From a file's bytes to its text, and back to the byte: how lists and projects are saved. What the text says is not known here.
+//! The encodings of lists and projects: from a file's bytes to its text, and back. The content of the text is not known
+//! here.
 
-/// How a file has its text.
+/// The encoding of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Encoding {
     /// the bytes are the text: ASCII or UTF-8, with any byte in a comment
@@ -11,7 +12,7 @@ pub(crate) enum Encoding {
     Utf16BigEnd,
 }
 
-/// The text of a file as UTF-8, with its byte order mark; what no encoding explains stays as it is.
+/// The text of a file as UTF-8, with its byte order mark; bytes in an unknown encoding stay unchanged.
 pub(crate) fn decoded(bytes: Vec<u8>) -> (Vec<u8>, Encoding) {
     let (encoding, unit): (_, fn([u8; 2]) -> u16) = match bytes.as_slice() {
         [0xFF, 0xFE, ..] => (Encoding::Utf16LittleEnd, u16::from_le_bytes),
@@ -35,7 +36,7 @@ pub(crate) fn latin_1(bytes: &[u8]) -> String {
 }
 
 impl Encoding {
-    /// The bytes of a file with this text; of Latin-1 the first character that is none of it.
+    /// The bytes of a file with this text; for Latin-1 an error with the first character outside Latin-1.
     pub(crate) fn encoded(self, text: Vec<u8>) -> Result<Vec<u8>, char> {
         let characters = || String::from_utf8_lossy(&text);
         let units = |bytes: fn(u16) -> [u8; 2]| characters().encode_utf16().flat_map(bytes).collect();

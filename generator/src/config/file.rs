@@ -1,4 +1,4 @@
-//! Reading a file, bounded; of its content only the encoding is looked at.
+//! Reads a file up to a limit; only the encoding of its content is examined.
 
 use super::{encoding, encoding::Encoding, source::Source, value::shown, values::Setting};
 use crate::codes;
@@ -11,14 +11,14 @@ pub type Load<'a> = &'a (dyn Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync);
 
 #[derive(Debug)]
 pub enum Unreadable {
-    /// it holds more bytes than any file of its kind
+    /// larger than any file of its kind
     TooLarge,
-    /// what the system says
+    /// the system's message
     System(String),
 }
 
 impl Unreadable {
-    /// The code of the message, and what it says after the name of the file.
+    /// The code of the message, and its text after the name of the file.
     pub fn said(&self) -> (&'static str, String) {
         match self {
             Self::TooLarge => (codes::TOO_LARGE, "is too large".to_owned()),
@@ -27,10 +27,10 @@ impl Unreadable {
     }
 }
 
-/// A set of 10,000 axes that are written out in full has 20 MB; what is larger is something else.
+/// A set of 10,000 axes written out in full has 20 MB; a larger file is something else.
 const LARGEST: u64 = 64 << 20;
 
-/// The same for a file of samples: an hour of four signals at 1 ms.
+/// The limit for a file of samples: an hour of four signals at 1 ms.
 pub const LARGEST_SAMPLES: u64 = 256 << 20;
 
 /// The bytes of a set, of a list, or of a generated file on this host.
@@ -38,9 +38,9 @@ pub fn load(path: &Path) -> Result<Vec<u8>, Unreadable> {
     load_up_to(path, LARGEST)
 }
 
-/// The bytes of a regular file with so many bytes at most.
+/// The bytes of a regular file with at most `most` bytes.
 pub fn load_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Unreadable> {
-    // Opening a pipe waits for somebody to write into it, a device never ends: both are told before.
+    // Opening a pipe waits for a writer, and a device never ends: both are refused before.
     let metadata = fs::metadata(path).map_err(of_system)?;
     if metadata.is_dir() {
         return Err(of_system(ErrorKind::IsADirectory.into()));
@@ -52,17 +52,17 @@ pub fn load_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Unreadable> {
         return Err(Unreadable::TooLarge);
     }
     let file = File::open(path).map_err(of_system)?;
-    // Some regular files of the system say that they are empty, and others grow.
+    // Some regular files of the system report a size of 0, and others grow.
     load_from(file, Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0) + 1), most)
 }
 
-/// The given bytes and all bytes of an open file or of standard input, N at most.
+/// The given bytes and all bytes of an open file or of standard input, at most `most`.
 pub fn load_from(source: impl Read, mut bytes: Vec<u8>, most: u64) -> Result<Vec<u8>, Unreadable> {
     source.take(most + 1).read_to_end(&mut bytes).map_err(of_system)?;
     if bytes.len() as u64 > most { Err(Unreadable::TooLarge) } else { Ok(bytes) }
 }
 
-/// The same words on every host, without the system's number.
+/// The message in the same words on every host, without the system's error number.
 fn of_system(error: io::Error) -> Unreadable {
     Unreadable::System(match error.kind() {
         ErrorKind::NotFound => "there is no such file".to_owned(),
@@ -79,15 +79,16 @@ pub(crate) fn is_set(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 
-/// A file, by the name that messages give it. That it cannot be read is said where it is named; on the command line, of the file.
+/// A file, by its name in messages. If it cannot be read, the place of the message is where the file is named; for a file on
+/// the command line, the file itself.
 pub(crate) fn read(path: &Path, named_at: Option<&Setting>, load: Load<'_>) -> Result<Arc<Source>, Report> {
     let bytes = bytes(path, "a set or an axis list", named_at, load)?;
-    // A set is UTF-8, as TOML has it.
+    // TOML, and so a set, is always UTF-8.
     let (text, encoding) = if is_set(path) { (bytes, Encoding::Plain) } else { encoding::decoded(bytes) };
     Ok(Source::new(&Place::whole(path.slashes()).file, text, encoding))
 }
 
-/// The same as bytes; `kind`: what it should be.
+/// The bytes of a file; `kind` is the expected kind of file.
 pub(crate) fn bytes(path: &Path, kind: &str, named_at: Option<&Setting>, load: Load<'_>) -> Result<Vec<u8>, Report> {
     load(path).map_err(|unreadable| {
         let whole = Place::whole(path.slashes());

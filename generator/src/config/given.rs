@@ -1,4 +1,5 @@
-//! What a set or a list gives: the values of its top and of each of its axes. Files are read here; nothing is validated.
+//! The contents of a set or a list: the values of its top and of each of its axes. Files are read here; nothing is
+//! validated.
 
 use super::list::{self, List};
 use super::other_functions::{self, Found, OtherFunctions};
@@ -12,18 +13,18 @@ use crate::{codes, parameters::Name};
 use rayon::prelude::*;
 use std::{collections::BTreeSet, path::Path, sync::Arc};
 
-/// What no axis list holds, for a list that stands alone.
+/// Values that a list cannot contain, for a list without a set.
 #[derive(Clone, Debug, Default)]
 pub struct ListOptions {
     /// `--cycle-time`
     pub cycle_time: Option<String>,
-    /// `--name`; else the file's name is the axis's name
+    /// `--name`; otherwise the axis has the file's name
     pub name: Option<String>,
-    /// options that mean the same as keys of an axis, of a set too: they take the place of its keys, in every axis
+    /// options that correspond to keys of an axis, in a list or in a set: they override its keys in every axis
     pub keys: Vec<OptionKey>,
 }
 
-/// An option that means the same as a key of an axis.
+/// An option that corresponds to a key of an axis.
 #[derive(Clone, Debug)]
 pub struct OptionKey {
     /// `--delay`
@@ -38,23 +39,23 @@ pub(crate) struct Given {
     pub(crate) no_cycle_time: Diagnostic,
     pub(crate) is_list: bool,
     pub(crate) axes: Vec<GivenAxis>,
-    /// what is to be said of the file, but for its axes
+    /// messages about the file, except those about its axes
     pub(crate) report: Report,
 }
 
 pub(crate) struct GivenAxis {
     pub(crate) name: String,
-    /// where the set names it; of a list the whole file
+    /// the place where the set names it; for a list the whole file
     pub(crate) home: Place,
-    /// none: its list cannot be read, which has been said
+    /// `None` if its list cannot be read, which has been reported
     pub(crate) values: Option<Values>,
-    /// parameters of other functions in its list; they were passed over
+    /// parameters of other functions in its list, which were skipped
     pub(crate) foreign: OtherFunctions,
-    /// what is to be said of its lines
+    /// messages about its lines
     pub(crate) report: Report,
 }
 
-/// Reads a TOML set (`.toml`), an axis list or a project of TwinCAT with such lists (any other extension).
+/// Reads a TOML set (`.toml`), an axis list, or a project of TwinCAT with axis lists (any other extension).
 pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result<Given, Report> {
     let source = file::read(path, None, load)?;
     let mut given =
@@ -110,7 +111,7 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
     given
 }
 
-/// What is to be said where a list has the name of another axis than the set gives it.
+/// The message if a list contains the name of another axis than the set gives it.
 fn other_axis(name: &str, list: &OtherFunctions) -> Option<Diagnostic> {
     let letters = |name: &str| -> String {
         name.chars().filter(|letter| letter.is_ascii_alphanumeric()).map(|letter| letter.to_ascii_lowercase()).collect()
@@ -124,7 +125,7 @@ fn other_axis(name: &str, list: &OtherFunctions) -> Option<Diagnostic> {
         .then(|| said.instead(format!("in [axis.{name}] the list of this axis, or the axis with the name in the list")))
 }
 
-/// The list that an axis of a set names; none: it names none.
+/// The list that an axis of a set names; `None` if it names no list.
 pub(crate) fn list_of(keys: &Values, axis: &str, set: &Path, load: Load<'_>) -> Option<Result<AxisList, Report>> {
     let (list, setting) = keys.text(Name::List)?;
     let path = set.parent().unwrap_or(Path::new("")).join(list);
@@ -132,7 +133,7 @@ pub(crate) fn list_of(keys: &Values, axis: &str, set: &Path, load: Load<'_>) -> 
     Some(source.and_then(|source| project::of_axis(project::lists(&source)?, Some(axis))))
 }
 
-/// A list, or the lists of a project, of which `--name` chooses one.
+/// A list, or the lists of a project, from which `--name` selects one.
 fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<Given, Report> {
     let mut report = Report::default();
     let no_cycle_time = "no axis list holds the cycle time of the position controller";
@@ -161,7 +162,7 @@ fn of_list(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Rep
     GivenAxis { name, home: list.source.whole(), foreign: read.foreign, report: read.report, values }
 }
 
-/// What a list says, or what its file seems to be instead.
+/// The contents of a list, or a message about the probable kind of the file.
 fn read_as_list(list: &AxisList) -> List {
     let read = list::read(list);
     match other_kind::instead_of_a_list(list, &read) {
@@ -170,7 +171,7 @@ fn read_as_list(list: &AxisList) -> List {
     }
 }
 
-/// The name of the axis of a list: that of the command line, of the project, or of the file.
+/// The name of the axis of a list: from the command line, the project, or the file.
 pub(crate) fn name_of(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> String {
     let name = options.name.clone().or_else(|| list.name.clone()).unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {
@@ -184,7 +185,7 @@ pub(crate) fn name_of(path: &Path, list: &AxisList, options: &ListOptions, repor
     name
 }
 
-/// The cycle time of the command line, as if it were a key.
+/// The cycle time of the command line, as a key.
 pub(crate) fn cycle_time_of(options: &ListOptions, report: &mut Report) -> Values {
     let mut values = Values::default();
     if let Some(text) = &options.cycle_time {
@@ -193,7 +194,7 @@ pub(crate) fn cycle_time_of(options: &ListOptions, report: &mut Report) -> Value
     values
 }
 
-/// An option as if it were a key.
+/// An option, as a key.
 fn setting_of_option(option: &str, name: Name, text: &str, report: &mut Report) -> Setting {
     let parameter = name.parameter();
     let value = value::of_text(parameter, text)

@@ -1,19 +1,19 @@
-//! An axis list as lines, each split into its parts; the parts of all lines together are the file, byte for byte, whatever
-//! the file is. No parameter, no value and no message is here.
+//! An axis list as lines, each split into its parts. The parts of all lines together are the file, byte for byte, for any
+//! file. No parameter, value or message is here.
 //!
-//! `#`, `(`, `/*`, `;` or `//` begins a comment, in which every byte is legal, to the end of the line; within a string in double
-//! quotes they begin none.
+//! `#`, `(`, `/*`, `;` or `//` begins a comment, in which every byte is legal, to the end of the line. Within a string in
+//! double quotes they do not begin a comment.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Line<'a> {
     pub(crate) at: usize,
     pub(crate) content: Content<'a>,
-    /// its end: `\n` or `\r\n`; the last line may end with `\r`, or with nothing
+    /// the end of the line: `\n` or `\r\n`; the last line may end with `\r`, or with nothing
     pub(crate) end: &'a [u8],
 }
 
-/// A comment begins with its sign, or is empty: none. What is `Unreadable` has a byte that only a comment may have outside of one,
-/// the first at `at`.
+/// A comment begins with its sign; it is empty if there is none. `Unreadable`: a byte that is legal only in a comment is
+/// outside of one, the first at `at`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Content<'a> {
     Remark { indent: &'a [u8], comment: &'a [u8] },
@@ -26,19 +26,19 @@ pub(crate) enum Content<'a> {
 pub(crate) struct Statement<'a> {
     pub(crate) indent: &'a str,
     pub(crate) path: &'a str,
-    /// blanks between path and value; none if there is no value
+    /// blanks between path and value; empty if there is no value
     pub(crate) gap: &'a str,
-    /// the value, and what a controller takes for a comment after it
+    /// the value, and what a controller treats as a comment after it
     pub(crate) value: &'a str,
     /// blanks before the comment, or before the end
     pub(crate) space: &'a str,
     pub(crate) comment: &'a [u8],
 }
 
-/// Splits a list into its byte order mark, which some editors put before the text, and its lines.
+/// Splits a list into its byte order mark, which some editors write before the text, and its lines.
 pub(crate) fn split(bytes: &[u8]) -> (&[u8], Lines<'_>) {
     let (mark, _) = bytes.split_at(if bytes.starts_with(b"\xEF\xBB\xBF") { 3 } else { 0 });
-    // Without a branch, so that a processor looks at many bytes at once.
+    // Without a branch, so that the processor can check many bytes at once.
     let is_plain = bytes.iter().fold(true, |plain, byte| plain & (is_legal(*byte) | matches!(byte, b'\n' | b'\r')));
     let text = if is_plain { str::from_utf8(bytes).ok() } else { None };
     (mark, Lines { bytes, text, next: mark.len() })
@@ -47,7 +47,7 @@ pub(crate) fn split(bytes: &[u8]) -> (&[u8], Lines<'_>) {
 #[derive(Clone, Debug)]
 pub(crate) struct Lines<'a> {
     bytes: &'a [u8],
-    /// the same if every byte is legal outside of a comment: mostly, and then no line needs a look at each of its bytes
+    /// the file as text if every byte is legal outside of a comment: then no line needs a check of each of its bytes
     text: Option<&'a str>,
     next: usize,
 }
@@ -68,7 +68,7 @@ impl<'a> Iterator for Lines<'a> {
 }
 
 impl Statement<'_> {
-    /// Whether the list ends here: a controller reads nothing after a line `Ende`.
+    /// Whether the list ends here: a controller ignores everything after a line `Ende`.
     pub(crate) fn is_end(&self) -> bool {
         self.path.eq_ignore_ascii_case("ende") && self.value.is_empty()
     }
@@ -81,7 +81,7 @@ impl Statement<'_> {
         self.value_at() + self.value.len() + self.space.len()
     }
 
-    /// Where the value begins in its line, or would begin.
+    /// The position in the line where the value begins, or would begin.
     pub(crate) fn value_at(&self) -> usize {
         self.indent.len() + self.path.len() + self.gap.len()
     }
@@ -91,7 +91,7 @@ fn is_legal(byte: u8) -> bool {
     matches!(byte, b' '..=b'~' | b'\t')
 }
 
-/// The parts of a line without its end; `plain` is the file from there on if all of its bytes, but for ends of lines, are legal.
+/// The parts of a line without its end. `plain` is the file from there on if all its bytes except line ends are legal.
 fn content<'a>(line: &'a [u8], plain: Option<&'a str>) -> Content<'a> {
     let end = match comment_start(line) {
         Ok(end) => end,
@@ -116,7 +116,8 @@ fn content<'a>(line: &'a [u8], plain: Option<&'a str>) -> Content<'a> {
     Content::Statement(Statement { indent, path, gap, value, space, comment })
 }
 
-/// Where the comment of a line begins, or its end; an error is the place of a return, which only a comment may have.
+/// The position where the comment of a line begins, or its end. The error is the position of a return, which is legal only
+/// in a comment.
 fn comment_start(line: &[u8]) -> Result<usize, usize> {
     let mut from = 0;
     loop {

@@ -1,4 +1,4 @@
-//! Reading an axis list: what its lines say. No default, no range, no rule, no file access; `lines.rs` splits the lines.
+//! Reads the lines of an axis list. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
 use super::lines::{self, Content, Statement};
 use super::other_functions::OtherFunctions;
@@ -17,11 +17,11 @@ pub(crate) struct List {
     pub(crate) values: Values,
     pub(crate) foreign: OtherFunctions,
     pub(crate) report: Report,
-    /// false: it is another kind of file, and was not read to its end
+    /// false if it is another kind of file, and was not read to its end
     pub(crate) complete: bool,
 }
 
-/// So many lines that are no lines of a list make it another kind of file: the rest is not read.
+/// After this number of unreadable lines it is another kind of file: the rest is not read.
 const UNREADABLE_LINES: usize = 20;
 
 pub(crate) fn read(list: &AxisList) -> List {
@@ -56,15 +56,15 @@ pub(crate) fn read(list: &AxisList) -> List {
 struct Reading<'s> {
     list: List,
     source: &'s Arc<Source>,
-    /// the last line ended with a comment, and whether a line without a sign has been said to continue it
+    /// the last line ended with a comment; the value is whether a continuation without a comment sign has been reported
     commented: Option<bool>,
     is_behind_end: bool,
-    /// the line was the value of the line above, which has been said
+    /// the line was the value of the line above, which has been reported
     is_taken: bool,
 }
 
 impl Reading<'_> {
-    /// Reads a line, above another one; false if it is not a line of a list.
+    /// Reads a line with the line below it; false if it is not a line of a list.
     fn line(&mut self, at: usize, content: Content<'_>, below: Option<Content<'_>>) -> bool {
         if std::mem::take(&mut self.is_taken) {
             return true;
@@ -105,7 +105,7 @@ impl Reading<'_> {
         }
     }
 
-    /// A line that continues the comment of the line above, as manuals print it, which lacks its sign.
+    /// A line that continues the comment of the line above, as printed in manuals, without a comment sign.
     fn wrapped(&mut self, at: usize, statement: &Statement<'_>, is_said: bool) {
         self.commented = Some(true);
         if !is_said {
@@ -143,7 +143,7 @@ impl Reading<'_> {
         self.take(at, statement)
     }
 
-    /// Takes what a line says; false if it is not a line of a list.
+    /// Takes the contents of a line; false if it is not a line of a list.
     fn take(&mut self, start: usize, statement: &Statement<'_>) -> bool {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
@@ -168,7 +168,7 @@ impl Reading<'_> {
                     unknown("not known: its name has `_` where the line has blanks", Some(instead))
                 }
                 Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
-                // Mostly so, and asked once: comparing letters takes its time.
+                // The usual case, tested first, because comparing letters is slow.
                 None if !closest::is_ours(written) => {
                     self.list.foreign.pass_over(statement, source, start);
                     if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
@@ -202,7 +202,7 @@ impl Reading<'_> {
         path != Path::Malformed
     }
 
-    /// The parameter that a line was meant to give is not missing: that would be a second message about one mistake.
+    /// The parameter that a wrong line was meant to give is not missing: that would be a second message about one mistake.
     fn meant(&mut self, at: usize, instead: &str) {
         let path = instead.split([' ', '\t']).next().unwrap_or_default();
         let Path::Known { name, index, spelling, .. } = path::find(path) else { return };
@@ -240,9 +240,9 @@ impl Reading<'_> {
             Ok(value) => setting.value = Some(value),
             Err(refused) => {
                 let refused = refused.diagnostic(key.0, written, setting.value_place());
-                // `=` begins what `import` leaves in the place of a value: it is never one of another function's.
+                // `=` begins a placeholder of `import`, which is never a value of another function.
                 if parameter.is_shared && !spelled.text.starts_with('=') {
-                    // Said where something uses it.
+                    // Reported where the value is used.
                     setting.refused = Some(refused);
                 } else {
                     self.list.report.push(refused);

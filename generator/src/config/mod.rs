@@ -1,4 +1,4 @@
-//! From files to the values that they give, each with its place: a TOML set or one axis list. No rule is here.
+//! From files to their values, each with its place: a TOML set or one axis list. No rule is here.
 //!
 //! ```text
 //! file         a file's bytes, bounded             encoding bytes <-> text
@@ -6,13 +6,13 @@
 //! nc_axis      an axis of TwinCAT NC as a list
 //! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
-//! toml_fault   what TOML's parser refuses, in words
-//! odd_line     what a line without a parameter is  other_kind what a file that is not a list seems to be
-//! other_functions  what is looked at of the parameters of other functions
+//! toml_fault   errors of TOML's parser, in words
+//! odd_line     lines without a parameter           other_kind files that are not lists
+//! other_functions  used parameters of other functions
 //! path         path -> parameter and indices       closest  the name that was meant
 //! value        text -> value of the parameter's kind
-//! values       what was given, each with its place
-//! given        all of it, for a set or for a list
+//! values       the given values, each with its place
+//! given        the contents of a set or of a list
 //! ```
 
 pub(crate) mod axis_name;
@@ -43,12 +43,12 @@ pub(crate) use source::Source;
 pub(crate) use value::{of_text, of_toml, shown, spelled};
 pub(crate) use values::{Key, Setting, Values, key};
 
-/// The text of a file as messages show it, whatever its encoding is.
+/// The text of a file for messages, in any encoding.
 pub fn text(bytes: Vec<u8>) -> Vec<u8> {
     encoding::decoded(bytes).0
 }
 
-/// The same as characters: what is neither UTF-8 nor UTF-16 is Latin-1.
+/// The characters of a file in any encoding: if it is neither UTF-8 nor UTF-16, it is read as Latin-1.
 pub fn characters(bytes: Vec<u8>) -> String {
     String::from_utf8(text(bytes)).unwrap_or_else(|error| latin_1(error.as_bytes()))
 }

@@ -1,4 +1,5 @@
-//! Axes of TwinCAT NC (PTP), which have no axis list: their largest velocity, Kv and encoder scaling as lines of one. No file is read.
+//! Axes of TwinCAT NC (PTP), which have no axis list: their largest velocity, Kv and encoder scaling as lines of a list. No
+//! file is read.
 
 use super::{axis_name, source::Source, value::shown};
 use crate::codes;
@@ -6,25 +7,25 @@ use crate::diagnostics::{Diagnostic, Place};
 use roxmltree::{Document, Node};
 use std::sync::Arc;
 
-/// What TwinCAT writes in the place of a name that is that of the file.
+/// TwinCAT's placeholder for a name that is the name of the file.
 const NAME_OF_FILE: &str = "__FILENAME__";
 /// 0.001 mm/s in 1 mm/s, 0.01/s in 1/s, 0.1 um in 1 mm.
 const VELOCITY: f64 = 1000.0;
 const KV: f64 = 100.0;
 const PATH: f64 = 10_000.0;
-/// ns in the unit of a task's cycle.
+/// The unit of a task's cycle [ns].
 const CYCLE: u64 = 100;
 
-/// An axis with the list that stands for it.
+/// An axis with the list made for it.
 pub(crate) struct NcAxis {
-    /// the list, in the lines of the file
+    /// the list, with the line numbers of the file
     pub(crate) source: Arc<Source>,
     pub(crate) name: Option<String>,
-    /// what the list was made of, and what is missing
+    /// the sources of the list, and its missing values
     pub(crate) said: Diagnostic,
 }
 
-/// The axes of a project that are in it themselves, with their values.
+/// The axes that a project contains itself, with their values.
 pub(crate) fn lists(document: &Document<'_>, source: &Arc<Source>) -> Vec<NcAxis> {
     let cycle = cycle_time(document);
     axes(document)
@@ -42,7 +43,7 @@ fn axes<'d, 'i>(document: &'d Document<'i>) -> impl Iterator<Item = Node<'d, 'i>
     document.descendants().filter(|node| node.has_tag_name("Axis"))
 }
 
-/// Of the task that runs the axes [ns].
+/// The cycle time of the task that runs the axes [ns].
 fn cycle_time(document: &Document<'_>) -> Option<u64> {
     let task = document.descendants().find(|node| node.has_tag_name("SafTask"))?;
     task.attribute("CycleTime")?.parse::<u64>().ok().map(|cycle| cycle.saturating_mul(CYCLE))
@@ -52,7 +53,7 @@ fn child<'d, 'i>(of: Node<'d, 'i>, name: &str) -> Option<Node<'d, 'i>> {
     of.children().find(|child| child.has_tag_name(name))
 }
 
-/// A number of an axis, by the elements below it and the attribute, where it stands.
+/// A number of an axis and its position in the file, by the path of elements and the attribute.
 fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Option<(f64, usize)> {
     let node = path.iter().try_fold(axis, |node, name| child(node, name))?;
     let attribute = node.attribute_node(attribute)?;
@@ -60,7 +61,7 @@ fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Option<(f64, us
     Some((value, attribute.range().start))
 }
 
-/// An axis as lines of a list, each in the line of the file where its value stands.
+/// An axis as lines of a list, each in the line of the file that contains its value.
 fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> NcAxis {
     let mut taken: Vec<(u32, String)> = Vec::new();
     let (mut said, mut missing) = (Vec::new(), Vec::new());
@@ -107,7 +108,7 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
     }
 }
 
-/// What became of the axis, and what is still to be written.
+/// The message about the axis: what was taken, and what is missing.
 fn note(place: Place, name: Option<&str>, said: &[String], missing: &[&str], cycle: Option<u64>) -> Diagnostic {
     let name = name.map(|name| format!(" {}", shown(name))).unwrap_or_default();
     let taken = if said.is_empty() { "nothing could be taken".to_owned() } else { said.join("; ") };
@@ -141,7 +142,7 @@ fn resolution(scale: f64) -> Option<[f64; 2]> {
     Some([power(digits), (path * power(digits)).round()])
 }
 
-/// Each line in its row; two of one row in the rows after it.
+/// The text with each line in its row; two lines of one row are in consecutive rows.
 fn text(taken: &[(u32, String)]) -> Vec<u8> {
     let mut text = String::new();
     let mut row = 1;

@@ -1,12 +1,12 @@
-//! What a line is that gives no parameter as it stands: text without the sign of a comment, a word of an NC program, a value alone, a
-//! path with blanks. No message is made here.
+//! Classifies a line without a parameter: text without a comment sign, a word of an NC program, a value alone, a path with
+//! blanks. No message is made here.
 
 use super::lines::{Content, Statement};
 use super::path::{self, Path};
 use super::{closest, value};
 use crate::parameters::Name;
 
-/// Whether the path before a bad byte is one of another function.
+/// Whether the path before an illegal byte belongs to another function.
 pub(super) fn is_of_another_function(before: &[u8]) -> bool {
     let before = before.trim_ascii_start();
     let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
@@ -16,7 +16,7 @@ pub(super) fn is_of_another_function(before: &[u8]) -> bool {
     })
 }
 
-/// Whether an indented line is text rather than a parameter: it has no path with a point, an index or a sign of a value.
+/// Whether an indented line is text rather than a parameter: it has no path with a point, no index and no value sign.
 pub(super) fn is_prose(line: &Statement<'_>) -> bool {
     let word = line.path.trim_end_matches('.');
     let has_path = word.split_once('.').is_some_and(|(first, _)| first.contains(|c: char| c.is_ascii_alphabetic()));
@@ -29,7 +29,7 @@ pub(super) fn is_prose(line: &Statement<'_>) -> bool {
         && with_underscores(line).is_none()
 }
 
-/// What stands after the end of a comment `/* ... */`, and so belongs to it.
+/// The text after the end of a comment `/* ... */`, which belongs to the comment.
 pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
     let end = comment.strip_prefix(b"/*")?.windows(2).position(|two| two == b"*/")? + 4;
     let blanks = comment[end..].iter().position(|byte| !byte.is_ascii_whitespace())?;
@@ -38,9 +38,9 @@ pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
     (!is_comment).then_some(end + blanks)
 }
 
-/// The input that stands for a word of an NC program: `G135`, `S[G136=80]`.
+/// The input that corresponds to a word of an NC program: `G135`, `S[G136=80]`.
 pub(super) fn nc_word(path: &str) -> Option<&'static str> {
-    // Hardly a path begins so.
+    // Hardly any path begins with these letters.
     if !path.starts_with(['G', 'g', 'S', 's']) {
         return None;
     }
@@ -55,7 +55,7 @@ pub(super) fn nc_word(path: &str) -> Option<&'static str> {
     }
 }
 
-/// What a line without a path is, and what to write instead.
+/// Classifies a line without a path, and says what to write instead.
 pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     let written = value::shown(line.path);
     if line.path.contains("*/") || line.value.ends_with("*/") {
@@ -77,7 +77,7 @@ pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     (format!("{written} is no path"), instead)
 }
 
-/// A line whose path has blanks where underscores belong, with underscores: `weight fact denom 200`.
+/// A line whose path has blanks instead of underscores, with underscores: `weight fact denom 200`.
 pub(super) fn with_underscores(line: &Statement<'_>) -> Option<String> {
     // A number after the path is its value.
     if !is_word(line.value) {
@@ -91,12 +91,12 @@ fn is_word(text: &str) -> bool {
     text.starts_with(|letter: char| letter.is_ascii_alphabetic())
 }
 
-/// The name and the text of a path that may have blanks where underscores belong, and what stands after it.
+/// The name and the text of a path that may have blanks instead of underscores, and the rest of the line.
 fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     if let Path::Known { name, .. } = path::find(line.path) {
         return Some((name, line.path.to_owned(), line.value));
     }
-    // No name of ours is as long as the bound, which keeps a long line cheap.
+    // axgen's names are shorter than the bound, which keeps a long line cheap.
     let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
     while path.len() < 128 && is_word(rest) {
         let word = &rest[..value::end_of_word(rest)];
@@ -109,10 +109,10 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     None
 }
 
-/// A path whose value stands alone in the line below, as text from a printed page does: what was found, and both in one line.
+/// A path whose value is alone in the next line, as in text from a printed page: what was found, and both in one line.
 pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> Option<(String, String)> {
     let Some(Content::Statement(below)) = below else { return None };
-    // Mostly a path follows.
+    // The next line usually is a path.
     if below.path.contains('.') && below.path.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;
     }
@@ -123,7 +123,7 @@ pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> O
     Some((format!("`{path}` has no value: it stands alone in the next line"), format!("{path} {value}")))
 }
 
-/// A character that no line may have outside of a comment: what it is called, and what is mostly meant.
+/// A character that is illegal outside of a comment: its name, and what is usually meant.
 pub(super) fn bad_character(text: &[u8]) -> (String, &'static str) {
     const LONGEST: usize = 4;
     let start = &text[..text.len().min(LONGEST)];

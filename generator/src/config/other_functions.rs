@@ -1,4 +1,4 @@
-//! What axgen looks at of the parameters that other functions have in a list: its name, its command filters. No rule.
+//! The parameters of other functions in a list that axgen uses: its name, its command filters. No rule.
 
 use super::lines::Statement;
 use super::source::Source;
@@ -8,23 +8,23 @@ use std::collections::BTreeMap;
 /// Parameters of other functions in a list.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct OtherFunctions {
-    /// how many there are; they were passed over
+    /// the number of skipped parameters
     pub(crate) count: usize,
     looked_at: BTreeMap<String, Found>,
 }
 
-/// The value of a parameter that was passed over.
+/// The value of a skipped parameter.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub(crate) text: String,
     pub(crate) place: Place,
 }
 
-/// The name that a list has for its axis.
+/// The parameter with the name of the axis.
 pub(crate) const NAME: &str = "kopf.log_achs_name";
 
 impl OtherFunctions {
-    /// Counts a line, and keeps it if something looks at it.
+    /// Counts a line, and keeps it if it is used.
     pub(super) fn pass_over(&mut self, line: &Statement<'_>, source: &Source, start: usize) {
         self.count += 1;
         if line.path == NAME || line.path.starts_with("filter[") || line.path.starts_with("filter_fir.") {

@@ -1,4 +1,4 @@
-//! What a file seems to be that is not an axis list, or no set, though it is named as one. No parameter is read.
+//! The probable kind of a file that is named as a list or a set and is not one. No parameter is read.
 
 use super::lines::{self, Content, Statement};
 use super::path::{self, Path};
@@ -11,7 +11,7 @@ type FileKind = (&'static str, &'static str);
 
 const SET: FileKind = ("seems to be a set in TOML", "a name that ends with .toml");
 
-/// What is to be said instead of everything else about a list; none: it is one, or nearly.
+/// The only message about a file that is not a list; `None` if it is one, or nearly.
 pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnostic> {
     let said = |(what, instead): FileKind| {
         let found = format!("no parameter of an axis is in the file: it {what}");
@@ -23,7 +23,7 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     {
         return Some(said(SET));
     }
-    // What axgen has recognised of a list, right or wrong, is said line by line.
+    // If axgen has recognised something in the list, right or wrong, it reports line by line.
     let is_unknown =
         |code: &str| [codes::LINE, codes::BYTE, codes::NO_LIST, codes::NC_WORD, codes::WRAPPED].contains(&code);
     if !read.values.is_empty() || !read.report.diagnostics.iter().all(|said| is_unknown(said.code)) {
@@ -35,12 +35,12 @@ pub(crate) fn instead_of_a_list(list: &AxisList, read: &List) -> Option<Diagnost
     Some(said(seems(list.bytes())))
 }
 
-/// Whether a list without a parameter of an axis has a block of an NC program.
+/// Whether a list without a parameter of an axis contains a block of an NC program.
 pub(crate) fn is_nc_program(list: &AxisList) -> bool {
     statements(list.bytes()).any(is_nc_block)
 }
 
-/// The same of a set, which is no TOML.
+/// The only message about a set that is not TOML; `None` if its kind is not recognised.
 pub(super) fn instead_of_a_set(source: &Source) -> Option<Diagnostic> {
     let is_parameter = |line: Statement<'_>| {
         matches!(path::find(line.path), Path::Known { .. }) && !line.value.is_empty() && !line.value.starts_with('=')
@@ -65,7 +65,7 @@ fn statements(bytes: &[u8]) -> impl Iterator<Item = Statement<'_>> {
     })
 }
 
-/// Whether the path of a line lies in a structure of axis lists of which axgen reads parameters: `kenngr`, `getriebe[0]`.
+/// Whether the path of a line lies in a structure of axis lists with parameters that axgen reads: `kenngr`, `getriebe[0]`.
 fn is_of_an_axis(line: Content<'_>) -> bool {
     let path = match line {
         Content::Statement(statement) => statement.path.as_bytes(),

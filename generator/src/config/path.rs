@@ -1,9 +1,9 @@
-//! From a path as written (`stage[0].filter.order`) to the parameter and its indices; no value and no message is here.
+//! From a written path (`stage[0].filter.order`) to the parameter and its indices. No value or message is here.
 
 use crate::parameters::{Name, Parameter, Scope, TABLE};
 use std::{collections::BTreeSet, sync::LazyLock};
 
-/// A parameter; one of the table with an index that does not exist; well-formed, but not in the table; no path at all.
+/// A parameter; a parameter of the table with an index that does not exist; well-formed, but not in the table; not a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Path {
     Known { name: Name, index: [u32; 2], spelling: &'static str, misprint: bool },
@@ -33,7 +33,7 @@ static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
     in_drawers(spellings)
 });
 
-/// Names that manuals print for others.
+/// Names that manuals print instead of others.
 const TAKEN_FOR: [(&str, &str); 4] = [
     ("antr.v_time_bae", "antr.v_time_base"),
     ("getriebe.mulit_gain_n", "getriebe[i].multi_gain_n"),
@@ -41,8 +41,8 @@ const TAKEN_FOR: [(&str, &str); 4] = [
     ("vorsteuer.feedforward", "vorsteuer.vorsteuerung"),
 ];
 
-/// The vendor's paths and aliases, and what is taken for them, by their last parts; each without its indices: `getriebe.kv`. The
-/// first of equals is a path.
+/// The vendor's paths and aliases, and the names in `TAKEN_FOR`, by their last parts; each without its indices:
+/// `getriebe.kv`. The first of equals is a path.
 static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     let vendors = Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.scope == Scope::List);
     let templates = vendors.flat_map(|parameter| std::iter::once(&parameter.path).chain(parameter.aliases));
@@ -53,7 +53,7 @@ static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     }))
 });
 
-/// Where a name is looked for: its length and its last letter, small or capital, tell most names apart.
+/// The slot of a name: length and last letter, in any case, distinguish most names.
 fn drawer(length: usize, name: &str) -> usize {
     length * 32 + (look(char::from(*name.as_bytes().last().unwrap_or(&0))) as usize & 31)
 }
@@ -76,20 +76,19 @@ fn in_drawers<T>(all: impl Iterator<Item = (usize, T)>) -> Vec<Vec<T>> {
     drawers
 }
 
-/// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an
-/// index.
+/// Every prefix of a path below an axis that ends before a point: the structures of a set's tables, with `[]` for an index.
 static STRUCTURES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
     let prefixes = |path: String| path.match_indices('.').map(|(at, _)| path[..at].to_owned()).collect::<Vec<_>>();
     templates().map(without_indices).flat_map(prefixes).collect()
 });
 
-/// The template that a path would name with other indices, in letters that look alike, or with the structures before it:
+/// The template of a path with other indices, with letters that look alike, or without the structures before it:
 /// `getriebe[i].kv` for `getriebe.kv` and for `kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
     let end = last_name(path);
     let drawer = BARE.get(drawer(end.len(), end)).filter(|drawer| !drawer.is_empty())?;
     let length = letters(path, false).count();
-    // The command filters of an axis have such names too: `filter[0].fg_f0` (P-AXIS-00067).
+    // The command filters of an axis have similar names: `filter[0].fg_f0` (P-AXIS-00067).
     let is_others = path.starts_with("filter");
     let is_end = |bare: &str| {
         let start = bare.len().checked_sub(length);
@@ -119,7 +118,7 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
 pub(crate) fn find(path: &str) -> Path {
     let bytes = path.as_bytes();
     let (mut index, mut indices) = ([0; 2], 0);
-    // The length with `[]` for an index.
+    // The length, with `[]` for an index.
     let mut length = bytes.len();
     let (mut at, mut before) = (0, b'.');
     loop {
@@ -134,7 +133,7 @@ pub(crate) fn find(path: &str) -> Path {
             b'.' if before != b'.' => before = b'.',
             b'[' if before != b'.' => {
                 let start = at;
-                // Empty brackets mean 0; an index beyond u32 exists in no structure.
+                // Empty brackets mean 0; no structure has an index beyond u32.
                 let mut number = 0_u32;
                 while let Some(digit @ b'0'..=b'9') = bytes.get(at) {
                     number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
@@ -181,7 +180,7 @@ static OF_NAME: [bool; 256] = {
     is
 };
 
-/// Whether parameters stand below this path in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
+/// Whether this path has parameters below it in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {
     STRUCTURES.contains(&without_indices(path))
 }
@@ -190,7 +189,7 @@ pub(crate) fn structures() -> impl Iterator<Item = &'static str> {
     STRUCTURES.iter().map(String::as_str)
 }
 
-/// All templates that may stand below an axis.
+/// All path templates below an axis.
 pub(crate) fn templates() -> impl Iterator<Item = &'static str> {
     TABLE.iter().filter(|parameter| parameter.scope != Scope::Set).flat_map(Parameter::paths)
 }

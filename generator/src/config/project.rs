@@ -1,5 +1,6 @@
-//! Where a file has its axis lists: it is one, or a project of TwinCAT (`.xti`, `.tsproj`), whose elements `AchsMds` hold one for
-//! each axis of the CNC as CDATA; axes of the NC have none, and what stands for it (`nc_axis`). No line of a list is read.
+//! The axis lists of a file: the file is a list, or a project of TwinCAT (`.xti`, `.tsproj`), whose elements `AchsMds`
+//! contain one list for each axis of the CNC as CDATA. Axes of the NC have no list; `nc_axis` makes one. No line of a list
+//! is read.
 
 use super::nc_axis::{self, NcAxis};
 use super::{axis_name, source::Source, value::shown};
@@ -9,18 +10,18 @@ use crate::xml;
 use roxmltree::Node;
 use std::{ops::Range, sync::Arc};
 
-/// The list of an axis, and where it stands in its file.
+/// The list of an axis, and its place in the file.
 #[derive(Debug)]
 pub(crate) struct AxisList {
     pub(crate) source: Arc<Source>,
     pub(crate) range: Range<usize>,
-    /// what a project calls the axis, as far as an axis may be called so
+    /// the name of the axis in a project, if it is an allowed name
     pub(crate) name: Option<String>,
-    /// of an axis of the NC: what its list was made of
+    /// for an axis of the NC: the sources of its list
     pub(crate) said: Option<Diagnostic>,
 }
 
-/// The element that holds a list.
+/// The element that contains a list.
 const ELEMENT: &str = "AchsMds";
 
 /// The lists of a file, at least one.
@@ -76,7 +77,7 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     Err(refused(found).into())
 }
 
-/// What stands between the signs of the only CDATA of an element.
+/// The text of the only CDATA section of an element.
 fn list_in(element: Node<'_, '_>, text: &str) -> Option<Range<usize>> {
     let range = element.range();
     let (open, close) = ("<![CDATA[", "]]>");
@@ -97,7 +98,7 @@ fn name_of(element: Node<'_, '_>) -> Option<String> {
     names.map(axis_name::of_words).find(|name| axis_name::is_allowed(name))
 }
 
-/// The list of the axis of this name, or the only one.
+/// The list of the axis with this name, or the only one.
 pub(crate) fn of_axis(mut lists: Vec<AxisList>, name: Option<&str>) -> Result<AxisList, Report> {
     let is_it = |list: &AxisList| name.is_some() && list.name.as_deref() == name;
     match lists.iter().position(is_it) {
@@ -120,7 +121,7 @@ impl AxisList {
         &self.source.bytes[self.range.clone()]
     }
 
-    /// What stands before the list in its file, and after it.
+    /// The bytes of the file before the list, and after it.
     pub(crate) fn around(&self) -> [&[u8]; 2] {
         [&self.source.bytes[..self.range.start], &self.source.bytes[self.range.end..]]
     }

@@ -1,4 +1,4 @@
-//! Reading a TOML set: its keys, its axes and the tables below them. No default, no rule, no file access of its own.
+//! Reads a TOML set: its keys, its axes and the tables below them. No default, no rule, no file access.
 
 use super::path::{self, Path};
 use super::values::{Setting, Values};
@@ -17,7 +17,7 @@ pub(crate) struct AxisTable<'a> {
     pub(crate) table: &'a DeTable<'a>,
 }
 
-/// Parses the file; none: it is no TOML, which has been said.
+/// Parses the file; `None` if it is not TOML, which has been reported.
 pub(crate) fn parse<'s>(source: &'s Source, report: &mut Report) -> Option<Spanned<DeTable<'s>>> {
     let text = str::from_utf8(&source.bytes).map_err(|error| {
         let place = source.place(error.valid_up_to());
@@ -69,7 +69,7 @@ pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut
     (values, axes)
 }
 
-/// The axes with allowed names, each a table.
+/// The axes with allowed names; each must be a table.
 fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> Vec<AxisTable<'a>> {
     let mut found = Vec::with_capacity(axes.len());
     let mut lines: HashMap<String, usize> = HashMap::with_capacity(axes.len());
@@ -99,7 +99,7 @@ pub(crate) fn values_of(source: &Arc<Source>, axis: AxisTable<'_>, report: &mut 
     values
 }
 
-/// The values below a table; its path has a point at its end, but for the axis itself.
+/// The values below a table. Its path ends with a point, except that of the axis itself.
 fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &mut Values, report: &mut Report) {
     let above = path.len();
     for (key, value) in in_file_order(table) {
@@ -142,7 +142,7 @@ fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &
     }
 }
 
-/// What was given for a parameter: its value, unless that is none, which is said.
+/// The setting of a parameter; an unreadable value is reported.
 fn setting(
     source: &Arc<Source>,
     (name, spelling): (Name, &'static str),
@@ -156,7 +156,8 @@ fn setting(
         Some(refused) => Err(vec![(span.start, refused)]),
         None => value::of_toml(name.parameter(), value),
     };
-    // A list may have a value that nobody can read for other functions; a set is written for us, and none of its keys is.
+    // An unreadable value in a list may belong to another function. A set is written for axgen: an unreadable key is an
+    // error.
     let read = read.map_err(|wrong| {
         let said = wrong.into_iter().map(|(at, refused)| refused.diagnostic(name, written, source.place(at)));
         report.diagnostics.extend(said);
@@ -165,7 +166,7 @@ fn setting(
     Setting { value: read.ok(), refused: None, spelling, source: Arc::clone(source), path_at, value_at }
 }
 
-/// A key that is not in the table, or a table or an array where the other is needed.
+/// A key that is not in the table, or a table instead of an array, or the reverse.
 fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     let shown = value::shown(path);
     if path::is_structure(path) {
@@ -200,7 +201,7 @@ fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
 }
 
-/// An empty array takes nothing out of a list: mostly it was meant to.
+/// Warns of an empty array: it does not remove anything from a list, as was probably meant.
 fn no_element(path: &str, place: Place) -> Diagnostic {
     let found = format!("{} is an empty array: it gives nothing, and what a list has there stays", value::shown(path));
     let instead = match path.rsplit('.').next() {

@@ -1,4 +1,4 @@
-//! A file's text with the way from a byte to its line and column; no syntax is known here.
+//! A file's text, with the line and column of each byte. No syntax is known here.
 
 use super::encoding::Encoding;
 use crate::diagnostics::Place;
@@ -7,22 +7,22 @@ use std::sync::{Arc, OnceLock};
 #[derive(Debug)]
 pub(crate) struct Source {
     pub(crate) name: String,
-    /// as they are decoded
+    /// the decoded bytes
     pub(crate) bytes: Vec<u8>,
-    /// how the file has them
+    /// the encoding of the file
     pub(crate) encoding: Encoding,
     /// whether it is an option of the command line, which has no lines
     is_option: bool,
-    /// whether a text of our own stands for that of the file: its lines are those of the file, its columns are not
+    /// whether axgen's own text replaces that of the file: its lines are those of the file, its columns are not
     is_converted: bool,
-    /// found when the first message needs them
+    /// computed for the first message that needs them
     lines: OnceLock<Lines>,
 }
 
-/// Bytes between two counts of characters: a line of many megabytes must not be counted anew for each message.
+/// Bytes between two stored character counts: a line of many megabytes is not counted again for each message.
 const STRIDE: usize = 1024;
 
-/// Where lines begin, and how many bytes go on a character of UTF-8.
+/// The starts of lines, and counts of continuation bytes of UTF-8.
 #[derive(Debug)]
 struct Lines {
     starts: Vec<usize>,
@@ -46,7 +46,7 @@ impl Source {
         Arc::new(Self { name, bytes, encoding, is_option: false, is_converted: true, lines: OnceLock::new() })
     }
 
-    /// Whether the file has another text.
+    /// Whether the text differs from that of the file.
     pub(crate) fn is_converted(&self) -> bool {
         self.is_converted
     }
@@ -101,7 +101,7 @@ impl Lines {
     }
 }
 
-/// Bytes that go on a character of UTF-8.
+/// The number of continuation bytes of UTF-8.
 fn count(bytes: &[u8]) -> usize {
     if bytes.is_ascii() { 0 } else { bytes.iter().filter(|byte| **byte & 0xC0 == 0x80).count() }
 }

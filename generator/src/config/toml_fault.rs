@@ -1,5 +1,5 @@
-//! What TOML's parser refuses, one message a line, in the words of somebody who wrote a list before: which sign is wrong, and what to write
-//! instead. Nothing is parsed here that TOML accepts.
+//! Errors of TOML's parser, one message per line, for readers who know axis lists: which character is wrong, and what to
+//! write instead. Nothing that TOML accepts is parsed here.
 
 use super::source::Source;
 use super::value::{is_number, on_a_line, shown};
@@ -10,18 +10,18 @@ use std::collections::BTreeMap;
 /// A place in a line, what was found there, and what to write instead.
 type Fault = (usize, String, String);
 
-/// More lines with faults than these are not listed: they follow from the first.
+/// At most this number of lines with faults is listed: the others follow from the first.
 const LINES: usize = 20;
 
-/// Longer lines, in bytes, are not looked at: nobody wrote them.
+/// Longer lines, in bytes, are not examined: they are not hand-written.
 const LONGEST: usize = 1000;
 
-/// The faults of a text, each as the parser gives it: where, and its words.
+/// The messages for the faults of a text, each with the position and the words of the parser.
 pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (usize, String)>) -> Vec<Diagnostic> {
     let mut lines: BTreeMap<usize, (usize, String)> = BTreeMap::new();
     let mut seen = 0..0;
     for (at, words) in faults {
-        // A place between two characters would be none.
+        // A position inside a character would have no column.
         let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
         if !seen.contains(&at) {
             let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
@@ -45,7 +45,7 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
     lines.into_iter().take(LINES).map(of_line).collect()
 }
 
-/// What is wrong in a line about which the parser says these words.
+/// The fault in a line about which the parser says these words.
 fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
     let start = line.len() - line.trim_start().len();
     let text = line.trim();
@@ -78,14 +78,14 @@ fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
     values(line).into_iter().find_map(value_fault).or_else(|| key_fault(line, start))
 }
 
-/// A value and what stands after its comma.
+/// A value and the text after its comma.
 struct Written<'l> {
     at: usize,
     text: &'l str,
     next: &'l str,
 }
 
-/// What stands after each `=` of a line, up to the end of the value, as far as no string is left open.
+/// The text after each `=` of a line, up to the end of the value, unless a string is left open.
 fn values(line: &str) -> Vec<Written<'_>> {
     let mut found = Vec::new();
     let mut quote = None;
@@ -152,7 +152,7 @@ fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
     Some((at, said.0, said.1))
 }
 
-/// What is wrong with the key of a line.
+/// The fault in the key of a line.
 fn key_fault(line: &str, start: usize) -> Option<Fault> {
     let (key, value) = line.split_once('=').unwrap_or((line, ""));
     let key = key.trim();

@@ -1,4 +1,4 @@
-//! From the text of a value to the value that its parameter's kind demands; ranges are validated where a value is used.
+//! From the text of a value to a value of the parameter's kind. Ranges are validated where a value is used.
 
 use super::closest;
 use crate::codes;
@@ -11,14 +11,14 @@ use toml::{Spanned, de::DeValue};
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Refused {
     pub(crate) code: &'static str,
-    /// what was found, to follow the parameter's name
+    /// what was found, to be printed after the parameter's name
     pub(crate) found: String,
     pub(crate) allowed: String,
     pub(crate) instead: Option<String>,
 }
 
 impl Refused {
-    /// The message about a parameter, whose path is as it was written.
+    /// The message about a parameter, with its path as written.
     pub(crate) fn diagnostic(self, name: Name, written: &str, place: Place) -> Diagnostic {
         let id = name.parameter().id.map_or(String::new(), |id| format!(" ({id})"));
         let found = format!("`{written}`{id} {}", self.found);
@@ -26,8 +26,8 @@ impl Refused {
     }
 }
 
-/// The value that begins what a line has after its path, without the quotes of a string; what a controller takes for a comment
-/// after it; and where both stand.
+/// The value at the start of the text after a path, without the quotes of a string; the text that a controller treats as a
+/// comment after it; and the positions of both.
 pub(crate) struct Spelled<'t> {
     pub(crate) text: &'t str,
     pub(crate) at: usize,
@@ -48,8 +48,8 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
     };
     let (text, rest) = line.split_at(end);
     let behind = rest.trim_ascii_start();
-    // A second value, groups of digits or a decimal comma after a blank are no comment: what a controller reads is not what
-    // was meant.
+    // A second value, digit groups or a decimal comma after a blank are not a comment: the controller would read another
+    // value than was meant.
     if behind.is_empty() && !line.starts_with('=') {
         return Spelled { text, at: 0, behind, behind_at: line.len() };
     }
@@ -65,7 +65,7 @@ pub(super) fn end_of_word(text: &str) -> usize {
     text.find([' ', '\t']).unwrap_or(text.len())
 }
 
-/// The end of the words of a parameter at the start of a text; of all of it if a word after them resembles one.
+/// The end of the words of a parameter at the start of a text; the end of the whole text if a word after them resembles one.
 fn end_of_words(words: &'static [Word], line: &str) -> usize {
     let is_between = |c: char| c.is_ascii_whitespace() || c == '|';
     let mut end = 0;
@@ -85,7 +85,7 @@ fn end_of_words(words: &'static [Word], line: &str) -> usize {
     }
 }
 
-/// A number of IEC 61131-3 with its radix, `16#3E8`, of which only the radix would be read: the rest is a comment.
+/// A number of IEC 61131-3 with its radix, `16#3E8`: a controller would read only the radix and treat the rest as a comment.
 pub(crate) fn with_radix(parameter: &Parameter, text: &[u8], behind: &[u8]) -> Option<Refused> {
     let length =
         behind.strip_prefix(b"#")?.iter().take_while(|byte| byte.is_ascii_hexdigit() || **byte == b'_').count();
@@ -112,7 +112,7 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
     }
 }
 
-/// The value of a parameter in a set; else all that is wrong with it, each at its place.
+/// The value of a parameter in a set; else all its errors, each with its position.
 pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Result<Value, Vec<(usize, Refused)>> {
     let found = match (parameter.kind, value.get_ref()) {
         (Kind::Words(words), DeValue::Array(array)) => return of_array(parameter, words, array),
@@ -122,7 +122,7 @@ pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Re
     found.map_err(|refused| vec![(value.span().start, refused)])
 }
 
-/// What a value of this kind is in a set, for a message, and the scalar types of TOML that it may have.
+/// The description of a value of this kind in a set, for a message, and the scalar types of TOML that it may have.
 fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
     match kind {
         Kind::Text => ("a string", &["string"]),
@@ -135,7 +135,7 @@ fn toml_types(kind: Kind) -> (&'static str, &'static [&'static str]) {
     }
 }
 
-/// A text from a file, fit for a message: on one line, and not too long.
+/// A text from a file for a message: on one line, and not too long.
 pub(crate) fn shown(text: &str) -> String {
     const LONGEST: usize = 100;
     let start: String = text.chars().take(LONGEST).collect();
@@ -143,7 +143,7 @@ pub(crate) fn shown(text: &str) -> String {
     format!("`{}{dots}`", on_a_line(&start))
 }
 
-/// A text with everything written out that could end a line, steer a terminal or turn the order of the letters.
+/// A text in which everything is escaped that could end a line, control a terminal or change the direction of the letters.
 pub(super) fn on_a_line(text: &str) -> String {
     let mut line = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -167,7 +167,7 @@ fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<
     })
 }
 
-/// Adds a word to those that were found, where it must not be yet.
+/// Adds a word to those that were found; a duplicate is an error.
 fn add_word(
     parameter: &Parameter,
     words: &'static [Word],
@@ -183,7 +183,7 @@ fn add_word(
     Ok(())
 }
 
-/// Words with blanks or `|` between, or the number that their bits make.
+/// Words separated by blanks or `|`, or the number made of their bits.
 fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<Value, Refused> {
     if let Some(number) = integer(text) {
         return of_bits(parameter, words, number, text);
@@ -196,7 +196,7 @@ fn of_flags(parameter: &Parameter, words: &'static [Word], text: &str) -> Result
     Ok(Value::Words(words.iter().filter(is_kept).map(|word| word.name).collect()))
 }
 
-/// The words whose bits make a number, those with more bits first. What is left over means nothing.
+/// The words whose bits make a number, those with more bits first. Remaining bits have no meaning.
 fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &str) -> Result<Value, Refused> {
     let mut rest = number;
     let mut found = Vec::new();
@@ -218,8 +218,8 @@ fn of_bits(parameter: &Parameter, words: &'static [Word], number: i64, text: &st
     Err(Refused { code: codes::WORD, found, allowed: parameter.allowed(), instead })
 }
 
-/// What a number was probably meant to be of which bits are left over: with all bits of the word that has them. The bit 0x400, which
-/// would continue the pattern of ADD_VEL and ADD_ACC, belongs to no word: ADD_JERK has 0x800.
+/// The probable number if bits are left over: with all bits of the word that contains them. The bit 0x400, which would
+/// continue the pattern of ADD_VEL and ADD_ACC, belongs to no word: ADD_JERK has 0x800.
 fn meant(words: &[Word], number: i64, rest: i64) -> Option<String> {
     let bits = if rest == 0x400 { 0x800 } else { rest };
     let with_all = |word: &Word| word.number.map(i64::from).filter(|all| all & bits == bits).zip(Some(word.name));
@@ -266,7 +266,7 @@ fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
     })
 }
 
-/// A number that was written with groups of digits, or with a decimal comma, as a list has it.
+/// A number written with digit groups or a decimal comma, in the form of a list.
 pub(crate) fn without_groups(text: &str) -> Option<String> {
     let grouped = |sign: char| {
         let mut groups = text.split(sign);
@@ -280,7 +280,7 @@ pub(crate) fn without_groups(text: &str) -> Option<String> {
     [' ', '\'', '_', '.'].into_iter().find_map(grouped).or(point)
 }
 
-/// A number that was written with its unit, in the unit of the parameter.
+/// A number written with its unit, converted to the unit of the parameter.
 fn without_unit(parameter: &Parameter, text: &str) -> Option<String> {
     let (number, unit) = text.split_at(text.find(|c: char| !c.is_ascii_digit() && c != '.')?);
     let value = real(number)?;
@@ -296,7 +296,7 @@ fn integer(text: &str) -> Option<i64> {
     let (negative, digits) = signed(text);
     let hexadecimal = digits.strip_prefix("0x").or(digits.strip_prefix("0X"));
     let (digits, radix) = hexadecimal.map_or((digits, 10), |digits| (digits, 16));
-    // The standard parser takes a second sign.
+    // The standard parser would accept a second sign.
     let magnitude =
         digits.starts_with(|c: char| c.is_ascii_hexdigit()).then(|| i64::from_str_radix(digits, radix).ok())??;
     Some(if negative { -magnitude } else { magnitude })
@@ -309,7 +309,7 @@ fn real(text: &str) -> Option<f64> {
         #[expect(clippy::cast_precision_loss, reason = "rounded to nearest, as a decimal is")]
         return integer(text).map(|n| n as f64);
     }
-    // The standard parser takes words such as `inf`.
+    // The standard parser would accept words such as `inf`.
     let plain = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
     plain.then(|| text.parse().ok())?.filter(|x: &f64| x.is_finite())
 }
@@ -351,7 +351,7 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 
 /// A time without a unit with the units that are likely.
 fn with_unit(number: &str, time: f64) -> String {
-    // Below a tenth of a millisecond there is hardly a cycle: so small a number is mostly one of seconds.
+    // Hardly any cycle is shorter than a tenth of a millisecond: such a number is probably in seconds.
     match time < 0.1 {
         true => format!("\"{number}s\", if seconds are meant, or \"{number}ms\", if milliseconds are"),
         false => format!("\"{number}ms\", if milliseconds are meant"),
@@ -381,7 +381,7 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
     }
 }
 
-/// A text, a number or a truth value of a set as a list would write it.
+/// A text, a number or a truth value of a set, as a list would write it.
 fn scalar<'v>(value: &'v DeValue<'_>) -> Cow<'v, str> {
     match value {
         DeValue::String(text) => Cow::Borrowed(text),

@@ -1,4 +1,4 @@
-//! The values that were given for one axis, each with its place; no default, no range and no rule.
+//! The given values of one axis, each with its place. No default, no range, no rule.
 
 use super::source::Source;
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
@@ -16,9 +16,9 @@ pub(crate) fn key(name: Name) -> Key {
 
 #[derive(Clone, Debug)]
 pub(crate) struct Setting {
-    /// the value; none: it could not be read, and that has been said, or is said where the value is used
+    /// the value; `None` if it could not be read, which is reported at once or where the value is used
     pub(crate) value: Option<Value>,
-    /// what is to be said where the value is used
+    /// the message to report where the value is used
     pub(crate) refused: Option<Diagnostic>,
     /// the path template that was used: the parameter's path, or an alias
     pub(crate) spelling: &'static str,
@@ -51,7 +51,7 @@ impl Values {
         self.settings.is_empty()
     }
 
-    /// Takes a value, unless there is one: then gives that one.
+    /// Inserts a value if there is none yet; otherwise returns the existing one.
     pub(crate) fn insert(&mut self, key: Key, setting: Setting) -> Option<&Setting> {
         match self.settings.entry(key) {
             Entry::Vacant(vacant) => {
@@ -62,15 +62,15 @@ impl Values {
         }
     }
 
-    /// Why values of a list could not be read, but for those of which that has been said as an error where they are used: warnings,
-    /// for a real machine's list may have them for other functions.
+    /// The messages about unreadable values of a list, except those already reported as errors: warnings, because a real
+    /// machine's list may contain such values for other functions.
     pub(crate) fn unread(&self, said: &Report) -> Vec<Diagnostic> {
         let refusals = self.settings.values().filter_map(|setting| setting.refused.as_ref());
         let unsaid = refusals.filter(|refused| !said.diagnostics.contains(refused));
         unsaid.map(|refused| Diagnostic { severity: Severity::Warning, ..refused.clone() }).collect()
     }
 
-    /// The same with those that have been said as errors.
+    /// The messages about unreadable values of a list, including those already reported as errors.
     pub(crate) fn refused(&self, said: &Report) -> Vec<Diagnostic> {
         let refusals = self.settings.values().filter_map(|setting| setting.refused.clone());
         let of_use = refusals.filter(|refused| said.diagnostics.contains(refused));
@@ -84,7 +84,7 @@ impl Values {
         }
     }
 
-    /// A text, with what else is known of it.
+    /// A text and its setting.
     pub(crate) fn text(&self, name: Name) -> Option<(&str, &Setting)> {
         let setting = self.get(key(name))?;
         match &setting.value {
@@ -93,7 +93,7 @@ impl Values {
         }
     }
 
-    /// The values of a list; those of its set take their place.
+    /// The values of a list, overridden by those of its set.
     pub(crate) fn overridden_by(mut self, other: Self) -> Self {
         self.settings.extend(other.settings);
         self

@@ -21,8 +21,8 @@ use portable::Extreme;
 ///
 /// This form is free of the cancellation in W + 1/W = sqrt((4 + e + G) / 2): m = (W - 1/W)^2 / 4 is small in a narrow band.
 ///
-/// Sections follow each other with rising quality factor, equal ones with the lower centre first. |H| = 1 and phase 0
-/// at the centre hold for each order; each section has |H| = 1 there, so that no overall gain is needed.
+/// Sections are in the order of rising quality factor, equal ones with the lower centre first. |H| = 1 and phase 0 at the
+/// centre hold for each order; each section has |H| = 1 there, so that no overall gain is needed.
 pub(crate) fn sections(prototype: Prototype, order: usize, band: &Band) -> Vec<Shape> {
     let q = band.omega0 / band.bandwidth;
     let mut sections = Vec::with_capacity(order);
@@ -43,7 +43,7 @@ fn pair(sigma: f64, omega: f64, q: f64, omega0: f64) -> [Shape; 2] {
     let root = libm::sqrt((4.0 + e) * (4.0 + e) - 16.0 * sigma * sigma / qq);
     let quality = libm::sqrt((4.0 + e + root) / 2.0) * q / (2.0 * sigma);
     let m = (e * (root + 4.0) + 8.0 * (omega - sigma) * (omega + sigma) / qq + e * e) / (8.0 * (root + 4.0));
-    let m = m.larger(0.0); // it is never negative; a rounding may not make it so
+    let m = m.larger(0.0); // never negative, except by rounding
     let w = libm::sqrt(1.0 + m) + libm::sqrt(m);
     let k = 1.0 / quality;
     let c = libm::sqrt(1.0 + 4.0 * quality * quality * m);

@@ -7,13 +7,13 @@
 //! section      warped centre, damping -> coefficients of a band-pass, an all-pass, the simulated oscillation
 //! trapezoidal  a section of single precision: step, response
 //! delay        time, cycle -> whole cycles and a fraction
-//! scale        what the drive gets for a velocity, an acceleration
-//! response     what coefficients do
+//! scale        scalings of velocities and accelerations for the drive
+//! response     frequency response of coefficients
 //! rounding     coefficients in double precision -> in the block's own real type
 //! ```
 //!
-//! Everything is computed in f64 with the `libm` crate, so that every host finds the same bits; a coefficient is rounded once,
-//! in `rounding`.
+//! Everything is computed in f64 with the `libm` crate, so that every host gets the same bits. A coefficient is rounded
+//! once, in `rounding`.
 
 pub(crate) mod band;
 pub(crate) mod bandpass;

@@ -1,15 +1,15 @@
-//! The frequency response of coefficients, of those of the biquads.
+//! The frequency response of coefficients of biquads.
 //!
 //! Everything is evaluated at a point t = tan(pi f Ts) of the warped frequency axis, where z^-1 = (1 - j t) / (1 + j t). A
-//! second-order polynomial in z^-1 becomes one in j t whose coefficients are sums of the given ones that are exact
-//! where it matters, so that a low frequency costs no digits here: what is seen is the rounding of the coefficients.
+//! second-order polynomial in z^-1 becomes one in j t, whose coefficients are sums of the given ones. These sums are exact
+//! where it matters, so a low frequency loses no digits: the result shows the rounding of the coefficients.
 
 use super::section::at_dc_and_nyquist;
 use reference::{allpass, bandpass, filter, filter::Type, oscillation, stage, stage::Mode};
 
 pub(crate) use stability::Complex64 as Complex;
 
-/// From the velocity that a stage looks at to what it adds.
+/// From the input velocity of a stage to its output.
 pub(crate) fn of_stage(coeffs: &stage::Coeffs<f64>, t: f64) -> Complex {
     if coeffs.mode == Mode::NotActive {
         return Complex::from(0.0);
@@ -60,7 +60,7 @@ pub(crate) fn phase(h: Complex) -> f64 {
     libm::atan2(h.im, h.re).to_degrees()
 }
 
-/// The same for people: above -179.9999999, so that a rounding does not turn 180 into -180.
+/// Phase in degrees for display: above -179.9999999, so that a rounding does not turn 180 into -180.
 pub(crate) fn angle(h: Complex) -> f64 {
     let angle = phase(h);
     if angle < -179.999_999_9 { angle + 360.0 } else { angle }

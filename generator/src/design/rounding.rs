@@ -3,7 +3,8 @@
 use portable::{Literal, Portable, Real, RealKind};
 use reference::signal;
 
-/// The value with every real rounded once to the real type of `To`: [`Real::lit`]. Both types are one portable type of two real
+/// The value with every real rounded once to the real type of `To`: [`Real::lit`]. `From` and `To` are one portable type
+/// with two real types.
 /// types.
 pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind) -> To {
     let mut leaves = Vec::new();
@@ -17,17 +18,17 @@ pub(crate) fn rounded<From: Portable, To: Portable>(value: &From, real: RealKind
     To::build(&mut || leaves.next().expect("design: both types have the same scalars"))
 }
 
-/// A number of double precision as its real type has it.
+/// A number of double precision, rounded to the real type.
 pub(crate) fn in_precision(value: f64, real: RealKind) -> f64 {
     if real == RealKind::F64 { value } else { f32::lit(value).into() }
 }
 
-/// The same as a literal.
+/// A number of double precision, rounded to the real type, as a literal.
 pub(crate) fn literal(value: f64, real: RealKind) -> Literal {
     if real == RealKind::F64 { Literal::F64(value) } else { Literal::F32(f32::lit(value)) }
 }
 
-/// The smallest number of a real type that is not below a positive number.
+/// The smallest number of a real type that is at least the given positive number.
 pub(crate) fn at_least(value: f64, real: RealKind) -> Literal {
     let near = f32::lit(value);
     match real {
@@ -41,7 +42,7 @@ pub(crate) fn largest(real: RealKind) -> f64 {
     if real == RealKind::F64 { f64::MAX } else { f32::MAX.into() }
 }
 
-/// The largest magnitude of a sample that a block takes.
+/// The largest magnitude of a sample that a block accepts.
 pub(crate) fn sample_limit(real: RealKind) -> f64 {
     if real == RealKind::F64 { signal::sample_limit() } else { signal::sample_limit::<f32>().into() }
 }

@@ -1,4 +1,4 @@
-//! Scalings: from path units to what the drive gets, and the ranges of process data. No filter.
+//! Scalings from path units to the units of the drive, and the ranges of process data. No filter.
 
 use crate::axis::{Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
 use portable::{Real, RealKind};
@@ -80,7 +80,7 @@ pub(crate) fn below(boundary: f64, real: RealKind) -> f64 {
     match (real, f32::lit(boundary)) {
         (RealKind::F64, _) => boundary.next_down(),
         (RealKind::F32, nearest) if f64::from(nearest) < boundary => nearest.into(),
-        // What was rounded up is taken back.
+        // A number that was rounded up is replaced by the next lower one.
         (RealKind::F32, nearest) => nearest.next_down().into(),
     }
 }

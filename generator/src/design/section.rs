@@ -1,7 +1,7 @@
 //! Second-order sections: from centre and damping to coefficients. No filter, no pole.
 //!
-//! As biquads, which double precision has, all of them have the denominator of [`denominator`]; a0 = 1. `preset` is where a constant
-//! 1 brings the state. Single precision has the coefficients of [`trapezoidal`].
+//! As biquads, for double precision, all of them have the denominator of [`denominator`]; a0 = 1. `preset` is the state for
+//! a constant input of 1. For single precision they have the coefficients of [`trapezoidal`].
 
 use reference::{allpass, bandpass, oscillation};
 
@@ -88,7 +88,7 @@ fn denominator(of: &Shape) -> ([f64; 2], f64) {
 /// Value of c0 + c1 z^-1 + c2 z^-2 at DC (z = 1) and at the Nyquist frequency (z = -1).
 ///
 /// For a denominator (c0 = 1) both are exact where they are small: the 1 is added to a1 first, because 1 + a2 would be
-/// rounded. Their ratio is g^2, whatever the damping.
+/// rounded. Their ratio is g^2 for any damping.
 pub(crate) fn at_dc_and_nyquist(c0: f64, c1: f64, c2: f64) -> [f64; 2] {
     [(c0 + c1) + c2, (c0 - c1) + c2]
 }

@@ -1,4 +1,4 @@
-//! A trapezoidal section, which single precision has: its coefficients as rounded, one step, its response. No design.
+//! A trapezoidal section, for single precision: its rounded coefficients, one step, its response. No design.
 
 use super::response::Complex;
 
@@ -9,11 +9,11 @@ pub(crate) struct Trapezoidal {
     pub b: f64,
     pub c: f64,
     pub output: Output,
-    /// whether its state is p, which takes the change of its input, rather than low
+    /// whether its state is p, which is driven by the change of the input, rather than low
     pub is_by_change: bool,
 }
 
-/// What a trapezoidal section puts out.
+/// The output of a trapezoidal section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Output {
     /// y = bp
@@ -25,7 +25,7 @@ pub(crate) enum Output {
 }
 
 impl Output {
-    /// How much of the band-pass part is in it. An oscillation is never the last section: the certificate measures none there.
+    /// The factor of the band-pass part. An oscillation is never the last section, so the certificate measures none there.
     pub(crate) fn of_bandpass(self) -> f64 {
         match self {
             Self::Bandpass | Self::Oscillation => 1.0,
@@ -33,7 +33,7 @@ impl Output {
         }
     }
 
-    /// Whether a constant input leaves nothing.
+    /// Whether a constant input leads to an output of 0.
     pub(crate) fn loses_the_offset(self) -> bool {
         match self {
             Self::Bandpass => true,
@@ -59,12 +59,12 @@ impl Trapezoidal {
         (self.b - self.a * self.c) / (2.0 - self.b)
     }
 
-    /// c k / 2: a p or low of 1 weighs as much as an s1 of this.
+    /// c k / 2: a p or low of 1 has the weight of an s1 of this value.
     pub(crate) fn scale(&self) -> f64 {
         self.centre() / self.c
     }
 
-    /// One step, from s1 and low to s1 and low; gives the output.
+    /// One step, from s1 and low to the next s1 and low; returns the output.
     pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
         let u = self.a * (x - s[1]) - self.b * s[0];
         let s1 = s[0] + u;

@@ -1,4 +1,4 @@
-//! What the reference answers in a trial, recorded once for all dialects.
+//! The answers of the reference in a trial, recorded once for all dialects.
 
 use super::run::Run;
 use super::trial::Trial;
@@ -7,24 +7,24 @@ use compiler::program::{Off, Program};
 use portable::{Brake, Literal};
 use std::sync::{Arc, LazyLock};
 
-/// What the reference answers in a sample.
+/// The answer of the reference in a sample.
 #[derive(Clone, Debug)]
 pub(crate) struct Answer {
     pub(crate) sample: usize,
     /// whether it is turned off
     pub(crate) is_off: bool,
-    /// whether it has to be called further on when it is turned off
+    /// whether it has to be called on after it was turned off
     pub(crate) is_busy: bool,
-    /// all outputs; of a zero its sign is not compared
+    /// all outputs; the sign of a zero is not compared
     pub(crate) outputs: Vec<Literal>,
-    /// those that differ from the answer before, as Structured Text
+    /// the outputs that differ from the previous answer, as Structured Text
     pub(crate) changes: Vec<Option<String>>,
 }
 
 /// The answers, recorded where they are first looked at: not every target prints them.
 pub(crate) type RecordedAnswers = Arc<LazyLock<Vec<Answer>, Box<dyn FnOnce() -> Vec<Answer> + Send>>>;
 
-/// Runs the reference when somebody asks; `state_paths` are the paths of all leaves of its state.
+/// The recording, which runs the reference on first use; `state_paths` are the paths of all leaves of its state.
 pub(crate) fn recording(
     trial: Trial,
     program: &Program,
@@ -58,7 +58,7 @@ fn record(trial: &Trial, run: &mut dyn Run, works: Works) -> Vec<Answer> {
     answers
 }
 
-/// The value; of a zero without its sign.
+/// The value; a zero without its sign.
 fn unsigned_zero(value: Literal) -> Literal {
     match value {
         // -0 + 0 is 0.
@@ -68,7 +68,7 @@ fn unsigned_zero(value: Literal) -> Literal {
     }
 }
 
-/// What shows that a block that was turned off is not at rest yet.
+/// The signals that show that a block that was turned off is not at rest yet.
 #[derive(Clone, Copy)]
 enum Works {
     Never,
@@ -86,13 +86,13 @@ impl Works {
     fn of(program: &Program, state_paths: &[String]) -> Self {
         let output = |path: &str| program.outputs.iter().position(|output| output.path == path);
         let found = match program.switch.as_ref().map(|switch| &switch.off) {
-            Some(Off::Mode(_, Some(fades))) => {
+            Some(Off::Mode(_, Some(fades)) | Off::Fade(Some(fades))) => {
                 state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
             }
             Some(Off::Brake(Brake { velocity, state, resting })) => {
                 output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
             }
-            Some(Off::Mode(_, None) | Off::False) | None => None,
+            Some(Off::Mode(_, None) | Off::Fade(None) | Off::False) | None => None,
         };
         found.unwrap_or(Self::Never)
     }

@@ -1,4 +1,4 @@
-//! What happens to the inputs of a block in its exercise. When it happens, the kind of run says.
+//! The inputs of a block in its exercise. The kind of run decides when they change.
 
 use super::noise::Noise;
 use compiler::legalise::{AxisProgram, RealInput};
@@ -8,48 +8,48 @@ use portable::{Block, Literal, Real};
 use reference::signal::sample_limit;
 use std::ops::Range;
 
-/// What happens to the inputs of a block. Inputs have their position among all that the block can have.
+/// The inputs of a block in its exercise. Their positions are those among all inputs that the block can have.
 #[derive(Clone, Debug)]
 pub(crate) struct Exercise {
-    /// the inputs with which the block does all that it can; of one that counts, by how much it grows from sample to sample
+    /// the inputs with which the block does everything it can; for a counter, its increment per sample
     pub(crate) usual: Vec<Literal>,
     /// the real inputs that the axis reads: they get noise
     pub(crate) reals: Vec<RealInput>,
-    /// the other inputs that it reads, each with its other values
+    /// the other inputs that it reads, each with its alternative values
     pub(crate) switches: Vec<(usize, Vec<Literal>)>,
-    /// the factors of the noise, powers of two: one at which no limit acts, the full one, and 0 at rest
+    /// the factors of the noise, powers of two: without limiting, full, and 0 at rest
     pub(crate) scales: [Literal; 3],
-    /// the factor of noise that is a part from 0 to 1
+    /// the factor of noise for a fraction from 0 to 1
     pub(crate) part: Literal,
-    /// what the block is led through, in samples from where that begins
+    /// the drill, in samples from its beginning
     pub(crate) drill: Vec<Turn>,
-    /// the inputs that matter where calls are counted
+    /// the inputs that are needed if calls are counted
     pub(crate) calls: Option<Calls>,
-    /// the input that turns the block off, and what it is then
+    /// the input that turns the block off, and its value for off
     pub(super) off: Option<(usize, Literal)>,
     pub(super) not_a_number: Literal,
     /// numbers that are out of range, or huge
     pub(crate) beyond: Literal,
     pub(super) huge: [Literal; 2],
-    /// how many cycles the block takes until it acts in full
+    /// number of cycles until the block acts in full
     pub(super) start: usize,
-    /// what is looked at: outputs, and parts of the state
+    /// the compared outputs and parts of the state
     pub(super) outputs: Vec<usize>,
     pub(super) state: Vec<usize>,
 }
 
-/// Some samples in which an input is not as it mostly is.
+/// Some samples in which an input differs from its usual value.
 #[derive(Clone, Debug)]
 pub(crate) struct Turn {
     pub(crate) samples: Range<usize>,
     pub(crate) input: usize,
     pub(crate) value: Literal,
-    /// whether the block is turned off, whatever turns it off
+    /// whether the block is turned off, by any input
     pub(crate) is_off: bool,
 }
 
-/// A part of what a block is led through, because noise alone would not: an input, its value, and the samples in which it has it,
-/// counted from where the drill begins.
+/// A step of a drill, for states that noise alone would not reach: an input, its value, and the samples with this value,
+/// counted from the beginning of the drill.
 #[derive(Clone, Debug)]
 pub struct Drill {
     pub(crate) input: &'static str,
@@ -58,16 +58,16 @@ pub struct Drill {
     pub(crate) samples: Range<usize>,
 }
 
-/// What a block's folder says of its exercise.
+/// The exercise as specified by the block's folder.
 pub(crate) struct Wanted {
-    /// the ranges of the noise on its real inputs, each above 0: where no limit acts, and where limits do
+    /// the ranges of the noise on its real inputs, each above 0: without and with limiting
     pub(crate) ranges: [f64; 2],
     pub(crate) start: usize,
     pub(crate) drill: Vec<Drill>,
     pub(crate) cycle_time_ns: u32,
 }
 
-/// The inputs that matter where calls are counted.
+/// The inputs that are needed if calls are counted.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Calls {
     pub(crate) counter: usize,
@@ -87,7 +87,7 @@ impl Exercise {
         let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
         let counter = position("cycle_counter").filter(|input| signals.contains(input));
         let calls = counter.and_then(|counter| Some(Calls { counter, reset: position("reset")? }));
-        // Where calls are counted, TwinCAT looks at the task if these are 0.
+        // If calls are counted, TwinCAT reads the task's values where these are 0.
         if let (Some(counter), Some(cycle)) = (counter, position("task_cycle_ns")) {
             (usual[counter], usual[cycle]) = (Literal::U32(1), Literal::U32(wanted.cycle_time_ns));
         }
@@ -125,7 +125,7 @@ impl Exercise {
         self.calls.map(|calls| calls.counter)
     }
 
-    /// The inputs of a sample but for what happens in it; calls are counted from 1 on.
+    /// The usual inputs of a sample; calls are counted from 1.
     pub(super) fn usual_at(&self, sample: usize) -> Vec<Literal> {
         let mut inputs = self.usual.clone();
         if let Some(counter) = self.counter() {
@@ -140,20 +140,20 @@ impl Turn {
         Self { samples, input, value, is_off: false }
     }
 
-    /// The same N samples later.
+    /// The event, delayed by N samples.
     pub(super) fn later(&self, by: usize) -> Self {
         Self { samples: self.samples.start + by..self.samples.end + by, ..self.clone() }
     }
 }
 
-/// The inputs with which a block does all that it can.
+/// The inputs with which a block does everything it can.
 fn exercised<R: Real, B: Block<R>>(coeffs: &B::Coeffs) -> Vec<Literal> {
     let mut inputs = B::inputs(coeffs);
     B::exercise(&mut inputs, coeffs);
     leaves(&inputs)
 }
 
-/// Where the parts of a program's state stand among all leaves of the reference's.
+/// The positions of the parts of a program's state among all leaves of the reference's.
 fn kept(program: &Program, state_paths: &[String]) -> Vec<usize> {
     let place = |part: &Variable| state_paths.iter().position(|path| *path == part.path);
     let places: Option<Vec<usize>> = program.state.iter().map(place).collect();
@@ -162,7 +162,7 @@ fn kept(program: &Program, state_paths: &[String]) -> Vec<usize> {
     places
 }
 
-/// Other values of a switch; of an integer those next to it, and two far away.
+/// Other values of a switch; for an integer its neighbours and two distant ones.
 fn others(value: Literal) -> Vec<Literal> {
     match value {
         Literal::Bool(value) => vec![Literal::Bool(!value)],

@@ -1,14 +1,14 @@
-//! The reference in operation, and the digest of what it shows. What its inputs are is decided elsewhere.
+//! The reference in operation, and the digest of its outputs and state. Its inputs are decided elsewhere.
 
 use super::inputs::Exercise;
 use portable::{Block, Literal, Portable, Real};
 
 /// A reference in operation.
 pub trait Run {
-    /// One cycle: takes the scalars of the inputs, gives those of the outputs.
+    /// One cycle: takes the scalars of the inputs and writes those of the outputs.
     fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>);
 
-    /// Gives the scalars of its state that have these places, which rise, to `take`.
+    /// Calls `take` with the scalars of its state at these places, which are ascending.
     fn state(&self, places: &[usize], take: &mut dyn FnMut(Literal));
 }
 
@@ -19,7 +19,7 @@ pub(crate) struct Running<R: Real, B: Block<R>> {
 }
 
 impl<R: Real, B: Block<R>> Running<R, B> {
-    /// Before the first cycle.
+    /// The reference before the first cycle.
     pub(crate) fn start(coeffs: B::Coeffs) -> Self {
         Self { coeffs, state: B::state(), outputs: B::outputs() }
     }
@@ -54,8 +54,8 @@ impl Exercise {
     }
 }
 
-/// The digest with one more value, word by word, the low one first. A word can be distinguished from each other one,
-/// whatever the digest is.
+/// The digest with one more value, word by word, the low word first. Two different words give different digests, for any
+/// previous digest.
 #[expect(clippy::cast_possible_truncation, reason = "the two words of a number of 64 bits")]
 fn fold(digest: u32, value: Literal) -> u32 {
     let word = |digest: u32, word: u32| (digest.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b1);

@@ -1,5 +1,5 @@
-//! What a runner does on a user's own board, and the answers of the reference: a long run that the board makes itself, sample by sample,
-//! from a generator of integers. Only digests are kept, one for each stretch of samples.
+//! The run of a runner on a user's own board, and the answers of the reference: a long run whose inputs the board generates
+//! itself, sample by sample, from a generator of integers. Only digests are kept, one for each stretch of samples.
 
 use super::inputs::{Exercise, Turn};
 use super::noise::Noise;
@@ -9,28 +9,28 @@ use portable::Literal;
 /// A long run.
 #[derive(Clone, Debug)]
 pub struct Runner {
-    /// how many samples there are
+    /// the number of samples
     pub(crate) samples: usize,
-    /// how many of them have one digest
+    /// the number of samples per digest
     pub(crate) stretch: usize,
     pub(crate) period: Period,
-    /// other values of inputs that are no reals, one of which holds for a while
+    /// alternative values of inputs that are not reals; one of them applies for a while
     pub(crate) turns: Vec<(usize, Literal)>,
     /// the digest of all outputs and of the state, for each stretch
     pub(crate) expected: Vec<u32>,
 }
 
-/// How many samples a run has, if nobody says it.
+/// The number of samples of a run by default.
 pub const USUAL_SAMPLES: usize = 100_000;
-/// How many digests a run has at most that is longer than that.
+/// The largest number of digests of a longer run.
 const DIGESTS: usize = 100;
-/// The fewest samples with a digest of their own.
+/// The smallest number of samples per digest.
 const SHORTEST_STRETCH: usize = 1000;
 
-/// Where the parts of a period begin; it repeats itself. A short run is one period.
+/// The starts of the parts of a period, which repeats. A short run is one period.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Period {
-    /// little noise is there from the beginning; here the drill begins in it
+    /// the drill, within the little noise with which the period begins
     pub(crate) drill: usize,
     /// the full noise
     pub(crate) loud: usize,
@@ -40,7 +40,7 @@ pub(crate) struct Period {
     pub(crate) disturbed_loud: usize,
     /// rest
     pub(crate) rest: usize,
-    /// how many samples it has
+    /// the number of samples of a period
     pub(crate) samples: usize,
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run, samples: usize) -> 
 }
 
 impl Runner {
-    /// The inputs of a sample; the template of C does the same, in the same order.
+    /// The inputs of a sample. The template of C generates them in this order, too.
     fn inputs(&self, exercise: &Exercise, sample: usize, noise: &mut Noise, turned: &mut Turned) -> Vec<Literal> {
         let Period { loud, disturbed, disturbed_loud, rest, samples, .. } = self.period;
         let mut inputs = exercise.usual_at(sample);
@@ -108,13 +108,13 @@ impl Runner {
         inputs
     }
 
-    /// What the block is led through in each period.
+    /// The drill of each period.
     pub(crate) fn drill(&self, exercise: &Exercise) -> impl Iterator<Item = Turn> {
         exercise.drill.iter().map(|turn| turn.later(self.period.drill))
     }
 }
 
-/// What is turned, and for how many samples more.
+/// The alternative value that applies, and the number of remaining samples.
 #[derive(Clone, Copy, Debug, Default)]
 struct Turned {
     which: usize,

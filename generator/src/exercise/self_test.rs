@@ -1,5 +1,5 @@
-//! The self-test of a build: a short run on noise. It finds a build that fuses, reorders or shortens operations, or that takes a NaN for a
-//! number.
+//! The self-test of a build: a short run on noise. It detects a build that fuses, reorders or shortens operations, or that
+//! treats a NaN as a number.
 
 use super::inputs::Exercise;
 use super::noise::Noise;
@@ -7,28 +7,28 @@ use super::run::Run;
 use compiler::legalise::RealInput;
 use portable::Literal;
 
-/// What a self-test does next to what its exercise says, and the digests that the reference gives.
+/// The part of a self-test beyond its exercise, and the digests of the reference.
 #[derive(Clone, Debug)]
 pub(crate) struct SelfTest {
     /// the first sample with the full noise
     pub(crate) loud_from: usize,
     /// the samples in which a real input is not a number, with the input
     pub(crate) bad: Vec<(usize, RealInput)>,
-    /// after each sample the digest of all outputs and of the whole state up to there
+    /// for each sample the digest of all outputs and of the whole state so far
     pub(crate) expected: Vec<u32>,
 }
 
-/// Samples with little noise, after the bad ones. In each of them every state and every output can show an operation that
-/// was not done as written.
+/// Samples with little noise, after the bad ones. In each of them every state and every output can reveal an operation that
+/// was not executed as written.
 const QUIET_SAMPLES: usize = 24;
 /// Samples with the full noise.
 const LOUD_SAMPLES: usize = 8;
-/// From a bad sample to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+/// Distance of bad samples: a block that has detected one restarts in the second sample and acts in the third.
 const BAD_SAMPLE_DISTANCE: usize = 3;
 
 impl SelfTest {
-    /// Runs the reference. At the beginning each real input is not a number for a sample: a build that takes it for one goes
-    /// on with other bits.
+    /// Runs the reference. At the beginning each real input is a NaN for one sample: a build that treats it as a number
+    /// continues with other bits.
     pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run) -> Self {
         let bad: Vec<_> =
             (BAD_SAMPLE_DISTANCE..).step_by(BAD_SAMPLE_DISTANCE).zip(exercise.reals.iter().copied()).collect();

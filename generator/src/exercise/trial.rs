@@ -1,61 +1,61 @@
-//! A run of a block that a user can repeat on the controller itself. No NaN, no infinity: some runtimes stop on them. What it does is so
-//! simple that every controller can do it too, to the bit.
+//! A run of a block that a user can repeat on the controller. No NaN and no infinity, because some runtimes stop on them. It
+//! uses only operations that every controller executes with the same bits.
 
 use super::inputs::{Exercise, Turn};
 use super::noise::Noise;
 use portable::Literal;
 use std::sync::Arc;
 
-/// What a run does.
+/// The events of a run.
 #[derive(Clone, Debug)]
 pub(crate) struct Trial {
     pub(crate) exercise: Arc<Exercise>,
     /// the first samples with the full noise, and at rest
     pub(crate) scaled_from: [usize; 2],
-    /// the samples in which an input is not as it mostly is
+    /// the samples in which an input differs from its usual value
     pub(crate) turns: Vec<Turn>,
-    /// the samples that are compared: those before the first number, and those from the second one on
+    /// the compared samples: those before the first number, and those from the second one on
     pub(crate) compared: [usize; 2],
-    /// how many samples there are
+    /// the number of samples
     pub(crate) samples: usize,
 }
 
-/// Samples at the beginning that are compared.
+/// Compared samples at the beginning.
 const BEGINNING: usize = 8;
 /// Samples with little noise after the beginning, once the block acts in full.
 const QUIET_SAMPLES: usize = 24;
 /// Samples with the full noise.
 const LOUD_SAMPLES: usize = 8;
-/// From one turn to the next.
+/// Distance of turns.
 const TURN_DISTANCE: usize = 5;
-/// For how long something stays turned.
+/// Length of a turn.
 const TURN_LENGTH: usize = 2;
-/// From one jump of a real input to the next: a block that has noticed it starts anew in the second sample and acts in the third.
+/// Distance of jumps of a real input: a block that has detected one restarts in the second sample and acts in the third.
 const JUMP_DISTANCE: usize = 3;
-/// Calls that are not regular, and by how much the counter grows there: one is missing, which is tolerated; many are missing, which is a
-/// pause; and twice the same one is there again, which is a fault.
+/// Irregular calls, and the increment of the counter there: one call is missing, which is tolerated; many are missing, which
+/// is a pause; and twice the counter does not change, which is a fault.
 const IRREGULAR: [(usize, u32); 4] = [(0, 2), (10, 9), (20, 0), (21, 0)];
-/// Where a reset comes: after the pause, and after the fault.
+/// The samples of a reset: after the pause, and after the fault.
 const RESETS: [usize; 2] = [12, 40];
 /// Samples at rest, at the end.
 const REST_SAMPLES: usize = 5;
-/// A run is not longer for a block that takes its time.
+/// Limit of the start phase in a run, also for a slower block.
 const LONGEST_START: usize = 10_000;
 
-/// Turns one after the other.
+/// Consecutive turns.
 struct Plan {
     turns: Vec<Turn>,
     next: usize,
 }
 
 impl Plan {
-    /// One more, `length` samples long; the next one comes `distance` samples after it.
+    /// Adds a turn of `length` samples; the next one begins `distance` samples after it.
     fn add(&mut self, input: usize, value: Literal, length: usize, distance: usize) {
         self.turns.push(Turn::new(self.next..self.next + length, input, value));
         self.next += distance;
     }
 
-    /// One that lies ahead of what comes next.
+    /// Adds a turn that lies ahead of the next ones.
     fn ahead(&mut self, after: usize, input: usize, value: Literal) {
         let at = self.next + after;
         self.turns.push(Turn::new(at..at + 1, input, value));
@@ -63,7 +63,8 @@ impl Plan {
 }
 
 impl Trial {
-    /// What happens when: noise until the block acts in full, its drill, then one input after the other is turned or out of range.
+    /// The schedule: noise until the block acts in full, its drill, then one input after the other is turned or out of
+    /// range.
     pub(crate) fn of(exercise: &Arc<Exercise>) -> Self {
         let acts_from = BEGINNING + exercise.start.min(LONGEST_START);
         let drill_from = acts_from + QUIET_SAMPLES;
@@ -76,7 +77,7 @@ impl Trial {
         for (input, value) in others.clone() {
             plan.add(input, value, TURN_LENGTH, TURN_DISTANCE);
         }
-        // Once more, each directly after a fault.
+        // The turns again, each directly after a fault.
         for (input, value) in others.filter(|(_, value)| matches!(value, Literal::Bool(_))) {
             reals.iter().take(1).for_each(|real| plan.ahead(0, real.position, exercise.beyond));
             plan.next += 1;
@@ -106,7 +107,7 @@ impl Trial {
         }
     }
 
-    /// Whether an input is a part of something.
+    /// Whether an input is a fraction from 0 to 1.
     pub(crate) fn has_parts(&self) -> bool {
         self.exercise.reals.iter().any(|real| real.is_fraction)
     }
@@ -116,7 +117,7 @@ impl Trial {
         sample < self.compared[0] || sample >= self.compared[1]
     }
 
-    /// The turns that hold in a sample.
+    /// The turns that apply in a sample.
     pub(crate) fn holding(&self, sample: usize) -> impl Iterator<Item = &Turn> {
         self.turns.iter().filter(move |turn| turn.samples.contains(&sample))
     }
@@ -135,7 +136,7 @@ impl Trial {
             let mut inputs = exercise.usual.clone();
             for real in &exercise.reals {
                 let number = noise.next(real, [scale, exercise.part]);
-                // At first a part stays, so that the block has usual cycles.
+                // At first a fraction is constant, so that the block has usual cycles.
                 if !(real.is_fraction && sample < self.scaled_from[0]) {
                     inputs[real.position] = number;
                 }

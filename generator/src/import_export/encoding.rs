@@ -1,18 +1,18 @@
-//! The text of a file around and in a list as texts of TOML; which lines they are does not matter.
+//! The text of a file, around and in a list, as texts of TOML. The contents of the lines are not known here.
 
 use crate::config::{Encoding, latin_1};
 use crate::parameters::words::ListEncoding;
 
-/// What stands before a list in its file, the list, and what stands after it.
+/// The text before a list in its file, the list, and the text after it.
 pub(super) struct Encoded {
-    /// with `\n` where a line ends
+    /// with `\n` at the end of each line
     pub(super) text: [String; 3],
     pub(super) encoding: ListEncoding,
-    /// a `\n` stands for `\r\n`
+    /// whether `\n` represents `\r\n`
     pub(super) crlf: bool,
 }
 
-/// The parts of a file as texts: in UTF-8 if they are that, else each byte is the character of its number (latin-1).
+/// The parts of a file as texts: in UTF-8 if they are valid, else each byte as the character of its number (latin-1).
 pub(super) fn encoded(parts: [&[u8]; 3], file: Encoding) -> Encoded {
     let is_utf_8 = parts.iter().all(|part| str::from_utf8(part).is_ok());
     let encoding = match file {
@@ -28,8 +28,8 @@ pub(super) fn encoded(parts: [&[u8]; 3], file: Encoding) -> Encoded {
     Encoded { text: if crlf { text.map(|text| text.replace("\r\n", "\n")) } else { text }, encoding, crlf }
 }
 
-/// A text as a string of TOML over several lines. What an editor could change unseen is written as an escape: control
-/// characters, a byte order mark, a blank at the end of a line.
+/// A text as a multi-line string of TOML. Characters that an editor could change unnoticed are escaped: control characters,
+/// a byte order mark, a blank at the end of a line.
 pub(super) fn toml_string(text: &str) -> String {
     let mut string = String::with_capacity(text.len() + text.len() / 8 + 8);
     string.push_str("\"\"\"\n");

@@ -1,4 +1,4 @@
-//! An axis of a set as an axis list: which lines it came from, and which values it has now. No line is written here.
+//! An axis of a set as an axis list: its original lines, and its present values. No line is written here.
 
 use super::fill::Filling;
 use crate::config::{AxisTable, Encoding, Load, Source, Values, file, given, list, project, set, shown};
@@ -7,8 +7,8 @@ use crate::parameters::words::{LineEnd, ListEncoding};
 use crate::{codes, parameters::Name};
 use std::{path::Path, sync::Arc};
 
-/// An axis of a TOML set (`.toml`) as an axis list; without a name the only one. An axis list (any other extension) is
-/// given as it is. The list is there if, and only if, no message is an error. The rules between parameters are not checked.
+/// An axis of a TOML set (`.toml`) as an axis list; without a name the only axis. An axis list (any other extension) is
+/// returned unchanged. The list is `Some` if and only if no message is an error. Rules between parameters are not checked.
 pub fn export(path: &Path, axis: Option<&str>, load: Load<'_>) -> (Option<Vec<u8>>, Report) {
     let mut report = Report::default();
     let list = match file::read(path, None, load) {
@@ -49,7 +49,7 @@ fn of_set(
     }
     let read = list::read(&list);
     report.extend(read.report);
-    // Their lines stay as they are.
+    // Lines with unreadable values stay unchanged.
     report.diagnostics.extend(read.values.unread(&Report::default()));
     if report.has_errors() {
         return None;
@@ -76,7 +76,7 @@ fn named<'a>(
 ) -> Option<AxisTable<'a>> {
     let found = match (name, axes) {
         (None, [axis]) => return Some(*axis),
-        // That has been said.
+        // Already reported.
         (_, []) => return None,
         (None, _) => "the set has several axes".to_owned(),
         (Some(name), _) => match axes.iter().find(|axis| axis.name == name) {
@@ -90,7 +90,7 @@ fn named<'a>(
     None
 }
 
-/// The file that an axis was imported from: what stands before its list, the list, and what stands after it.
+/// The file that an axis was imported from: the text before its list, the list, and the text after it.
 struct Imported {
     text: [Vec<u8>; 3],
     encoding: Encoding,
@@ -100,7 +100,7 @@ struct Imported {
 fn imported(keys: &Values) -> Result<Option<Imported>, Report> {
     let Some((_, setting)) = keys.text(Name::ImportedLines) else { return Ok(None) };
     let place = setting.value_place();
-    // An editor, or a version control, may have saved the whole set with other line ends.
+    // An editor or version control may have changed the line ends of the whole set.
     let is_saved = setting.source.bytes[setting.value_at..].starts_with(b"\"\"\"\r\n");
     let crlf = keys.word(Name::ImportedLineEnd) == Some(LineEnd::CrLf);
     let text = [Name::ImportedBefore, Name::ImportedLines, Name::ImportedBehind].map(|name| {

@@ -1,4 +1,4 @@
-//! The lines of a list with the values that hold now, and lines for those that have none yet. No file is read here.
+//! The lines of a list with the present values, and new lines for the values without a line. No file is read here.
 
 use super::slot::{self, HOLE, OWN, Slot};
 use super::spelling;
@@ -10,14 +10,14 @@ use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 use std::collections::BTreeSet;
 
 pub(super) struct Filling<'r> {
-    /// what the axis was given, its list included, and what stands at the top of the set
+    /// the values of the axis, including its list, and those at the top of the set
     pub(super) values: Values,
     pub(super) report: &'r mut Report,
 }
 
 impl Filling<'_> {
-    /// The lines of a list with the values that hold now, then lines for the others; without a list all of them. None: a
-    /// reader of lists finds errors in that, and they have been said.
+    /// The lines of a list with the present values, then lines for the others; without a list all of them. `None` if the
+    /// result has errors, which have been reported.
     pub(super) fn list(mut self, base: Option<&[u8]>) -> Option<Vec<u8>> {
         let bytes = base.unwrap_or_default();
         let (mark, lines) = lines::split(bytes);
@@ -35,13 +35,13 @@ impl Filling<'_> {
             list.extend(text);
         }
         let line_end = line_end.unwrap_or(b"\n");
-        // A controller reads nothing after `Ende`.
+        // A controller ignores everything after `Ende`.
         let behind = end.map(|end| list.split_off(end)).unwrap_or_default();
         let mut rest = self.rest(&written, base.is_none());
         if !rest.is_empty() && base.is_some() {
             rest.insert(0, "# Not in the list so far:".to_owned());
             if !list.is_empty() && !list.ends_with(b"\n") {
-                // A lone return at the file's end is half of a line end.
+                // A single return at the end of the file is half of a line end.
                 list.extend(if list.ends_with(b"\r") { b"\n" } else { line_end });
             }
         }
@@ -54,14 +54,14 @@ impl Filling<'_> {
         (!self.report.has_errors()).then_some(list)
     }
 
-    /// Puts the value that holds into the text of a line.
+    /// Writes the present value into the text of a line.
     fn fill(&mut self, line: &Line<'_>, slot: &Slot<'_>, written: &mut BTreeSet<Key>, text: &mut Vec<u8>) {
         let parameter = slot.key.0.parameter();
         let range = slot.range.clone();
         let hole = slot.text.strip_prefix(HOLE);
         let spelled = hole.unwrap_or(slot.text);
         if slot.own && spelled.starts_with(HOLE) {
-            // A comment that only looks like a hole.
+            // A comment that resembles a hole.
             text.splice(range, spelled.bytes());
             return;
         }
@@ -72,7 +72,7 @@ impl Filling<'_> {
         let Some((setting, Some(value))) = self.values.get(slot.key).map(|setting| (setting, &setting.value)) else {
             match line.content {
                 Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
-                // The value was taken out of the set: so is its line, but not the comment after it.
+                // The value was removed from the set: so is its line, but not the comment after it.
                 Content::Statement(statement) if !statement.comment.is_empty() => {
                     text.drain(statement.path_at()..statement.comment_at());
                 }
@@ -89,7 +89,7 @@ impl Filling<'_> {
         written.insert(slot.key);
     }
 
-    /// A parameter that this axgen knows, and the one that imported the list did not; or one that was added by hand.
+    /// Warns of a parameter that the importing version of axgen did not know, or that was added by hand.
     fn warn_of(&mut self, statement: &Statement<'_>) {
         let Some(lines) = self.values.get(key(Name::ImportedLines)) else { return };
         let found = format!("`{}` stands in the imported lines only: the axis does not have it", statement.path);
@@ -97,9 +97,10 @@ impl Filling<'_> {
         self.report.push(diagnostic.instead("the value below the axis, or import the list again"));
     }
 
-    /// Lines for what has none, in the order of the set; keys that no controller knows in comments, with a warning.
+    /// Lines for values without a line, in the order of the set. Keys that a controller does not know become comments, with
+    /// a warning.
     fn rest(&mut self, written: &BTreeSet<Key>, is_new: bool) -> Vec<String> {
-        // The list that an axis came from had no cycle time either.
+        // The original list had no cycle time.
         let values = self.values.iter().filter(|((name, _), _)| *name != Name::CycleTime || is_new);
         let mut lines = Vec::new();
         for (key, setting) in values {
@@ -123,7 +124,7 @@ impl Filling<'_> {
         lines.into_iter().map(|(_, line)| line).collect()
     }
 
-    /// Reads the list as a controller would: errors in its lines are said, and each value must be the one that was given.
+    /// Reads the list as a controller would: reports errors in its lines, and compares each value with the given one.
     fn prove(&mut self, list: &[u8]) {
         let source = Source::new("the exported list", list.to_vec(), Encoding::Plain);
         let read = list::read(&AxisList { source, range: 0..list.len(), name: None, said: None });

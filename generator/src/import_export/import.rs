@@ -1,4 +1,4 @@
-//! An axis list as a TOML set: each known value once, as TOML, with its comments; the lines themselves for the way back.
+//! An axis list as a TOML set: each known value once, as TOML, with its comments; and the lines themselves for the export.
 
 use super::encoding::{Encoded, encoded, toml_string};
 use super::slot::{self, HOLE, Slot};
@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use toml_edit::Table;
 
-/// The axis list of a file as a TOML set. The set is there if, and only if, no message is an error. It has no cycle time
+/// The axis list of a file as a TOML set. The set is `Some` if and only if no message is an error. It has no cycle time
 /// unless the options, or a list that [`super::export`] wrote, give one.
 pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<String>, Report) {
     let mut report = Report::default();
@@ -35,12 +35,12 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
         return (None, said.into());
     }
     report.extend(list.report);
-    // Without a cycle time a usual one: what is asked of it does not depend on it in a list without errors.
+    // Without a cycle time, a usual one: the check of a list without errors does not depend on it.
     let cycle_time = match top.get(key(Name::CycleTime)).and_then(|setting| setting.value.as_ref()) {
         Some(Value::Duration(ns @ 1..)) => u32::try_from(*ns).unwrap_or(1_000_000),
         _ => 1_000_000,
     };
-    // A set without a value that the axis uses would mean something else. What nothing uses is as good as a value of another
+    // Without a value that the axis uses, the set would have another meaning. An unused value is treated like one of another
     // function: its line is kept.
     let said = check::axis(&name, Some(cycle_time), &list.values, source.whole(), false).effective.report;
     report.diagnostics.extend(list.values.refused(&said));
@@ -56,7 +56,7 @@ struct Taken {
     axis: Table,
     /// the lines, with a hole for each known value
     lines: Encoded,
-    /// what a comment of ours says
+    /// the value of axgen's own comment
     cycle_time: Option<String>,
 }
 
@@ -95,7 +95,7 @@ impl Taken {
                     }
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
-                    // A comment that only looks like a hole: a second sign tells.
+                    // A comment that resembles a hole: a second sign marks it.
                     text.insert(slot.range.start, HOLE as u8);
                 }
                 _ => match line.content {
@@ -109,7 +109,7 @@ impl Taken {
         Self { axis, lines: encoded([before, &left, behind], list.source.encoding), cycle_time }
     }
 
-    /// The text of the set; the cycle time is that of the command line.
+    /// The text of the set, with the cycle time of the command line.
     fn set(self, name: &str, file: &str, cycle_time: Option<String>) -> String {
         let cycle_time = match cycle_time.or(self.cycle_time) {
             Some(text) => {
@@ -146,7 +146,7 @@ impl Taken {
     }
 }
 
-/// The value that the set takes from a line: that of a parameter, or of the first comment of ours with this key.
+/// The value that the set takes from a line: of a parameter, or of axgen's first comment with this key.
 fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option<Value> {
     if !slot.own {
         return values.get(slot.key)?.value.clone();
@@ -155,13 +155,14 @@ fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option
     own.insert(slot.key).then_some(value)
 }
 
-/// The comments above a value, a line each. Several blank lines are one, also before them.
+/// The comments above a value, one per line. Several blank lines become one, also before them.
 fn comments_above(mut comments: Vec<String>) -> String {
     comments.dedup_by(|next, last| next.is_empty() && last.is_empty());
     comments.into_iter().map(|comment| comment + "\n").collect()
 }
 
-/// A comment as one of TOML: another sign gets a `#`, bytes that are not UTF-8 are latin-1, control characters cannot stand there.
+/// A comment in TOML: any other sign becomes `#`, bytes that are not UTF-8 are read as latin-1, and control characters are
+/// replaced.
 fn comment_text(comment: &[u8]) -> String {
     let text = str::from_utf8(comment).map_or_else(|_| latin_1(comment), str::to_owned);
     let text: String =

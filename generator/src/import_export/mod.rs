@@ -1,13 +1,13 @@
-//! An axis list to a TOML set (import) and back (export), nothing lost. The lines of a list are split in `config/lines.rs`.
+//! An axis list to a TOML set (import) and back (export) without loss. The lines of a list are split in `config/lines.rs`.
 //!
 //! ```text
 //! import    list -> set: values to tables, lines with holes        tables    parameters by their paths, with the comments
 //! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
 //! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
-//! slot      where the value stands in a line
+//! slot      the position of the value in a line
 //! ```
-//! The set has each value once, where a reader of TOML looks for it. The lines of the list stay in the set too, with `=`
-//! where a value was: they give order, blanks, comments and the parameters of other functions back.
+//! The set contains each value once, as TOML. The lines of the list stay in the set too, with `=` in place of the values:
+//! they preserve order, blanks, comments and the parameters of other functions.
 
 mod encoding;
 mod export;

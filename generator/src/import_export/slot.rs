@@ -1,4 +1,4 @@
-//! Which part of a line is the value of a parameter that the set holds; the value is not read.
+//! The part of a line that is the value of a parameter in the set. The value is not read.
 
 use crate::config::lines::{Content, Line};
 use crate::config::path::{self, Path};
@@ -6,19 +6,19 @@ use crate::config::{Key, of_text, spelled};
 use crate::parameters::{Name, Parameter, Scope, Value};
 use std::ops::Range;
 
-/// A comment that begins so holds a key of our own, which no controller knows: `# axgen: fade 200ms`.
+/// The beginning of a comment with one of axgen's own keys, which a controller does not know: `# axgen: fade 200ms`.
 pub(super) const OWN: &str = "# axgen: ";
 
-/// What stands for a value that the set has: `=`, or `=` and the spelling that the list had.
+/// The placeholder of a value that is in the set: `=`, or `=` and the spelling in the list.
 pub(super) const HOLE: char = '=';
 
 pub(super) struct Slot<'a> {
     pub(super) key: Key,
-    /// the path template by which it was found; of a misprint the proper one
+    /// the path template by which it was found; for a misprint the correct one
     pub(super) template: &'static str,
     pub(super) text: &'a str,
     pub(super) range: Range<usize>,
-    /// whether it is a key of our own, in a comment
+    /// whether it is one of axgen's own keys, in a comment
     pub(super) own: bool,
 }
 
@@ -46,7 +46,7 @@ pub(super) fn in_line<'a>(line: &Line<'a>) -> Option<Slot<'a>> {
     }
 }
 
-/// The value, or the hole in its place, at the start of what a line has after its path; and where it begins there.
+/// The value or its placeholder at the start of the text after a path, and its position there.
 fn value<'t>(parameter: &Parameter, line: &'t str) -> (&'t str, usize) {
     match line.strip_prefix(HOLE) {
         Some(spelling) if spelling.starts_with([' ', '\t']) => (&line[..1], 0),
@@ -58,7 +58,7 @@ fn value<'t>(parameter: &Parameter, line: &'t str) -> (&'t str, usize) {
     }
 }
 
-/// Whether a list can hold the key in a comment only: the keys of our own, but for those that say where an axis comes from.
+/// Whether a list can contain the key only in a comment: axgen's own keys, except those for the source of an axis.
 pub(super) fn is_own(name: Name) -> bool {
     match name {
         Name::List
@@ -72,7 +72,7 @@ pub(super) fn is_own(name: Name) -> bool {
     }
 }
 
-/// The value that a comment of ours holds; none: it holds none, and is a comment like any other.
+/// The value in one of axgen's own comments; `None` if it contains none and is an ordinary comment.
 pub(super) fn own_value(key: Key, text: &str) -> Option<Value> {
     let parameter = key.0.parameter();
     of_text(parameter, text).ok().filter(|value| parameter.contains(value))

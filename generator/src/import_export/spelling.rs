@@ -1,10 +1,10 @@
-//! The text of a value in a list, and the same value in TOML, spelled alike wherever both allow it.
+//! The text of a value in a list, and its text in TOML, with the same spelling if both allow it.
 
 use crate::config::{of_text, of_toml, spelled};
 use crate::parameters::{Parameter, Value};
 use toml::de::DeValue;
 
-/// The value of a list as TOML: as it is spelled there if TOML reads that as the same value, else as the canonical form.
+/// The value of a list as TOML: in its own spelling if TOML reads that as the same value, else in the canonical form.
 pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_edit::Value {
     let canonical = value.text();
     let forms = |text: &str| {
@@ -18,8 +18,8 @@ pub(super) fn in_toml(parameter: &Parameter, text: &str, value: &Value) -> toml_
     forms(text).chain(forms(&canonical)).find(is_same).unwrap_or_else(|| canonical.as_str().into())
 }
 
-/// The value that begins these bytes of a set, as a list has it: as it is spelled there if a list reads that as the same
-/// value, else as the canonical form.
+/// The value that begins these bytes of a set, for a list: in its own spelling if a list reads that as the same value, else
+/// in the canonical form.
 pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> String {
     let spelled = match toml.first() {
         Some(quote @ (b'"' | b'\'')) => toml[1..].split(|byte| byte == quote).next().unwrap_or_default(),
@@ -35,13 +35,13 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
     if same { spelled.to_owned() } else { value.text() }
 }
 
-/// What a controller takes for a comment after a value, as a comment of TOML; a blank after it.
+/// The text that a controller treats as a comment after a value, as a comment of TOML, with a blank after it.
 pub(super) fn behind(parameter: &Parameter, line: &str) -> String {
     let behind = spelled(parameter, line).behind;
     if behind.is_empty() { String::new() } else { format!("# {behind} ") }
 }
 
-/// Whether every reader of TOML takes the text for what it is without quotes: a number beyond 64 bits is none for some.
+/// Whether every reader of TOML reads the text as its value without quotes: some reject a number beyond 64 bits.
 fn is_bare(text: &str) -> bool {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let is_whole = !unsigned.is_empty() && unsigned.bytes().all(|byte| byte.is_ascii_digit());

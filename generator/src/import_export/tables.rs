@@ -1,5 +1,5 @@
-//! The parameters of a list as tables of TOML, each with its comments: dotted keys, inline tables and headers as a person would
-//! choose them. What a value is, is not known here.
+//! The parameters of a list as tables of TOML, each with its comments: dotted keys, inline tables and headers as a person
+//! would choose them. Values are not interpreted here.
 
 use crate::parameters::path_with;
 use toml_edit::{Array, ArrayOfTables, Decor, DocumentMut, InlineTable, Item, Key, Table, Value};
@@ -7,8 +7,8 @@ use toml_edit::{Array, ArrayOfTables, Decor, DocumentMut, InlineTable, Item, Key
 /// An array of tables whose line would be longer gets a header for each table.
 const WIDTH: usize = 102;
 
-/// Puts a value at the path that a template and its indices give; `above` are the lines before it, `beside` is what stands
-/// after it.
+/// Inserts a value at the path of a template with its indices; `above` contains the lines before it, `beside` the text after
+/// it.
 pub(super) fn insert(axis: &mut Table, template: &str, index: [u32; 2], mut value: Value, above: &str, beside: &str) {
     let path = path_with(template, index);
     let (tables, key) = path.rsplit_once('.').unwrap_or(("", &path));
@@ -20,8 +20,8 @@ pub(super) fn insert(axis: &mut Table, template: &str, index: [u32; 2], mut valu
     }
 }
 
-/// The table below a key such as `stage[1]` or `kenngr`. Of an array the first is meant where no index is given: a list
-/// may mix `filter.x` and `filter[0].x`, TOML may not.
+/// The table below a key such as `stage[1]` or `kenngr`. Without an index the first element of an array is meant: a list may
+/// mix `filter.x` and `filter[0].x`, TOML may not.
 fn below<'t>(table: &'t mut Table, part: &str) -> &'t mut Table {
     let (key, index) = part.split_once('[').map_or((part, None), |(key, index)| (key, Some(index)));
     let item = table.entry(key).or_insert_with(|| Item::Table(implicit()));
@@ -41,14 +41,14 @@ fn below<'t>(table: &'t mut Table, part: &str) -> &'t mut Table {
     }
 }
 
-/// A table without a header of its own, unless values stand directly below it.
+/// A table without its own header, unless it directly contains values.
 fn implicit() -> Table {
     let mut table = Table::new();
     table.set_implicit(true);
     table
 }
 
-/// The text of an axis: its header, its values, then what is below it.
+/// The text of an axis: its header, its values, then the tables below it.
 pub(super) fn text(name: &str, mut axis: Table) -> String {
     fold(&mut axis, false);
     let mut axes = implicit();
@@ -58,8 +58,8 @@ pub(super) fn text(name: &str, mut axis: Table) -> String {
     document.to_string().trim_start_matches('\n').to_owned()
 }
 
-/// Chooses how what stands below a table is written. A table that is only the way to others gets neither a header nor dotted
-/// keys, but for an axis and an element of an array.
+/// Chooses the notation for the contents of a table. A table that only contains other tables gets neither a header nor
+/// dotted keys, except an axis and an element of an array.
 fn fold(table: &mut Table, may_be_way: bool) {
     let is_way = may_be_way && table.iter().all(|(_, item)| item.is_table());
     for (mut key, item) in table.iter_mut() {
@@ -74,12 +74,12 @@ fn fold(table: &mut Table, may_be_way: bool) {
             _ => {}
         }
     }
-    // The comment above the first value of a section is mostly about the section.
+    // The comment above the first value of a section usually describes the section.
     let above = take_above(table).unwrap_or_default();
     table.decor_mut().set_prefix(format!("\n{}", above.trim_start_matches('\n')));
 }
 
-/// The lines above the first value that stands below the header of a table; they do not stand there any more.
+/// Takes the lines above the first value below the header of a table, and removes them there.
 fn take_above(table: &mut Table) -> Option<String> {
     table.iter_mut().find_map(|(mut key, item)| match item {
         Item::Value(_) => {
@@ -92,8 +92,8 @@ fn take_above(table: &mut Table) -> Option<String> {
     })
 }
 
-/// An array of tables as the value of one key, and the lines above it: of values, and of tables of values, which get dotted keys.
-/// A comment has its place only next to a value that stands alone.
+/// An array of tables as the value of one key, and the lines above it: of values, and of tables of values, which get dotted
+/// keys. A comment fits only next to a single value.
 fn on_a_line(key: &str, tables: &ArrayOfTables) -> Option<(String, Array)> {
     let leaves = tables.iter().map(leaves).collect::<Option<Vec<_>>>()?.concat();
     let is_bare = |(key, value): &(&Key, &Value)| {
@@ -106,7 +106,7 @@ fn on_a_line(key: &str, tables: &ArrayOfTables) -> Option<(String, Array)> {
     fits.then(|| (above(first.leaf_decor()).to_owned(), array))
 }
 
-/// The values of a table, and of the tables below it; none: there is more below it than that.
+/// The values of a table, and of the tables below it; `None` if it contains anything else.
 fn leaves(table: &Table) -> Option<Vec<(&Key, &Value)>> {
     let mut leaves = Vec::new();
     for (key, item) in table {

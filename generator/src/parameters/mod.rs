@@ -1,4 +1,5 @@
-//! What a parameter is: its kinds, ranges and words, as plain data; the declarations are in `table.rs`, no value is here.
+//! The description of a parameter: its kinds, ranges and words, as plain data. The declarations are in `table.rs`; no value
+//! is here.
 
 pub mod others;
 mod table;
@@ -11,54 +12,54 @@ pub(crate) use text::{path_with, real_text, time_text};
 
 #[derive(Debug)]
 pub struct Parameter {
-    /// the vendor's; a key of our own has none
+    /// the vendor's id; axgen's own keys have none
     pub id: Option<&'static str>,
-    /// where it stands, with a letter for each index: `stage[i].filter[k].order`
+    /// its path, with a letter for each index: `stage[i].filter[k].order`
     pub path: &'static str,
     /// older paths of the same parameter; an index that they lack is 0
     pub aliases: &'static [&'static str],
-    /// printed wrongly in a manual
+    /// paths that a manual misprints
     pub misprints: &'static [&'static str],
-    /// how many values each index has
+    /// the number of values of each index
     pub(crate) indices: &'static [u32],
     pub scope: Scope,
     pub(crate) kind: Kind,
     /// the vendor's data type, where the manuals print it: UNS16, SGN32, REAL64, BOOLEAN, STRING
     pub data_type: &'static str,
     pub unit: &'static str,
-    /// the value that holds when none is given, as a list would write it: one for all, or one for each value of the last
-    /// index; it may lie outside the range, then the parameter must be given where it is used
+    /// the default, as a list would write it: one for all, or one for each value of the last index. It may be out of range;
+    /// then the parameter must be given where it is used.
     pub default: &'static [&'static str],
-    /// the controller build that has it first
+    /// the first controller build with the parameter
     pub since: &'static str,
-    /// the range as the manual prints it, where that is not the range used here
+    /// the range in the manual, if it differs from the range used here
     pub printed: &'static str,
-    /// of a whole number: what each of its few values means, from 0 on
+    /// for a whole number: the meaning of each of its few values, from 0 on
     pub(crate) numbers: &'static [&'static str],
-    /// the drive types for which the manual prints it
+    /// the drive types for which the manual lists it
     pub drives: &'static str,
-    /// the axis types for which the manual prints it: T translatory, R rotary, S spindle
+    /// the axis types for which the manual lists it: T translatory, R rotary, S spindle
     pub axes: &'static str,
-    /// the dimension that the manual prints for each axis type, in ASCII: um and deg for its signs
+    /// the dimension in the manual for each axis type, in ASCII with um and deg
     pub dimension: &'static str,
-    /// whether it is validated where it is used only: a real machine's list has it for functions that are not generated
+    /// whether it is validated only where it is used: a real machine's list has it for functions that are not generated
     pub(crate) is_shared: bool,
     pub meaning: &'static str,
 }
 
-/// In which file a parameter may stand.
+/// The files that may contain a parameter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scope {
     /// in an axis list, and below an axis of a set: the vendor's parameters
     List,
-    /// only below an axis of a set: keys of our own
+    /// only below an axis of a set: axgen's own keys
     Axis,
-    /// only at the top of a set: keys of our own
+    /// only at the top of a set: axgen's own keys
     Set,
 }
 
-/// `Words` are several different ones of a few, `Flags` the bits of a number, each with a word; the ends of a real range do not
-/// belong to it where it is `open`; a duration is in ns.
+/// `Words` are several different words of a few, `Flags` the bits of a number, each with a word. An `open` real range does
+/// not include its ends. A duration is in ns.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Kind {
     Word(&'static [Word]),
@@ -72,14 +73,14 @@ pub(crate) enum Kind {
 
 #[derive(Debug, PartialEq, Eq)]
 pub struct Word {
-    /// as we write it
+    /// the spelling that axgen writes
     pub name: &'static str,
     pub number: Option<u32>,
     /// further spellings
     pub also: &'static [&'static str],
 }
 
-/// A word as we write it, a finite real number, a time in ns.
+/// A word as axgen writes it, a finite real number, a time in ns.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Value {
     Word(&'static str),
@@ -97,7 +98,7 @@ impl Name {
 }
 
 impl Word {
-    /// The name first.
+    /// All spellings, the name first.
     pub(crate) fn spellings(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(&self.name).chain(self.also).copied()
     }
@@ -109,7 +110,7 @@ impl Word {
 }
 
 impl Parameter {
-    /// Whether its value may be, or have, that word; in any case, and in any spelling of it.
+    /// Whether its value may be, or contain, that word, in any case and spelling.
     pub fn takes(&self, text: &str) -> bool {
         match self.kind {
             Kind::Word(words) | Kind::Words(words) | Kind::Flags(words) => {
@@ -119,7 +120,7 @@ impl Parameter {
         }
     }
 
-    /// The path, then its aliases.
+    /// All paths: the path, then its aliases.
     pub(crate) fn paths(&self) -> impl Iterator<Item = &'static str> {
         std::iter::once(&self.path).chain(self.aliases).copied()
     }
@@ -129,7 +130,7 @@ impl Parameter {
         self.path.rsplit('.').next().unwrap_or(self.path)
     }
 
-    /// The default at these indices, as a list would write it; none: the parameter has no default.
+    /// The default at these indices, as a list would write it; `None` if the parameter has no default.
     pub(crate) fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
         let last = index[self.indices.len().saturating_sub(1)] as usize;
         self.default.get(last).or(self.default.last()).copied()

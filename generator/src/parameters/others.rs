@@ -1,12 +1,12 @@
-//! What the manuals name and axgen does not read: what it is, and why axgen does not read it. No parameter of the table, no rule.
+//! Parameters in the manuals that axgen does not read, with the reason. No parameter of the table, no rule.
 
-/// Something that is not read.
+/// A parameter that is not read.
 #[derive(Clone, Copy, Debug)]
 pub struct Other {
-    /// as the manuals write it
+    /// its name in the manuals
     pub name: &'static str,
     pub meaning: &'static str,
-    /// why axgen does not read it, and what it reads instead
+    /// the reason, and what axgen reads instead
     pub unread: &'static str,
 }
 
@@ -14,7 +14,7 @@ const fn other(name: &'static str, meaning: &'static str, unread: &'static str) 
     Other { name, meaning, unread }
 }
 
-/// Of the settings of a drive.
+/// For settings of a drive.
 const OF_DRIVE: &str = "A setting in the drive; no list of the controller holds it.";
 
 /// All, in the order of docs/parameters.md.
@@ -116,7 +116,7 @@ pub static OTHERS: [Other; 18] = [
 ];
 
 impl Other {
-    /// Whether a text names it: its name in any case, `#` or not; of a parameter the digits too.
+    /// Whether a text names it: its name in any case, with or without `#`; for a parameter also the digits.
     pub fn is(&self, wanted: &str) -> bool {
         let plain = |text: &str| text.trim_start_matches('#').to_ascii_lowercase();
         let digits = self.name.strip_prefix("P-").and_then(|id| id.rsplit('-').next());

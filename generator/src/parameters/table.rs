@@ -162,6 +162,14 @@ table! {
     DriveSpeedIntegralTime: AXIS_KEY("drive.speed_integral_time", kind: Kind::Duration { from: 1, to: 10_000_000_000 }, unit: "ns")
     /// accepts a block that starts ON although its loop oscillates even with an ideal drive: for test stands without a machine
     AcceptUnstable: AXIS_KEY("accept_unstable", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])
+    /// amplitude of the block excitation, in the unit of velocities; a key `excitation` asks for the block
+    ExcitationAmplitude: AXIS_KEY("excitation.amplitude", kind: above_0(1e9), unit: "um/s or 0.001 deg/s", default: &["2000"])
+    /// bits of the shift register of the excitation; without it the fewest with a period of 4 s
+    ExcitationBits: AXIS_KEY("excitation.bits", kind: integer(7, 15))
+    /// cycles for which a clock of the excitation lasts; without it 2 ms, at least one cycle
+    ExcitationClock: AXIS_KEY("excitation.clock", kind: integer(1, 100_000), unit: "cycles")
+    /// periods of the excitation that are measured, after one that settles
+    ExcitationPeriods: AXIS_KEY("excitation.periods", kind: integer(4, 1000), default: &["8"])
     /// whether the blocks look at the rate of their calls: input `cycle_counter`; skipped and doubled calls are a fault, and after a pause the
     /// block starts anew
     CycleCounter: AXIS_KEY("cycle_counter", kind: Kind::Word(Boolean::WORDS), default: &["FALSE"])

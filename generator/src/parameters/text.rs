@@ -1,4 +1,4 @@
-//! How parameters, values and ranges are written in messages and in the canonical form; nothing is read here.
+//! The text of parameters, values and ranges in messages and in the canonical form. Nothing is read here.
 
 use super::{Kind, Parameter, Value, Word};
 
@@ -35,7 +35,7 @@ pub(crate) fn real_text(x: f64) -> String {
 }
 
 impl Value {
-    /// As the canonical form writes it.
+    /// The text in the canonical form.
     pub(crate) fn text(&self) -> String {
         match self {
             Self::Word(word) => (*word).to_owned(),
@@ -49,7 +49,7 @@ impl Value {
 }
 
 impl Parameter {
-    /// What is allowed, for a message: `1 <= order <= 3`.
+    /// The allowed values, for a message: `1 <= order <= 3`.
     pub fn allowed(&self) -> String {
         let short = self.short();
         let unit = if self.unit.is_empty() { String::new() } else { format!(" [{}]", self.unit) };
@@ -77,7 +77,7 @@ impl Parameter {
     }
 }
 
-/// A word with everything that stands for it: `ON (TRUE, 1)`.
+/// A word with all its spellings: `ON (TRUE, 1)`.
 fn spellings(word: &Word) -> String {
     let number = word.number.map(|number| number.to_string());
     let others: Vec<&str> = word.also.iter().copied().chain(number.as_deref()).collect();

@@ -1,5 +1,5 @@
-//! The words of enumerations: each set once, as a Rust enum with its spellings and numbers. Which parameter has which words is
-//! said in `table.rs`; what a word means for an axis is said where it is matched.
+//! The words of enumerations: each set once, as a Rust enum with its spellings and numbers. `table.rs` assigns them to
+//! parameters; their meaning for an axis is where they are matched.
 
 use super::Word;
 

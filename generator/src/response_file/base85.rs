@@ -3,19 +3,19 @@
 
 /// The digits, 0 first.
 const DIGITS: &str = "0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ!#$`()*+-/:;=?@[]^_{|}~";
-/// A word of 32 bits has so many digits, the most significant first.
+/// Number of digits of a 32-bit word, the most significant first.
 const IN_A_WORD: usize = 5;
-/// In the place of the digits of a word of 0.
+/// Replaces all digits of a word of 0.
 const ZERO: char = '.';
 
 /// A number with the line of its file.
 pub(super) type At = (usize, f64);
 
-/// The numbers of a text that begins in this line: two words each, the more significant first. Blanks and ends of lines may stand
-/// anywhere.
+/// The numbers of a text that begins in this line: two words each, the more significant first. Blanks and line ends may
+/// occur anywhere.
 ///
 /// # Errors
-/// The line, and what stands there.
+/// The line, and the text there.
 pub(super) fn doubles(text: &str, line: usize) -> Result<Vec<At>, (usize, String)> {
     let (mut words, mut line): (Vec<(usize, u32)>, _) = (Vec::new(), line);
     let (mut word, mut digits) = (0_u64, 0);

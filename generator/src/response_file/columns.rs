@@ -1,4 +1,4 @@
-//! What the name of a column says: a quantity and its unit, in English or German. No cell is known here.
+//! The meaning of a column name: a quantity and its unit, in English or German. No cell is known here.
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Quantity {
@@ -25,16 +25,16 @@ pub(super) enum Unit {
     Linear,
 }
 
-/// What a name says.
+/// The meaning of a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Meaning {
     pub quantity: Quantity,
     pub unit: Option<Unit>,
-    /// a unit in brackets that is none of these
+    /// a unit in brackets that is not one of these
     pub unknown: Option<String>,
 }
 
-/// The words of each quantity, in lower case. The first word of a name that is here decides.
+/// The words of each quantity, in lower case. The first known word of a name decides.
 const WORDS: [(Quantity, &[&str]); 8] = [
     (
         Quantity::Frequency,
@@ -64,11 +64,11 @@ const WORDS: [(Quantity, &[&str]); 8] = [
     (Quantity::Averages, &AVERAGES),
 ];
 
-/// Words of the number of averages, in columns and in comments.
+/// Words for the number of averages, in columns and in comments.
 pub(super) const AVERAGES: [&str; 8] =
     ["averages", "averaging", "averagings", "navg", "avg", "mittelungen", "mittelung", "mittelungszahl"];
 
-/// Words of a frequency that are an angular one without a unit.
+/// Words for a frequency that mean an angular frequency if there is no unit.
 const ANGULAR: [&str; 4] = ["omega", "w", "ω", "kreisfrequenz"];
 
 /// The unit that a text names.
@@ -88,7 +88,7 @@ pub(super) fn unit(text: &str) -> Option<Unit> {
     })
 }
 
-/// What the name of a column says, with what a line of units says below it.
+/// The meaning of a column name, with the text below it in a line of units.
 pub(super) fn meaning(name: &str, below: Option<&str>) -> Option<Meaning> {
     let lower = name.to_lowercase();
     let (bare, bracket) = bracketed(&lower);
@@ -122,7 +122,8 @@ pub(super) fn meaning(name: &str, below: Option<&str>) -> Option<Meaning> {
     Some(Meaning { quantity, unit: named.or(alone), unknown })
 }
 
-/// A name without the unit in its brackets, or after `/` or `in`. Round brackets that hold no unit belong to the name: `re(H)`.
+/// A name without its unit in brackets, or after `/` or `in`. Round brackets that contain no unit belong to the name:
+/// `re(H)`.
 fn bracketed(name: &str) -> (&str, Option<&str>) {
     let within = |open: char, close: char| {
         let start = name.rfind(open)?;

@@ -1,5 +1,5 @@
-//! The elements of a SINUMERIK measurement: by their names, with their places; arrays and spectra. Which signal is which is
-//! not known here.
+//! The elements of a SINUMERIK measurement: by their names, with their places; arrays and spectra. The meaning of the
+//! signals is not known here.
 
 use super::Said;
 use super::base85::{self, At};
@@ -12,7 +12,7 @@ pub(super) const WHAT: &str = "a SINUMERIK frequency response measurement with i
 pub(super) const EXPORT: &str =
     "the file that the frequency response measurement saves, as it is, or its curve as a table: f [Hz];re;im;coherence";
 
-/// A document, and who says what is wrong with it.
+/// A document, with the collector of messages about it.
 pub(super) struct Elements<'a, 'i> {
     pub document: &'a Document<'i>,
     pub said: &'a Said<'a>,
@@ -22,13 +22,13 @@ pub(super) struct Elements<'a, 'i> {
 pub(super) struct Spectrum {
     pub hz: Vec<At>,
     pub values: Vec<Complex64>,
-    /// spectra of which it is the mean
+    /// number of averaged spectra
     pub averages: f64,
     /// its line in the file
     pub line: usize,
 }
 
-/// The children that are called so. A message would need their place: it is made where one is missing.
+/// The children with this name.
 fn named<'a, 'i>(of: Node<'a, 'i>, element: &str, name: &str) -> impl Iterator<Item = Node<'a, 'i>> {
     of.children().filter(move |node| node.has_tag_name(element) && node.attribute("name") == Some(name))
 }
@@ -45,7 +45,7 @@ impl<'a, 'i> Elements<'a, 'i> {
         self.said.error(code, [at.row as usize, at.col as usize], found).instead(EXPORT)
     }
 
-    /// A message about what a measurement always has.
+    /// A message about a missing element that a measurement always has.
     pub(super) fn lacks(&self, node: Node<'_, '_>, found: impl Into<String>) -> Diagnostic {
         self.wrong(codes::RESPONSE_TABLE, node, found).allowed(WHAT)
     }
@@ -86,7 +86,7 @@ impl<'a, 'i> Elements<'a, 'i> {
         Ok(Spectrum { hz, values, averages: f64::from(averages), line })
     }
 
-    /// The finite numbers of an array, so many for each of its values.
+    /// The finite numbers of an array, `parts` for each of its values.
     fn array(&self, of: Node<'a, 'i>, name: &str, kind: &str, parts: usize) -> Result<Vec<At>, Report> {
         let array = self.child(of, "NumericArray", name)?;
         let written = ["elementtype", "format"].map(|name| array.attribute(name).unwrap_or_default());

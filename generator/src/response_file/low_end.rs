@@ -1,5 +1,5 @@
-//! What the lowest lines say: a motor follows slow commands exactly, an open speed plant integrates. A position, another unit, the other sign and
-//! another response show there.
+//! Checks of the lowest lines: a motor follows slow commands exactly, an open speed plant integrates. They reveal a
+//! position, another unit, the other sign and another response.
 
 use super::units::NEAR_ONE;
 use super::{From, Point, Said, degrees};
@@ -17,15 +17,15 @@ const RATIOS: [(f64, &str); 6] = [
     (360.0, "360, as between revolutions and degrees"),
     (1000.0 / 60.0, "16.7, as between m/min and mm/s"),
 ];
-/// A speed loop is faster [Hz].
+/// A speed loop has a larger bandwidth [Hz].
 const SLOW: f64 = 10.0;
 
-/// The lowest lines: their middle value, and how it changes up to three times their frequency.
+/// The lowest lines: their median, and its change up to three times their frequency.
 struct LowEnd {
     place: [usize; 2],
     response: Complex64,
     error: f64,
-    /// [dB/decade]; `None`: the lines do not reach three times the lowest frequency
+    /// [dB/decade]; `None` if the lines do not reach three times the lowest frequency
     slope: Option<f64>,
 }
 
@@ -51,7 +51,7 @@ impl LowEnd {
     }
 }
 
-/// The line with the middle magnitude.
+/// The line with the median magnitude.
 fn middle(points: &[Point]) -> Option<Point> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| magnitude(a.response).total_cmp(&magnitude(b.response)));
@@ -71,7 +71,7 @@ pub(super) fn check(points: &[Point], names: [usize; 2], from: From, said: &mut 
     }
 }
 
-/// P is 1 at low frequencies.
+/// Checks that P is 1 at low frequencies.
 fn command(low: &LowEnd, said: &mut Said<'_>) {
     let [size, angle] = [magnitude(low.response), degrees(low.response)];
     let margin = 1.0 + 2.0 * low.error;
@@ -112,7 +112,7 @@ fn command(low: &LowEnd, said: &mut Said<'_>) {
     }
 }
 
-/// A bandwidth that only position loops have.
+/// Warns of a bandwidth that only position loops have.
 fn slow(points: &[Point], names: [usize; 2], said: &mut Said<'_>) {
     let Some(last) = points.iter().rfind(|point| magnitude(point.response) >= 0.5_f64.sqrt()) else { return };
     if last.hz < SLOW && points.last().is_some_and(|point| point.hz > 2.0 * SLOW) {
@@ -133,7 +133,7 @@ fn kv(hz: f64) -> String {
     significant(TAU * hz, 2)
 }
 
-/// A current accelerates: the velocity of an open plant falls with the frequency.
+/// Checks that the velocity of an open plant falls with the frequency, because a current accelerates.
 fn current(low: &LowEnd, said: &mut Said<'_>) {
     let [size, angle] = [magnitude(low.response), degrees(low.response)];
     let is_one = (NEAR_ONE[0]..=NEAR_ONE[1]).contains(&size);

@@ -1,19 +1,19 @@
-//! A measured frequency response as text or XML -> the response from the commanded velocity to the motor's, or what is wrong
-//! with it. No parameter and no file system: bytes, where the response is from, the cycle time and the bands of the active
-//! stages arrive.
+//! A measured frequency response as text or XML -> the response from the commanded velocity to the motor's, or its errors.
+//! No parameter and no file system: the arguments are bytes, the input of the response, the cycle time and the bands of the
+//! active stages.
 //!
 //! ```text
 //! text        bytes -> lines -> cells
-//! columns     what the name of a column says: a quantity and its unit
-//! table       where the names are, where the lines begin, what stands around them
+//! columns     the meaning of a column name: a quantity and its unit
+//! table       the line of names, the first line of numbers, the text around them
 //! numbers     cells -> numbers, each with its line
 //! sinumerik   spectra of a measurement as XML -> numbers; elements: its elements; base85: their numbers
 //! order       rising frequencies, no gap, below half the sampling frequency
 //! units       numbers -> complex values with their relative standard errors
 //! phase       minimum phase and dead time: unit and sign of the phase
-//! low_end     what the lowest lines say: 1, another unit, an integrator
+//! low_end     checks of the lowest lines: 1, another unit, an integrator
 //! speed_loop  the open speed plant -> the closed speed loop
-//! reach       whether the lines show what an active stage needs
+//! reach       whether the lines cover the band of an active stage
 //! ```
 
 mod base85;
@@ -33,14 +33,15 @@ mod units;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use stability::{Complex64, Response, magnitude};
 
-/// What a response was measured from and to. A delay [s] is what the measurement does not contain of the way from the cycle that writes the
-/// commanded velocity to the cycle that reads its effect: the cycles between the CNC and the drive, if the drive itself was measured.
+/// Input and output of a measured response. The delay [s] is the part that the measurement does not contain of the way from
+/// the cycle that writes the commanded velocity to the cycle that reads its effect: the cycles between the CNC and the
+/// drive, if the drive itself was measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum From {
     /// from the commanded velocity to the motor's
     Command { delay: f64 },
-    /// the open speed plant, from the current (or torque) to the motor's velocity, with the speed controller
-    /// `Kp (1 + 1/(s Tn))`: Kp in the unit of the current per unit of the velocity, Tn [s], 0: no integral part
+    /// the open speed plant, from the current (or torque) to the motor's velocity, with the speed controller `Kp (1 + 1/(s
+    /// Tn))`: Kp in the unit of the current per unit of the velocity, Tn [s]; 0 for no integral part
     Current { kp: f64, tn: f64, delay: f64 },
 }
 
@@ -55,13 +56,13 @@ pub struct Band {
     pub width: f64,
 }
 
-/// A response that can be used.
+/// A usable response.
 #[derive(Clone, Debug)]
 pub struct Measured {
     pub response: Response,
     /// warnings
     pub said: Report,
-    /// lines that are used
+    /// number of used lines
     pub lines: usize,
     /// whether the file has standard errors, or coherence and the number of averages
     pub has_errors: bool,
@@ -79,11 +80,11 @@ struct Point {
     error: f64,
 }
 
-/// What a file says.
+/// The contents of a file.
 struct Reading<'t> {
     lines: Vec<numbers::Line>,
     columns: numbers::Columns<'t>,
-    /// why its standard errors count as 0, if they do
+    /// the reason if its standard errors count as 0
     without_errors: Option<Diagnostic>,
 }
 
@@ -110,13 +111,13 @@ impl Said<'_> {
         self.report.push(diagnostic);
     }
 
-    /// What was made, if nothing so far forbids its use.
+    /// The result, if no error so far prevents its use.
     fn usable<T>(&self, made: T) -> Result<T, Report> {
         if self.report.has_errors() { Err(self.report.clone()) } else { Ok(made) }
     }
 }
 
-/// Whether a file is XML, whose signals have numbers in the place of names: what the response is from must be stated.
+/// Whether a file is XML, whose signals have numbers instead of names: the set must state the input of the response.
 #[must_use]
 pub fn is_without_names(bytes: &[u8]) -> bool {
     sinumerik::is_xml(&text::decode(bytes))
@@ -125,7 +126,8 @@ pub fn is_without_names(bytes: &[u8]) -> bool {
 /// Reads a response for a block with this cycle time [s].
 ///
 /// # Errors
-/// The file must not be used. The report has all messages of the first step that found an error, after those of the steps before it.
+/// The file must not be used. The report has all messages of the first step with an error, after those of the previous
+/// steps.
 pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band]) -> Result<Measured, Report> {
     let mut said = Said { file, report: Report::default() };
     let text = text::decode(bytes);

@@ -1,4 +1,4 @@
-//! Cells -> numbers: which column is which quantity, and each line of numbers. No unit but that of the frequency is applied here.
+//! Cells -> numbers: the column of each quantity, and each line of numbers. Only the unit of the frequency is applied here.
 
 use super::Said;
 use super::columns::{Quantity, Unit};
@@ -8,7 +8,7 @@ use crate::codes;
 use crate::diagnostics::Diagnostic;
 use std::f64::consts::TAU;
 
-/// A column that is used.
+/// A used column.
 #[derive(Clone, Debug)]
 pub(super) struct Used<'t> {
     pub index: usize,
@@ -17,7 +17,7 @@ pub(super) struct Used<'t> {
     pub unit: Option<Unit>,
 }
 
-/// How the complex value is written.
+/// The notation of the complex value.
 #[derive(Clone, Debug)]
 pub(super) enum Value<'t> {
     Parts([Used<'t>; 2]),
@@ -39,14 +39,14 @@ pub(super) struct Columns<'t> {
 pub(super) struct Line {
     pub line: usize,
     pub hz: f64,
-    /// of the frequency, the two of the value: where their cells begin
+    /// first columns of the cells of the frequency and of both parts of the value
     pub columns: [usize; 3],
-    /// real and imaginary part, or magnitude and phase, as they are written
+    /// real and imaginary part, or magnitude and phase, as written
     pub value: [f64; 2],
     pub coherence: Option<f64>,
-    /// as it is written
+    /// as written
     pub error: Option<f64>,
-    /// of the line, else of the file
+    /// number of averages of the line, else of the file
     pub averages: Option<f64>,
 }
 
@@ -58,7 +58,7 @@ impl<'t> Value<'t> {
         }
     }
 
-    /// Where the name of the first column stands.
+    /// The place of the name of the first column.
     pub(super) fn place(&self) -> [usize; 2] {
         self.columns()[0].place
     }
@@ -68,7 +68,7 @@ impl<'t> Value<'t> {
     }
 }
 
-/// What a name may be, for messages.
+/// Possible names, for messages.
 const NAMES: [(Quantity, &str); 5] = [
     (Quantity::Frequency, "f [Hz]"),
     (Quantity::Real, "re"),
@@ -134,14 +134,14 @@ fn word(quantity: Quantity) -> &'static str {
     }
 }
 
-/// The one column of a quantity; a second one, and a unit that the quantity does not have, are mistakes.
+/// The only column of a quantity. A second one, or a unit that the quantity does not have, is an error.
 fn column<'t>(table: &Table<'t>, quantity: Quantity, said: &mut Said<'_>) -> Option<Used<'t>> {
     let is_of =
         |column: &&(usize, &Column<'t>)| column.1.meaning.as_ref().is_some_and(|known| known.quantity == quantity);
     let all: Vec<(usize, &Column<'t>)> = table.columns.iter().enumerate().collect();
     let mut of: Vec<_> = all.iter().filter(is_of).collect();
     if of.len() > 1 {
-        // `coherence` beside `coh [%]` are two; so are `f [Hz]` and `omega [rad/s]`.
+        // Both `coherence` and `coh [%]` are two columns of one quantity; so are `f [Hz]` and `omega [rad/s]`.
         let names: Vec<String> = of.iter().map(|(_, column)| format!("`{}`", column.name)).collect();
         let found = format!("{} columns of the {}: {}", of.len(), word(quantity), names.join(", "));
         let (_, second) = of[1];
@@ -191,7 +191,7 @@ pub(super) fn lines(table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'_
     lines
 }
 
-/// One line; `None`: a cell of it is not a number.
+/// One line; `None` if one of its cells is not a number.
 fn line(row: &Row<'_>, table: &Table<'_>, columns: &Columns<'_>, said: &mut Said<'_>) -> Option<Line> {
     let mut number = |used: &Used<'_>| {
         let cell = row.cells[used.index];
@@ -235,7 +235,7 @@ fn not_a_number(place: [usize; 2], cell: &str, name: &str, said: &mut Said<'_>) 
     );
 }
 
-/// A line of cells too many or too few. Decimal commas between commas look like that.
+/// Reports a line with too many or too few cells. Decimal commas between separating commas have this effect.
 fn cell_count(row: &Row<'_>, table: &Table<'_>, said: &mut Said<'_>) {
     let (found, right) = (row.cells.len(), table.columns.len());
     let instead = match table.separator {
@@ -250,7 +250,7 @@ fn cell_count(row: &Row<'_>, table: &Table<'_>, said: &mut Said<'_>) {
     );
 }
 
-/// A coherence lies in 0 to 1, a standard error is not negative.
+/// Checks that a coherence is from 0 to 1, and that a standard error is not negative.
 fn bounded((used, value): (&Used<'_>, f64), row: &Row<'_>, said: &mut Said<'_>) -> Option<f64> {
     let is_coherence = used.is_coherence();
     let value = if is_coherence && used.unit == Some(Unit::Percent) { value / 100.0 } else { value };
@@ -274,7 +274,7 @@ impl Used<'_> {
     }
 }
 
-/// Why the standard errors of a table count as 0, if they do.
+/// The reason if the standard errors of a table count as 0.
 pub(super) fn without_errors(table: &Table<'_>, columns: &Columns<'_>, said: &Said<'_>) -> Option<Diagnostic> {
     let has_count = columns.averages.is_some() || table.averages.is_some();
     if columns.error.is_some() || columns.coherence.is_some() && has_count {

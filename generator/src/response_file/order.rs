@@ -1,4 +1,4 @@
-//! The frequencies: above 0, rising, enough of them, without a gap, below half the sampling frequency.
+//! Checks of the frequencies: above 0, rising, enough of them, without a gap, below half the sampling frequency.
 
 use super::Said;
 use super::numbers::Line;
@@ -6,9 +6,10 @@ use crate::codes;
 use crate::number::significant;
 use portable::Extreme;
 
-/// Fewer lines show no response.
+/// Fewer lines are not a response.
 const LEAST: usize = 10;
-/// A distance that is so many times the larger of its neighbours': a line is missing, or several are. One missing line doubles it.
+/// A distance of this multiple of the larger neighbouring one is a gap: one or several lines are missing. One missing line
+/// doubles it.
 const DOUBTFUL: f64 = 1.7;
 const GAP: f64 = 2.6;
 
@@ -40,7 +41,7 @@ pub(super) fn check(mut lines: Vec<Line>, names: [usize; 2], cycle_time: f64, sa
     lines
 }
 
-/// An FFT has a line at 0 Hz, which says nothing: it is left out.
+/// Leaves out the line at 0 Hz, which an FFT has and which contains no information.
 fn zero(lines: &mut Vec<Line>, said: &mut Said<'_>) {
     let is_zero = |line: &Line| line.hz.abs() <= 0.0;
     if lines.first().is_some_and(is_zero) {
@@ -58,7 +59,7 @@ fn zero(lines: &mut Vec<Line>, said: &mut Said<'_>) {
     }
 }
 
-/// The first line that does not rise, and how many there are.
+/// Reports the first line that does not rise, and the number of these lines.
 fn rising(lines: &[Line], said: &mut Said<'_>) {
     let wrong: Vec<&[Line]> = lines.windows(2).filter(|pair| pair[1].hz <= pair[0].hz).collect();
     let Some([before, line]) = wrong.first().and_then(|pair| <&[Line; 2]>::try_from(*pair).ok()) else { return };
@@ -81,7 +82,7 @@ fn rising(lines: &[Line], said: &mut Said<'_>) {
     );
 }
 
-/// Lines that were cut: a calm curve through the gap hides what they showed.
+/// Reports lines that were removed: a smooth curve through the gap hides their values.
 fn gaps(lines: &[Line], said: &mut Said<'_>) {
     let distance = |index: usize| Some(lines.get(index + 1)?.hz - lines.get(index)?.hz);
     for index in 0..lines.len().saturating_sub(1) {

@@ -1,15 +1,16 @@
-//! The dead time of a response: what its phase falls beyond the minimum phase of its magnitude. It shows a phase in another unit, with the other sign,
-//! and a signal that was recorded elsewhere.
+//! The dead time of a response: the part of its phase beyond the minimum phase of its magnitude. It reveals a phase in
+//! another unit or with the other sign, and a signal that was recorded elsewhere.
 //!
 //! ```text
 //! ln|P| on 512 frequencies up to half the sampling frequency; held below the lines, above them it falls by half of their slope
 //! c_n = its cosine series; minimum phase = -2 sum c_n sin(n w)
 //! dead time = the tau that maximises sum q Re(exp(j (phase - minimum phase + w tau))), q = 1/(0.05^2 + relative error^2)
 //! ```
-//! What |P| does above the last line is not known. Falling faster there would count less as dead time, a sampled system falls more slowly: on these
-//! the dead time is known to 0.2 cycles from lines up to a fifth of half the sampling frequency on. A response that was measured in the drive
-//! gets up to 0.4 cycles more than it has with lines up to a quarter of the sampling frequency, and up to 1.2 with lines up to a tenth: too much
-//! rather than too little.
+//! |P| above the last line is unknown. If it falls faster there than assumed, the real dead time is smaller; a sampled
+//! system falls more slowly. For sampled systems the error is at most 0.2 cycles with lines up to at least a fifth of half
+//! the sampling frequency. A response that was measured in the drive gets up to 0.4 cycles too much with lines up to a
+//! quarter of the sampling frequency, and up to 1.2 cycles too much with lines up to a tenth: too much rather than too
+//! little.
 
 use super::{From, Point, Said, magnitude, turned};
 use crate::codes;
@@ -20,32 +21,32 @@ use std::f64::consts::{PI, TAU};
 
 /// Frequencies from 0 to half the sampling frequency.
 const HALF: usize = 512;
-/// Lines that reach less far, in cycles, show no dead time.
+/// Lines must reach this frequency, in cycles, to show a dead time.
 const LEAST_REACH: f64 = 0.05;
-/// Dead times that are tried [cycles].
+/// Range of dead times that are tried [cycles].
 const FROM: f64 = -8.0;
 const STEP: f64 = 0.05;
 const STEPS: u16 = 640;
-/// So far the lines agree with a dead time, 1: entirely.
+/// Agreement of the lines with a dead time from which it counts; 1 is complete agreement.
 const AGREES: f64 = 0.7;
-/// So far a dead time is known [cycles].
+/// Uncertainty of a dead time [cycles].
 const TOLERANCE: f64 = 0.2;
 /// The error of a line that counts as exact.
 const EXACT: f64 = 0.05;
-/// More lines do not make the dead time better known.
+/// More lines do not improve the dead time.
 const MOST_LINES: usize = 400;
 
-/// What the dead time of phases needs.
+/// Data for finding the dead time of phases.
 pub(super) struct Dead {
-    /// w T, minimum phase, weight; none: the lines do not reach far enough
+    /// w T, minimum phase, weight; empty if the lines do not reach far enough
     lines: Vec<[f64; 3]>,
-    /// only every n-th of the lines that were given
+    /// only every n-th of the given lines is used
     every: usize,
     /// 1/T
     rate: f64,
 }
 
-/// A dead time [cycles], and how far the lines agree with it.
+/// A dead time [cycles], and the agreement of the lines with it.
 #[derive(Clone, Copy, Debug)]
 struct Found {
     cycles: f64,
@@ -53,7 +54,8 @@ struct Found {
 }
 
 impl Dead {
-    /// Of frequencies [Hz] and magnitudes with their relative errors. An open speed plant integrates: its magnitude is multiplied by |1 - z^-1|.
+    /// From frequencies [Hz] and magnitudes with their relative errors. An open speed plant integrates: its magnitude is
+    /// multiplied by |1 - z^-1|.
     pub(super) fn new(lines: impl Iterator<Item = (f64, f64)>, errors: &[f64], from: From, cycle_time: f64) -> Self {
         let integrates = matches!(from, From::Current { .. });
         let rate = 1.0 / cycle_time;
@@ -80,7 +82,7 @@ impl Dead {
         !self.lines.is_empty()
     }
 
-    /// Of these phases [rad], one a line.
+    /// The dead time of these phases [rad], one per line.
     fn of(&self, phases: &[f64]) -> Found {
         let mut turning: Vec<[Complex64; 2]> = self
             .lines
@@ -100,7 +102,7 @@ impl Dead {
         best
     }
 
-    /// What the phases give, for a message.
+    /// The dead time of the phases, for a message.
     pub(super) fn words(&self, phases: &[f64]) -> String {
         let found = self.of(phases);
         if found.agreement >= AGREES {
@@ -110,8 +112,8 @@ impl Dead {
         }
     }
 
-    /// Whether the phases give a dead time that can be: one cycle at least from the CNC to the motor and back, what the measurement
-    /// does not contain among it, and none below 0 within the drive.
+    /// Whether the dead time of the phases is possible: at least one cycle from the CNC to the motor and back, including the
+    /// part that the measurement does not contain, and not below 0 within the drive.
     pub(super) fn fits(&self, phases: &[f64], from: From) -> bool {
         let least = match from {
             From::Command { delay } => (1.0 - delay * self.rate).larger(0.0),
@@ -122,8 +124,8 @@ impl Dead {
     }
 }
 
-/// The dead time [s] from the commanded velocity to the motor's. Below one cycle it is a mistake: the effect of a command
-/// is read in the next cycle at the earliest.
+/// The dead time [s] from the commanded velocity to the motor's. Below one cycle it is an error: the effect of a command is
+/// read in the next cycle at the earliest.
 pub(super) fn dead_time(
     points: &[Point],
     place: [usize; 2],
@@ -133,7 +135,7 @@ pub(super) fn dead_time(
 ) -> Option<f64> {
     let errors: Vec<f64> = points.iter().map(|point| point.error).collect();
     let lines = points.iter().map(|point| (point.hz, magnitude(point.response)));
-    // The response is closed by now, whatever it was measured from.
+    // The response is that of the closed loop here, for any input of the measurement.
     let dead = Dead::new(lines, &errors, From::Command { delay: 0.0 }, cycle_time);
     let phases: Vec<f64> = points.iter().map(|point| libm::atan2(point.response.im, point.response.re)).collect();
     let found = dead.is_known().then(|| dead.of(&phases)).filter(|found| found.agreement >= AGREES)?;
@@ -162,7 +164,7 @@ fn cycles(value: f64) -> String {
     decimals(value, 2)
 }
 
-/// c_n of ln|P| over w, n = 0..HALF, through straight lines between the lines and held beyond them.
+/// c_n of ln|P| over w, n = 0..HALF, with straight lines between the measured ones, constant beyond them.
 fn cosine_series(lines: &[[f64; 2]]) -> Vec<f64> {
     let all = 2 * HALF;
     let step = PI / to_real(HALF);
@@ -177,7 +179,7 @@ fn cosine_series(lines: &[[f64; 2]]) -> Vec<f64> {
     series.collect()
 }
 
-/// Half of the slope of ln|P| over ln w in the last octave, where it falls, but by no more than 20 dB a decade.
+/// Half of the slope of ln|P| over ln w in the last octave, if it falls, limited to 20 dB per decade.
 fn tail(lines: &[[f64; 2]]) -> f64 {
     let Some([last, top]) = lines.last() else { return 0.0 };
     let octave = lines.iter().find(|[w, _]| *w >= 0.5 * last);

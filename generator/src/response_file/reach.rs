@@ -1,4 +1,4 @@
-//! Whether the lines show what an active stage needs: its band, in steps that are fine enough, with a certainty that is worth something.
+//! Whether the lines cover the band of an active stage, in steps that are fine enough and with sufficient certainty.
 
 use super::numbers::Line;
 use super::order::hz;
@@ -7,9 +7,9 @@ use crate::codes;
 use crate::number::{decimals, significant};
 use portable::Extreme;
 
-/// Two standard errors of a magnitude, from which on a response says nothing.
+/// Two standard errors of a magnitude from which a response contains no information.
 const NOTHING: f64 = 0.5;
-/// The coherence with which four averages, the fewest that are usual, say nothing.
+/// The coherence at which four averages, the usual minimum, contain no information.
 const LOW_COHERENCE: f64 = 2.0 / 3.0;
 
 pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut Said<'_>) {
@@ -45,7 +45,7 @@ pub(super) fn check(points: &[Point], lines: &[Line], bands: &[Band], said: &mut
     }
 }
 
-/// A vibration as narrow as the stage must not hide between two lines.
+/// A vibration with the bandwidth of the stage must not be hidden between two lines.
 fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
     let distance = above.hz - below.hz;
     if distance <= 0.25 * band.width {
@@ -61,7 +61,7 @@ fn spacing(band: &Band, [below, above]: [&Point; 2], said: &mut Said<'_>) {
     });
 }
 
-/// What is hardly known at f0 gives no margin.
+/// Warns of an uncertain response at f0, from which no margin can be computed.
 fn certainty(band: &Band, points: [&Point; 2], lines: [&Line; 2], said: &mut Said<'_>) {
     let place = [points[1].line, 0];
     let double = 2.0 * points[0].error.larger(points[1].error);

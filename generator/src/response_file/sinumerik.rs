@@ -1,15 +1,15 @@
-//! The XML file of a frequency response measurement of SINUMERIK -> its lines, or why they cannot be read. It has spectra, not a
-//! response:
+//! The XML file of a frequency response measurement of SINUMERIK -> its lines, or the reason why it cannot be read. It
+//! contains spectra instead of a response:
 //!
 //! ```text
 //! S_ab = mean of conj(A) B             the cross spectrum in the list of node a, with the id of node b
-//! P = S_uy/S_uu                        u, y: the input and the output that the measurement names
-//! coherence = |S_uy|^2/(S_uu S_yy)     of the spectra that were averaged; of one spectrum it is always 1
+//! P = S_uy/S_uu                        u, y: the input and the output of the measurement
+//! coherence = |S_uy|^2/(S_uu S_yy)     from averaged spectra; for a single spectrum it is always 1
 //! ```
 //!
-//! That the first factor is the conjugate one was found in a real file, whose output follows its input (a wrong sign of the
-//! phase is found later, too). Ids of nodes and of units are numbers without a public meaning: the set states what the
-//! response is from.
+//! In a real file, whose output lags its input, the first factor is the conjugate (a wrong sign of the phase is also
+//! detected later). Ids of nodes and of units are numbers without a public meaning: the set states the input of the
+//! response.
 
 use super::columns::Unit;
 use super::elements::{EXPORT, Elements, Spectrum, WHAT, text_of};
@@ -22,10 +22,10 @@ use crate::xml;
 use portable::Extreme;
 use roxmltree::Node;
 
-/// The least significant digits of a coherence.
+/// Rounding error of a coherence.
 const ROUNDED: f64 = 1e-9;
 
-/// A signal: the number by which the spectra name it is that of its kind, not of its element.
+/// A signal: the number in the spectra is that of its kind, not of its element.
 struct Signal<'a, 'i> {
     node: Node<'a, 'i>,
     /// kind and axis
@@ -67,7 +67,7 @@ pub(super) fn read(text: &str, said: &Said<'_>) -> Result<Reading<'static>, Repo
     Ok(Reading { lines, columns, without_errors })
 }
 
-/// Another file of SINUMERIK, or any other.
+/// The message for another file of SINUMERIK, or for any other file.
 fn another(elements: &Elements<'_, '_>, root: Node<'_, '_>) -> Diagnostic {
     let has = |name: &str| root.descendants().any(|node| node.has_tag_name(name));
     let found = if has("traceData") {
@@ -86,7 +86,7 @@ fn without_spectra(elements: &Elements<'_, '_>, node: Node<'_, '_>) -> Diagnosti
     elements.lacks(node, what)
 }
 
-/// The input and the output of the one response that the measurement names.
+/// The input and the output of the only response of the measurement.
 fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Signal<'a, 'i>; 2], Report> {
     let list = elements.child(root, "LinkedList", "m_listPrimaryFreqRespSigNodeData")?;
     let pairs: Vec<Node<'a, 'i>> = list.children().filter(Node::is_element).collect();
@@ -119,7 +119,7 @@ fn pair<'a, 'i>(elements: &Elements<'a, 'i>, root: Node<'a, 'i>) -> Result<[Sign
     Ok([signal("m_iInputSigNodeUniqueInstanceID")?, signal("m_iOutputSigNodeUniqueInstanceID")?])
 }
 
-/// Whether the measurement states nothing that changes a signal: if its spectra contain that is unknown.
+/// Checks that the measurement contains no setting that changes a signal: it is unknown whether its spectra include it.
 fn as_measured<'a, 'i>(elements: &Elements<'a, 'i>, node: Node<'a, 'i>) -> Result<(), Report> {
     let distortion = elements.child(node, "TransferFunction", "m_MeasurementLinearDistortion")?;
     let changed = |found: String, neutral: f64| {
@@ -145,7 +145,7 @@ fn as_measured<'a, 'i>(elements: &Elements<'a, 'i>, node: Node<'a, 'i>) -> Resul
     Ok(())
 }
 
-/// S_uy, which the list of either signal may have.
+/// S_uy, which may be in the list of either signal.
 fn cross<'a, 'i>(
     elements: &Elements<'a, 'i>,
     input: &Signal<'a, 'i>,
@@ -167,7 +167,7 @@ fn cross<'a, 'i>(
     }
 }
 
-/// The lines of the response; that at 0 Hz, a mean value, is none.
+/// The lines of the response, without the line at 0 Hz, which is a mean value.
 fn lines(powers: &[Spectrum; 2], cross: &Spectrum, said: &Said<'_>) -> Result<Vec<Line>, Report> {
     let wrong = |code, line, found: String, allowed: &str| {
         Err(said.error(code, [line, 0], found).allowed(allowed).instead(EXPORT).into())

@@ -12,7 +12,7 @@ use crate::number::significant;
 use stability::Complex64;
 use std::f64::consts::TAU;
 
-/// A speed loop nearer to -1 is hardly the one that runs in the drive; nearer still, it is certainly not.
+/// A speed loop with a smaller distance from -1 is hardly the one in the drive; below the second value it certainly is not.
 const NEAR: f64 = 0.25;
 const OSCILLATES: f64 = 0.05;
 
@@ -42,7 +42,7 @@ fn controller(hz: f64, kp: f64, tn: f64) -> Complex64 {
     Complex64::new(kp, -kp * integral)
 }
 
-/// The loop is above 1 at the lowest line and below 1 at the highest, and keeps away from -1.
+/// Checks that the loop is above 1 at the lowest line, below 1 at the highest, and at a distance from -1.
 fn crossing(points: &[Point], loops: &[Complex64], said: &mut Said<'_>) {
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
     let sizes: Vec<f64> = loops.iter().map(|open| magnitude(*open)).collect();

@@ -1,4 +1,4 @@
-//! A text as a table: which separator it has, where the names of its columns stand, what stands around them.
+//! A text as a table: its separator, the names of its columns, the text around them.
 
 use super::Said;
 use super::columns::{self, AVERAGES, Meaning};
@@ -6,7 +6,7 @@ use super::text::{self, Cell, SEPARATORS, Separator};
 use crate::codes;
 use crate::diagnostics::Diagnostic;
 
-/// A column of the table with what its name says.
+/// A column of the table with the meaning of its name.
 #[derive(Clone, Debug)]
 pub(super) struct Column<'t> {
     pub name: &'t str,
@@ -26,22 +26,22 @@ pub(super) struct Row<'t> {
 pub(super) struct Table<'t> {
     pub columns: Vec<Column<'t>>,
     pub rows: Vec<Row<'t>>,
-    /// the number of averages, if a line outside of the table states it
+    /// the number of averages, if a line outside the table states it
     pub averages: Option<f64>,
     pub separator: Separator,
 }
 
-/// Why a text is not a table.
+/// The reason why a text is not a table.
 #[derive(Clone, Debug)]
 pub(super) struct Mistake {
     line: usize,
     found: String,
 }
 
-/// Fewer columns cannot hold a response.
+/// A response needs at least this number of columns.
 const LEAST_CELLS: usize = 3;
 
-/// What a file looks like.
+/// An example of a file.
 const EXAMPLE: &str =
     "a first line such as `f [Hz];magnitude [dB];phase [deg];coherence`, below it a line of numbers for each frequency";
 
@@ -94,7 +94,7 @@ fn comment(line: &str, separator: Separator) -> Option<(usize, &str)> {
     Some((line.chars().count() - bare.chars().count(), bare))
 }
 
-/// The cells of a line; after a separator at its end there is none.
+/// The cells of a line; a separator at the end does not begin another cell.
 fn cells(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     let mut cells = text::cells(line, separator);
     if cells.len() > LEAST_CELLS && cells.last().is_some_and(|cell| cell.text.is_empty()) {
@@ -103,13 +103,13 @@ fn cells(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     cells
 }
 
-/// The separator that gives most lines of numbers, and the first of these lines, from 0.
+/// The separator with the largest number of lines of numbers, and the first of these lines, from 0.
 fn separated(text: &str) -> Option<(Separator, usize)> {
     let is_row = |line: &str, separator: Separator| {
         let cells = cells(line, separator);
         let numbers = cells.iter().filter(|cell| text::number(cell.text).is_some()).count();
         let missing = cells.iter().filter(|cell| text::is_missing(cell.text)).count();
-        // A column of text next to three of numbers is a line of the table; a sentence with a number in it is not.
+        // A column of text next to three of numbers is part of the table; a sentence with a number in it is not.
         let is_full = numbers + missing == cells.len() || numbers >= LEAST_CELLS && 2 * numbers > cells.len();
         cells.len() >= LEAST_CELLS && numbers > 0 && is_full && comment(line, separator).is_none()
     };
@@ -124,8 +124,9 @@ fn separated(text: &str) -> Option<(Separator, usize)> {
     Some((separator, text.lines().position(|line| is_row(line, separator))?))
 }
 
-/// The names of the columns, with their line from 1: the last line above the numbers that has as many cells as they have and names two quantities or
-/// more. A comment may hold it, with any separator. If no line has as many, one that names quantities: the lines have cells too many or too few.
+/// The names of the columns, with their line from 1: the last line above the numbers that has the same number of cells and
+/// names at least two quantities. It may be a comment, with any separator. If there is none, a line that names quantities:
+/// then the lines have too many or too few cells.
 fn header(text: &str, start: usize, separator: Separator, width: usize) -> Option<(usize, Vec<Cell<'_>>)> {
     let above: Vec<(usize, usize, &str)> = text
         .lines()
@@ -151,7 +152,7 @@ fn quantities(names: &[Cell<'_>]) -> usize {
     names.iter().filter(|cell| columns::meaning(cell.text, None).is_some()).count()
 }
 
-/// The cells of a line of names. Between blanks a unit in brackets belongs to the word before it.
+/// The cells of a line of names. With blanks as separator, a unit in brackets belongs to the word before it.
 fn names(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     let cells = cells(line, separator);
     if separator != Separator::Blanks {
@@ -171,7 +172,7 @@ fn names(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     names
 }
 
-/// A line between the names and the numbers that holds units only.
+/// A line between the names and the numbers that contains only units.
 fn units(text: &str, header: usize, start: usize, separator: Separator) -> Vec<Cell<'_>> {
     let between =
         text.lines().take(start).skip(header).map(|line| comment(line, separator).map_or(line, |(_, bare)| bare));

@@ -1,28 +1,29 @@
 //! Bytes -> text -> cells and numbers: encodings, separators, quotation marks, decimal commas. No quantity is known here.
 
-/// What separates the cells of a line.
+/// The separator of the cells of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Separator {
     Tab,
     Semicolon,
     Comma,
-    /// one blank or several; tabs too
+    /// one or several blanks or tabs
     Blanks,
 }
 
-/// In the order in which they are tried.
+/// The separators in the order in which they are tried.
 pub(super) const SEPARATORS: [Separator; 4] =
     [Separator::Tab, Separator::Semicolon, Separator::Comma, Separator::Blanks];
 
 /// A cell without the blanks and quotation marks around it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cell<'t> {
-    /// where it begins, in characters from 1
+    /// column of its first character, from 1
     pub column: usize,
     pub text: &'t str,
 }
 
-/// UTF-8 with or without its mark, UTF-16 with it; everything else is ISO 8859-1, as older programs for Windows write it.
+/// UTF-8 with or without a byte order mark, UTF-16 with one; everything else is ISO 8859-1, as written by older programs for
+/// Windows.
 pub(super) fn decode(bytes: &[u8]) -> String {
     let wide = |from: fn([u8; 2]) -> u16| {
         let units: Vec<u16> = bytes[2..].chunks_exact(2).map(|pair| from([pair[0], pair[1]])).collect();
@@ -38,7 +39,7 @@ pub(super) fn decode(bytes: &[u8]) -> String {
     }
 }
 
-/// The cells of a line. What stands in quotation marks is not separated.
+/// The cells of a line. Text in quotation marks is not separated.
 pub(super) fn cells(line: &str, separator: Separator) -> Vec<Cell<'_>> {
     let separates = |letter: char| match separator {
         Separator::Tab => letter == '\t',
@@ -67,7 +68,7 @@ fn cell(text: &str, from: usize) -> Cell<'_> {
     let blanks = text.chars().take_while(|letter| letter.is_whitespace()).count();
     let trimmed = text.trim();
     let bare = trimmed.strip_prefix('"').and_then(|text| text.strip_suffix('"')).map_or(trimmed, str::trim);
-    // An empty cell begins where it stands.
+    // An empty cell begins at its own position.
     Cell { column: if trimmed.is_empty() { from } else { from + blanks }, text: bare }
 }
 
@@ -79,7 +80,7 @@ pub(super) fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
-/// Whether a cell says that there is no number: nothing, a dash, `NaN` and its kind.
+/// Whether a cell marks a missing number: empty, a dash, `NaN` and similar.
 pub(super) fn is_missing(text: &str) -> bool {
     let text = text.to_ascii_lowercase();
     let bare = text.trim_matches(['-', '+', '#', '.', ' ', '/', '!', '?']);

@@ -1,5 +1,5 @@
-//! Numbers -> complex values with their relative standard errors. A unit that a name states is held against the numbers; one that it does not state is
-//! taken where only one fits.
+//! Numbers -> complex values with their relative standard errors. A stated unit is checked against the numbers; a missing
+//! unit is inferred if only one fits.
 
 use super::columns::Unit;
 use super::numbers::{Columns, Line, Used, Value};
@@ -10,11 +10,11 @@ use crate::number::significant;
 use portable::Extreme;
 use stability::Complex64;
 
-/// A relative error that no margin survives stands for a coherence of 0.
+/// The relative error for a coherence of 0: no margin survives it.
 const NOTHING_KNOWN: f64 = 1000.0;
-/// dB of a factor that is larger by a part: 20/ln 10.
+/// dB per relative change of a factor: 20/ln 10.
 const DECIBEL: f64 = 20.0 / std::f64::consts::LN_10;
-/// A response near 1: its magnitude between these.
+/// Range of the magnitude of a response near 1.
 pub(super) const NEAR_ONE: [f64; 2] = [0.7, 1.4];
 
 pub(super) fn points(
@@ -70,7 +70,7 @@ fn size(line: &Line, value: &Value<'_>, is_decibel: bool) -> f64 {
     }
 }
 
-/// Of one line: as its column states it, else from coherence k and n averages, sqrt((1 - k)/(2 n k)), else 0.
+/// The relative error of one line: from its column, else from coherence k and n averages, sqrt((1 - k)/(2 n k)), else 0.
 fn relative_error(line: &Line, size: f64, column: Option<&Used<'_>>) -> f64 {
     let relative = match (line.error, line.coherence, line.averages) {
         (Some(error), _, _) => match column.and_then(|used| used.unit) {
@@ -84,7 +84,7 @@ fn relative_error(line: &Line, size: f64, column: Option<&Used<'_>>) -> f64 {
     relative.smaller(NOTHING_KNOWN)
 }
 
-/// Whether the magnitude is in dB: as its name says, else where a value is negative, which no factor is.
+/// Whether the magnitude is in dB: from its name, else because a value is negative, which a factor cannot be.
 fn is_decibel(lines: &[Line], magnitude: &Used<'_>, from: From, said: &mut Said<'_>) -> bool {
     let negative = lines.iter().find(|line| line.value[0] < 0.0);
     let lowest = lowest(lines);
@@ -122,14 +122,14 @@ fn is_decibel(lines: &[Line], magnitude: &Used<'_>, from: From, said: &mut Said<
     }
 }
 
-/// The middle one of the three lowest magnitudes, as they are written.
+/// The median of the three lowest magnitudes, as written.
 fn lowest(lines: &[Line]) -> f64 {
     let mut first: Vec<f64> = lines.iter().take(3).map(|line| line.value[0]).collect();
     first.sort_by(f64::total_cmp);
     first.get(first.len() / 2).copied().unwrap_or(0.0)
 }
 
-/// How a phase can be read: radians per unit, and whether its sign is turned.
+/// An interpretation of a phase: radians per unit, and whether its sign is inverted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Reading {
     unit: Unit,
@@ -147,7 +147,7 @@ impl Reading {
     }
 }
 
-/// The phases [rad], as the file states them; another unit or the other sign that fits while this one does not is a mistake.
+/// The phases [rad] as the file states them. If only another unit or the other sign fits, it is an error.
 fn phases(lines: &[Line], value: &Value<'_>, dead: &Dead, from: From, said: &mut Said<'_>) -> Vec<f64> {
     let written: Vec<f64> = match value {
         Value::Parts(_) => lines.iter().map(|line| libm::atan2(line.value[1], line.value[0])).collect(),
@@ -173,7 +173,7 @@ fn phases(lines: &[Line], value: &Value<'_>, dead: &Dead, from: From, said: &mut
     read(stated)
 }
 
-/// The unit of a phase that states none: the one that gives a dead time that can be.
+/// The unit of a phase without a stated unit: the one with a possible dead time.
 fn taken(phase: &Used<'_>, fits: impl Fn(Unit) -> bool, said: &mut Said<'_>) -> Unit {
     let [degrees, radians] = [Unit::Degrees, Unit::Radians].map(fits);
     let unit = if radians && !degrees { Unit::Radians } else { Unit::Degrees };
@@ -188,7 +188,7 @@ fn taken(phase: &Used<'_>, fits: impl Fn(Unit) -> bool, said: &mut Said<'_>) -> 
     unit
 }
 
-/// The numbers contradict what the file states.
+/// Reports that the numbers contradict the statement of the file.
 fn mistaken(stated: Reading, other: Reading, column: &Used<'_>, [is, would]: [String; 2], said: &mut Said<'_>) {
     if other.unit != stated.unit {
         let sign = if other.is_inverted { " with the other sign" } else { "" };

@@ -1,14 +1,14 @@
-//! The conditions that the controller reports and corrects: a warning with its number, and the corrected value.
+//! Conditions that the controller reports and corrects: a warning with its number, and the corrected value.
 
 use super::{drive, effective::Effective};
 use crate::parameters::words::{FeedforwardWord, Words};
 use crate::parameters::{Name, Value, path_with, time_text};
 use crate::{axis::Ratio, config::values::key, diagnostics::Diagnostic};
 
-/// Cycles that end every delay.
+/// Every delay is shorter than this number of cycles.
 pub(crate) const DELAY_CYCLES: u64 = 6;
 
-/// A delay in us; outside of 0 to below six cycles it is 0 (70348, 70349).
+/// A delay in us; it is 0 if it is outside of 0 to below six cycles (70348, 70349).
 pub(crate) fn delay(
     e: &mut Effective<'_>,
     name: Name,
@@ -17,7 +17,7 @@ pub(crate) fn delay(
 ) -> Option<u32> {
     let given = match e.given(key(name)).and_then(|setting| setting.value.clone()) {
         Some(value) => value,
-        // What is not a number at all is an error like any other.
+        // A value that is not a number is an ordinary error.
         None => e.validated(key(name))?,
     };
     let Value::Integer(us) = given else { return None };
@@ -32,14 +32,14 @@ pub(crate) fn delay(
         0
     });
     if delay > u32::from(u16::MAX) {
-        // Six long cycles are more than the parameter's own range, which the controller does not correct.
+        // Six long cycles exceed the parameter's own range, which the controller does not correct.
         return e.validated(key(name)).and(None);
     }
     e.note(key(name), &Value::Integer(i64::from(delay)));
     Some(delay)
 }
 
-/// A quotient whose denominator may be 0: then `consequence` says what becomes of it.
+/// A quotient whose denominator may be 0; `consequence` then describes the result.
 pub(crate) fn ratio(
     e: &mut Effective<'_>,
     [num, denom]: [Name; 2],
@@ -58,7 +58,7 @@ pub(crate) fn ratio(
     Some(corrected.map_or(Ratio::ZERO, |denom| Ratio { num: numerator.unwrap_or(0), denom }))
 }
 
-/// An additive output that the process data do not have: it is off (70350, 70351).
+/// An additive output without process data is switched off (70350, 70351).
 pub(crate) fn no_datum(e: &mut Effective<'_>, word: FeedforwardWord, datum: Name, (code, id): (&'static str, u32)) {
     let found = format!(
         "{} has {}, and the process data have no such command: error {id} of the controller; the output is switched off",

@@ -1,4 +1,4 @@
-//! Where the position is controlled, and what the drive's process data hold. No feedforward here.
+//! The location of position control, and the drive's process data. No feedforward here.
 
 use super::{effective::Effective, presence::Presence};
 use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
@@ -6,11 +6,11 @@ use crate::config::values::{Key, key};
 use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
 use crate::{codes, diagnostics::Diagnostic, parameters::Name};
 
-/// The drive, as far as every part of the axis needs it.
+/// The parameters of the drive that every part of the axis needs.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Drive {
     pub(crate) location: Location,
-    /// the gear step whose parameters are used
+    /// the gear step in use
     pub(crate) gear: u32,
     pub(crate) velocity: Option<Width>,
     pub(crate) torque: Option<Width>,
@@ -25,7 +25,7 @@ impl Drive {
         Some(Presence::Present(velocity?))
     }
 
-    /// The increments per revolution of the gear step are 0 (P-AXIS-00092), and something needs them.
+    /// Reports that the increments per revolution of the gear step are 0 (P-AXIS-00092) although they are needed.
     pub(crate) fn no_increments(&self, e: &mut Effective<'_>, why: &str) {
         let key = (Name::IncrPerRev, [self.gear, 0]);
         let found = format!("{} is 0, and {why}", e.title(key));
@@ -34,8 +34,8 @@ impl Drive {
     }
 }
 
-/// Where the position is controlled (P-AXIS-00320), by default as the drive type says (P-AXIS-00020); none: an error, which has
-/// been said.
+/// The location of position control (P-AXIS-00320), by default from the drive type (P-AXIS-00020); `None` after a reported
+/// error.
 pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
     let gear = e.validated_integer(key(Name::Gear))?;
     let drive_type = e.validated_word(key(Name::DriveType))?;
@@ -49,7 +49,7 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
     Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
 }
 
-/// Scaling of a velocity that a drive gets which controls the position (P-AXIS-00205 to 00207).
+/// Scaling of the velocity for a drive that controls the position (P-AXIS-00205 to 00207).
 pub(crate) fn velocity(e: &mut Effective<'_>, width: Width) -> Option<Velocity> {
     let reso = ratio(e, key(Name::VResoNum), key(Name::VResoDenom));
     let time_base = e.integer(key(Name::VTimeBase)).and_then(|base| TimeBase::ALL.get(base as usize).copied());
@@ -74,7 +74,7 @@ fn in_drive_of(drive_type: DriveType) -> Location {
     }
 }
 
-/// A process datum; none: the drive does not have it.
+/// A process datum; `None` if the drive does not have it.
 fn datum(e: &mut Effective<'_>, name: Name) -> Option<Width> {
     match e.validated_word(key(name))? {
         ProcessDatum::None => None,
@@ -83,7 +83,7 @@ fn datum(e: &mut Effective<'_>, name: Name) -> Option<Width> {
     }
 }
 
-/// Takes parameters without indices that decide something in a block into the canonical form.
+/// Adds parameters without indices that determine a block to the canonical form.
 pub(crate) fn note(e: &mut Effective<'_>, names: &[Name]) {
     for name in names {
         if let Some(value) = e.validated(key(*name)) {
@@ -101,7 +101,7 @@ pub(crate) fn resolution(e: &mut Effective<'_>, gear: u32) -> Option<Resolution>
     Some(Resolution { incr_per_rev: incr_per_rev?, wegauf: wegauf?, feed_const: feed_const? })
 }
 
-/// The gear ratio of P-AXIS-00511 and 00512, which the formulas of the feedforward manual do not have, is 1.
+/// The gear ratio of P-AXIS-00511 and 00512 must be 1, because the formulas of the feedforward manual do not contain it.
 fn gear_ratio(e: &mut Effective<'_>, gear: u32) {
     let [num, denom] = [Name::GearFactNum, Name::GearFactDenom].map(|name| (name, [gear, 0]));
     let (Some(of), Some(to)) = (e.validated_integer(num), e.validated_integer(denom)) else { return };

@@ -1,5 +1,5 @@
-//! The effective value of a parameter: what was given, else its default; within its range, else a message. No rule
-//! that connects two parameters.
+//! The effective value of a parameter: the given value, else its default; a message if it is out of range. No rule that
+//! connects two parameters.
 
 use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -8,15 +8,15 @@ use crate::{codes, config::value, parameters::words::Words};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// What an axis was given, what was said about it, and what of it its block uses.
+/// The given values of an axis, the messages about them, and the values that its block uses.
 #[derive(Debug)]
 pub(crate) struct Effective<'a> {
     values: &'a Values,
     home: Place,
     pub(crate) report: Report,
-    /// the block whose rules are looked at; none: all blocks depend on what is used
+    /// the block whose rules are checked; `None` if all blocks depend on the value
     pub(crate) block: Option<&'static str>,
-    /// what holds instead of a default
+    /// values that replace a default
     adopted: BTreeMap<Key, Value>,
     used: BTreeMap<Key, Used>,
 }
@@ -41,12 +41,12 @@ impl<'a> Effective<'a> {
         self.values.iter()
     }
 
-    /// Takes a value in place of the default of a parameter that is not given: that of its predecessor, or of a rule.
+    /// Replaces the default of a parameter that is not given: with the value of its predecessor, or of a rule.
     pub(crate) fn adopt(&mut self, key: Key, value: Value) {
         self.adopted.insert(key, value);
     }
 
-    /// Where a parameter was given; else where its stage was; else where the axis is named.
+    /// The place of a parameter; if it is not given that of its stage; else where the axis is named.
     pub(crate) fn place_of(&self, key: Key) -> Place {
         let (name, [i, _]) = key;
         let of_stage = || self.given((Name::Mode, [i, 0])).filter(|_| name.parameter().path.contains("stage[i]"));
@@ -56,8 +56,8 @@ impl<'a> Effective<'a> {
         }
     }
 
-    /// The place of a parameter; of one that is not given in a list, whose home is the whole file, the first of those that are
-    /// about the same.
+    /// The place of a parameter. If a list, whose home is the whole file, does not give it: the place of the first related
+    /// parameter.
     pub(crate) fn place_near(&self, key: Key, is_about_it: impl Fn(Name) -> bool) -> Place {
         let place = self.place_of(key);
         if place.line > 0 {
@@ -67,7 +67,7 @@ impl<'a> Effective<'a> {
         near.map_or(place, |(_, setting)| setting.path_place())
     }
 
-    /// The value that holds, validated; it does not go into the canonical form. Why it cannot be used is said once.
+    /// The effective value, validated; it is not added to the canonical form. An error is reported only once.
     pub(crate) fn validated(&mut self, key: Key) -> Option<Value> {
         let parameter = key.0.parameter();
         let refused = match self.given(key) {
@@ -100,7 +100,7 @@ impl<'a> Effective<'a> {
         None
     }
 
-    /// The word that holds, validated; it does not go into the canonical form.
+    /// The effective word, validated; it is not added to the canonical form.
     pub(crate) fn validated_word<T: Words>(&mut self, key: Key) -> Option<T> {
         self.validated(key).map(|value| word_of(key, &value))
     }
@@ -115,7 +115,7 @@ impl<'a> Effective<'a> {
         self.validated(key).and_then(|value| integer_of(key, &value))
     }
 
-    /// The word that holds, validated and used.
+    /// The effective word, validated and used.
     pub(crate) fn word<T: Words>(&mut self, key: Key) -> Option<T> {
         self.used_value(key).map(|value| word_of(key, &value))
     }
@@ -124,7 +124,7 @@ impl<'a> Effective<'a> {
         self.used_value(key).and_then(|value| integer_of(key, &value))
     }
 
-    /// A whole number that may be below 0.
+    /// A whole number that may be negative.
     pub(crate) fn signed(&mut self, key: Key) -> Option<i32> {
         let value = self.used_value(key)?;
         let Value::Integer(n) = value else { wrong_kind(key, &value) };
@@ -137,7 +137,7 @@ impl<'a> Effective<'a> {
         Some(x)
     }
 
-    /// The time that holds, in ns, validated and used.
+    /// The effective time, in ns, validated and used.
     pub(crate) fn duration(&mut self, key: Key) -> Option<u64> {
         let value = self.used_value(key)?;
         let Value::Duration(ns) = value else { wrong_kind(key, &value) };
@@ -172,7 +172,7 @@ impl<'a> Effective<'a> {
         self.report.push(Diagnostic { allowed, instead, ..diagnostic });
     }
 
-    /// Path and id of a parameter as it was given.
+    /// Path and id of a parameter as given.
     pub(crate) fn title(&self, key: Key) -> String {
         let spelling = self.given(key).map_or(key.0.parameter().path, |setting| setting.spelling);
         key.0.parameter().title(spelling, key.1)
@@ -182,7 +182,7 @@ impl<'a> Effective<'a> {
         self.used.contains_key(&key)
     }
 
-    /// What a block uses and nobody gave: `vb_max 200000 (P-AXIS-00212)`.
+    /// Used values that were not given: `vb_max 200000 (P-AXIS-00212)`.
     pub(crate) fn assumed(&self, is_told: impl Fn(Name) -> bool) -> Vec<String> {
         let used = self.used.iter().filter(|(key, _)| is_told(key.0) && self.given(**key).is_none());
         let text = |((name, _), Used { value, .. }): (&Key, &Used)| {
@@ -192,7 +192,7 @@ impl<'a> Effective<'a> {
         used.map(text).collect()
     }
 
-    /// Takes a value that the block uses into the canonical form.
+    /// Adds a value that the block uses to the canonical form.
     pub(crate) fn note(&mut self, key: Key, value: &Value) {
         let unused = || Used { value: value.clone(), by: BTreeSet::new() };
         let used = self.used.entry(key).or_insert_with(unused);
@@ -200,8 +200,9 @@ impl<'a> Effective<'a> {
         used.by.insert(self.block);
     }
 
-    /// What all blocks use and no default has: one `path value` a line, in the order of the table, independent of how it was written; and what
-    /// each of some blocks uses. A parameter that is new in this program changes nothing of a set that does not use it.
+    /// The values that all blocks use and that differ from their defaults, one `path value` per line, in the order of the
+    /// table, independent of the spelling; and the values that each of some blocks uses. A parameter that is new in this
+    /// version does not change the result for a set that does not use it.
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
         let mut all = String::new();
         let mut own = [const { String::new() }; N];
@@ -219,7 +220,7 @@ impl<'a> Effective<'a> {
     }
 }
 
-/// The default of a parameter; none: it has none, or none within its range.
+/// The default of a parameter; `None` if it has none, or none within its range.
 fn default((name, index): Key) -> Option<Value> {
     let parameter = name.parameter();
     let text = parameter.default_at(index).unwrap_or_default();
@@ -230,7 +231,7 @@ fn line((name, index): Key, used: &Used) -> String {
     format!("{} {}\n", path_with(name.parameter().path, index), used.value.text())
 }
 
-/// How the word of a parameter is written in the file of a message: as a line of a list, or as a key of a set.
+/// The notation of a parameter's word in the file of a message: as a line of a list, or as a key of a set.
 pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> String {
     let path = path_with(name.parameter().path, index);
     if !is_set(place) {
@@ -244,7 +245,7 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
     }
 }
 
-/// The same with a number.
+/// The notation of a parameter's number in the file of a message: as a line of a list, or as a key of a set.
 pub(crate) fn number_as_written(place: &Place, (name, index): Key, number: u32) -> String {
     let equals = if is_set(place) { " =" } else { "" };
     format!("{}{equals} {number}", path_with(name.parameter().path, index))
@@ -264,7 +265,7 @@ fn integer_of(key: Key, value: &Value) -> Option<u32> {
     u32::try_from(*n).ok()
 }
 
-/// A rule asks for a value of another kind than the table declares.
+/// A rule requests a value of another kind than the table declares.
 fn wrong_kind(key: Key, value: &Value) -> ! {
     panic!("check: {key:?} is {value:?}, another kind than the rule expects")
 }

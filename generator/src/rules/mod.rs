@@ -1,4 +1,5 @@
-//! What the rules of several blocks need: effective values, the drive, corrections of the controller. No rule of one block.
+//! Common parts of the rules of several blocks: effective values, the drive, corrections of the controller. No rule of one
+//! block.
 
 pub(crate) mod corrected;
 pub(crate) mod drive;

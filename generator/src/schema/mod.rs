@@ -1,5 +1,5 @@
-//! The JSON schema of a set, from the table of parameters: what an editor completes and checks as one types. It takes every set
-//! that `check` takes; what `check` refuses it refuses as far as the place of a value alone tells.
+//! The JSON schema of a set, from the table of parameters, for completion and checks in an editor. It accepts every set that
+//! `check` accepts. It rejects what `check` rejects, as far as the place of a value alone decides.
 
 mod pattern;
 mod validated;
@@ -30,9 +30,9 @@ pub fn text() -> String {
 struct Node {
     leaf: Option<Value>,
     children: Vec<(String, Node)>,
-    /// whether it may be given as an array of tables, and how many
+    /// the maximum number of tables if it may be an array of tables
     items: Option<u32>,
-    /// whether it may also be given as a single table: an older spelling without an index
+    /// whether it may also be a single table: an older spelling without an index
     single: bool,
 }
 
@@ -62,7 +62,7 @@ impl Node {
             }
         }
         node.single = false;
-        // Where something else may decide whether a value is used, its range is only told.
+        // If other values decide whether a value is used, its range is only described.
         let is_always_validated = !parameter.is_shared && parameter.indices.is_empty();
         let mut leaf = leaf(parameter, is_always_validated);
         leaf["description"] = json!(description(parameter));
@@ -95,7 +95,7 @@ fn description(parameter: &Parameter) -> String {
     format!("{}{of_vendor}{range}", parameter.meaning)
 }
 
-/// What a value may be; without its range where it is not validated. A default outside of the range means that there is none.
+/// The allowed values; without the range if it is not validated. A default outside the range means that there is no default.
 fn leaf(parameter: &Parameter, is_validated: bool) -> Value {
     match parameter.kind {
         Kind::Word(all) => words(all),
@@ -118,7 +118,7 @@ fn leaf(parameter: &Parameter, is_validated: bool) -> Value {
     }
 }
 
-/// One of the words: spelled so that an editor completes it, or in any case, or by its number.
+/// One of the words: in the spelling that an editor completes, in any case, or by its number.
 fn words<'w>(words: impl IntoIterator<Item = &'w Word>) -> Value {
     let words: Vec<&Word> = words.into_iter().collect();
     let spellings: Vec<&str> = words.iter().flat_map(|word| word.spellings()).collect();

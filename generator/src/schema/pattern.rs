@@ -1,13 +1,13 @@
-//! Patterns of the texts that a set takes: words in any case, numbers that stand for words, times. ECMA 262.
+//! Patterns of the texts that a set accepts: words in any case, numbers of words, times. ECMA 262.
 
 use crate::parameters::Word;
 
-/// A word in any of its spellings and cases, or the number that stands for it.
+/// A word in any of its spellings and cases, or its number.
 pub(super) fn of_words(words: &[&Word]) -> String {
     format!("^(?:{})$", alternatives(words.iter().copied()))
 }
 
-/// Several words, with blanks or `|` between, in any case; or the number that their bits make.
+/// Several words, separated by blanks or `|`, in any case; or the number of their bits.
 pub(super) fn of_flags(words: &[Word]) -> String {
     let word = alternatives(words);
     let sums = sums(words).into_iter().map(number).collect::<Vec<_>>().join("|");
@@ -16,7 +16,7 @@ pub(super) fn of_flags(words: &[Word]) -> String {
 
 const GAP: &str = r"[ \t\n\f\r|]";
 
-/// Every number that bits of these words make.
+/// Every number made of bits of these words.
 pub(super) fn sums(words: &[Word]) -> Vec<u32> {
     let mut sums = vec![0];
     for bits in words.iter().filter_map(|word| word.number) {
@@ -27,12 +27,12 @@ pub(super) fn sums(words: &[Word]) -> Vec<u32> {
     sums
 }
 
-/// A time of at least `from` and about at most `to` ns: the whole part of the number decides.
+/// A time of at least `from` and roughly at most `to` ns: the whole part of the number decides.
 pub(super) fn of_duration(from: u64, to: u64) -> String {
     let of_unit = |(unit, ns, digits): (&str, u64, u32)| {
         let fraction = if digits == 0 { r"(?:\.0*)?".to_owned() } else { format!(r"(?:\.[0-9]{{0,{digits}}}0*)?") };
         let whole = at_most(to / ns);
-        // Without a digit before the point there is one after it.
+        // Without a digit before the point, at least one follows it.
         let below_one = if digits == 0 { String::new() } else { format!(r"|\.[0-9]{{1,{digits}}}0*") };
         format!(r"(?:0*{whole}{fraction}{below_one})\s*(?:{unit})")
     };
@@ -56,13 +56,13 @@ fn any_case(text: &str) -> String {
         .collect()
 }
 
-/// A number as text: decimal or hexadecimal, with zeros before it.
+/// A number as text: decimal or hexadecimal, with optional leading zeros.
 fn number(number: u32) -> String {
     let sign = if number == 0 { "[+-]?" } else { r"\+?" };
     format!("{sign}0*{number}|{sign}0[xX]0*{}", any_case(&format!("{number:x}")))
 }
 
-/// Whole numbers up to the largest, without zeros before them.
+/// Whole numbers up to the largest, without leading zeros.
 fn at_most(largest: u64) -> String {
     let digits = largest.to_string();
     let length = digits.len();

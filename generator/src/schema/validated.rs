@@ -1,12 +1,12 @@
-//! Ranges that hold only where something uses the value, as far as the set alone says so: those of an active stage, and of
-//! the gear step 0. Where an axis has a list, that may say otherwise.
+//! Ranges that apply only where a value is used, as far as the set alone decides: those of an active stage, and of the gear
+//! step 0. The list of an axis may change that.
 
 use super::{leaf, words};
 use crate::parameters::Name;
 use crate::parameters::words::{FilterType, StageMode, Words};
 use serde_json::{Value, json};
 
-/// What an axis obeys in addition to the types of its values.
+/// The rules of an axis in addition to the types of its values.
 pub(super) fn rules() -> Value {
     let stages = json!({ "lr_param": { "properties": { "improved_position_control": { "properties": {
         "stage": { "items": stage() },
@@ -20,7 +20,7 @@ pub(super) fn rules() -> Value {
     ])
 }
 
-/// A stage whose mode is written, and is not NOT_ACTIVE.
+/// A stage with a mode other than NOT_ACTIVE.
 fn stage() -> Value {
     let strict = |name: Name| leaf(name.parameter(), true);
     let damping = json!({ "exclusiveMaximum": 1.0 });
@@ -35,7 +35,7 @@ fn stage() -> Value {
         },
         {
             "if": given(Name::Mode, &[StageMode::Indirect, StageMode::SetPoint]),
-            // Below 0 stands for a damping that is not given, where the other parameter gives it.
+            // A damping below 0 means that it is not given; then the other parameter gives it.
             "then": { "properties": {
                 "osc_damping": damping,
                 "filter": { "properties": { "damping": damping }, "prefixItems": [{ "properties": { "damping": damping } }] },
@@ -47,7 +47,7 @@ fn stage() -> Value {
 /// Filters of an active stage, as an array, or the first one as a table.
 fn filters() -> Value {
     let bandpass = given(Name::FilterType, &[FilterType::Bandpass]);
-    // The first filter is a band-pass where it has no type.
+    // A first filter without a type is a band-pass.
     let by_default = json!({ "properties": bandpass["properties"] });
     let mut first = filter(&by_default);
     first["prefixItems"] = json!([filter(&by_default), filter(&bandpass)]);

@@ -1,4 +1,4 @@
-//! What a target calls what its user meets, for those who write of it: a block, its self-test, its outputs.
+//! The names in a target of a block, its self-test and its outputs, for texts for the user.
 
 use super::{TARGETS, Target};
 use compiler::legalise::{NOTICE, RENAMED};
@@ -23,12 +23,12 @@ impl Target {
         renamed.map_or(name, |(_, other)| other)
     }
 
-    /// The name of the output with the id of what is not a fault.
+    /// The name of the output with the id of a notice.
     pub(crate) fn notice(&self) -> &'static str {
         if self.has_enable() { NOTICE } else { "error_id" }
     }
 
-    /// Whether a self-test is a function there, and not a function block.
+    /// Whether a self-test in this target is a function, not a function block.
     pub(crate) fn tests_by_function(&self) -> bool {
         ["c", "rust"].contains(&self.name)
     }

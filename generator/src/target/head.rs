@@ -1,4 +1,4 @@
-//! What a generated file says of itself, read back from its text.
+//! The statements of a generated file about itself, read back from its text.
 
 use super::st::listing::set_name;
 use super::{RealKind, TARGETS, Unit};
@@ -6,7 +6,7 @@ use crate::blocks::{self, BlockKind};
 use crate::digest::has_right_checksum;
 use std::collections::BTreeSet;
 
-/// Whether axgen has generated a file of a block, a page or a shared file of this name and text, whoever has edited it since.
+/// Whether axgen generated a file with this name and text: a file of a block, a page or a shared file, edited or not.
 pub fn is_generated(name: &str, text: &str) -> bool {
     let name = name.rsplit('/').next().unwrap_or(name);
     let is_page = name.starts_with("axis_") && name.ends_with("_commissioning.md");
@@ -15,7 +15,8 @@ pub fn is_generated(name: &str, text: &str) -> bool {
         && (line(text, "block ").is_some() || is_page || shared_names().contains(name))
 }
 
-/// What shared files may know of an axis, from its files of a target with their names; none: their heads do not say it.
+/// The facts about an axis for shared files, from its files of a target with their names; `None` if their heads do not
+/// contain them.
 pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
     let block = |text: &String| line(text, "block ").and_then(blocks::named).map(BlockKind::name);
     let mut of_files = files.iter().map(|(_, text)| block(text)).collect::<Option<Vec<_>>>()?;
@@ -31,12 +32,12 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
     Some(Unit { axis, real, blocks: of_files, takes_sets })
 }
 
-/// What follows a word at the beginning of a line of the head.
+/// The text after a word at the beginning of a line of the head.
 fn line<'t>(text: &'t str, word: &str) -> Option<&'t str> {
     text.lines().find_map(|line| line.trim_start_matches([' ', '*', '/']).strip_prefix(word)).map(str::trim)
 }
 
-/// The names, without their folders, of the files that axes of either real type share.
+/// The names, without folders, of the files that axes of either real type share.
 fn shared_names() -> BTreeSet<String> {
     let units =
         [RealKind::F64, RealKind::F32].map(|real| Unit { axis: "x", real, blocks: Vec::new(), takes_sets: None });

@@ -26,7 +26,7 @@ use std::borrow::Cow;
 /// The tool's version, which every generated file names.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Whose a generated file is, which its head says.
+/// The licence statement in the head of a generated file.
 pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
 
 /// The folders that files lie in, below the output folder: itself, and those of TwinCAT.
@@ -36,9 +36,9 @@ pub const FOLDERS: [&str; 5] = ["", "twincat/", "twincat/DUTs/", "twincat/POUs/"
 pub struct Target {
     /// the name on the command line and in a set
     pub name: &'static str,
-    /// the passes that make a program one that the language can say
+    /// the passes that make a program expressible in the language
     pub passes: &'static [Stage],
-    /// what it calls a block of an axis, and its self-test
+    /// the names of a block of an axis and of its self-test
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
     pub(crate) files: fn(&BlockIdentity, &LegalBlock<'_>) -> Vec<File>,
@@ -81,7 +81,7 @@ pub fn named(name: &str) -> Option<Target> {
 }
 
 impl Target {
-    /// The program of a block as the language can say it.
+    /// The program of a block in a form that the language can express.
     ///
     /// # Errors
     /// A defect of a legalising pass.
@@ -97,7 +97,7 @@ impl Target {
         Ok(LegalBlock { program: self.program(block)?, block })
     }
 
-    /// The names of the passes that change the program of a block: after the same passes it is the same program.
+    /// The names of the passes that change the program of a block: targets with the same passes have the same program.
     pub(crate) fn passes_of(&self, block: &Block) -> Vec<&'static str> {
         legalise::needed(&block.own.program, self.passes).iter().map(|(name, _)| *name).collect()
     }
@@ -127,12 +127,12 @@ impl Target {
     }
 }
 
-/// What the head of a file says of an axis and of a block.
+/// The facts about an axis and a block in the head of a file.
 #[derive(Clone, Debug)]
 pub struct BlockIdentity {
     pub name: String,
     pub real: RealKind,
-    /// what the block is called where the axis wants short names in C
+    /// the name of the block if the axis uses short names in C
     pub short_name: Option<&'static str>,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
@@ -144,7 +144,7 @@ pub struct BlockIdentity {
     pub structure_digest: String,
 }
 
-/// A block with its program as the language of a target can say it.
+/// A block with its program in a form that the language of a target can express.
 #[derive(Clone, Debug)]
 pub struct LegalBlock<'b> {
     block: &'b Block,
@@ -166,14 +166,14 @@ impl LegalBlock<'_> {
     }
 }
 
-/// What a shared file may know of an axis: nothing that changes with a parameter other than the real type.
+/// The facts about an axis that a shared file may use: none that changes with a parameter other than the real type.
 #[derive(Clone, Debug)]
 pub struct Unit<'a> {
     pub axis: &'a str,
     pub real: RealKind,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
-    /// the block that takes parameter sets, whose type is a file of its own in TwinCAT
+    /// the block that takes parameter sets, whose type is a separate file in TwinCAT
     pub takes_sets: Option<&'static str>,
 }
 
@@ -185,17 +185,17 @@ pub struct File {
     pub text: String,
 }
 
-/// What the names of everything that an axis gets begin with.
+/// The beginning of all names of an axis.
 pub fn stem(axis: &str) -> String {
     format!("axis_{}", axis.to_ascii_lowercase())
 }
 
-/// What the name of a block of an axis is in every target, but for a prefix.
+/// The name of a block of an axis in every target, apart from a prefix.
 pub fn block_name(axis: &str, block: &str) -> String {
     format!("{}_{block}", stem(axis))
 }
 
-/// A block with the self-test that has a name of its own.
+/// A block with a separately named self-test.
 fn own_self_test(block: String) -> [String; 2] {
     let test = format!("{block}_self_test");
     [block, test]

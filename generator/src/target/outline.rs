@@ -1,5 +1,5 @@
-//! What the files of every language list of a block: its signals with their meaning, and its numbers in groups that belong
-//! together. How a type, a number or a comment looks is the language's business.
+//! The common lists of a block's files in every language: its signals with their meanings, and its numbers in groups. The
+//! notation of types, numbers and comments depends on the language.
 
 use super::{BlockIdentity, LegalBlock, unit};
 use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
@@ -36,30 +36,30 @@ impl Member {
     }
 }
 
-/// Constants that belong together.
+/// A group of constants.
 pub(super) struct Group {
-    /// what they belong to; empty: said already
+    /// its common meaning; empty if already explained
     pub(super) note: String,
     pub(super) constants: Vec<Member>,
 }
 
-/// What is listed of a block, in a language.
+/// The lists of a block in a language.
 pub(super) struct Outline<'l> {
     pub(super) axis: &'l BlockIdentity,
     pub(super) block: &'l LegalBlock<'l>,
     pub(super) language: &'static Language,
     pub(super) printer: &'l Printer<'l>,
-    /// between two lines of a comment at the left
+    /// the text between two lines of a comment
     pub(super) next_line: &'static str,
 }
 
 impl Outline<'_> {
-    /// The inputs but for the parameter set, which is the last one.
+    /// The inputs without the parameter set, which is the last one.
     pub(super) fn inputs(&self) -> Vec<Member> {
         self.inputs_where(&|input| self.block.program.in_set(input).is_none())
     }
 
-    /// The parts of the parameter set; none: the block takes no sets.
+    /// The parts of the parameter set; empty if the block takes no sets.
     pub(super) fn set(&self) -> Vec<Member> {
         self.inputs_where(&|input| self.block.program.in_set(input).is_some())
     }
@@ -70,7 +70,7 @@ impl Outline<'_> {
         members.into_iter().zip(inputs).filter(|(_, input)| is_wanted(input)).map(|(member, _)| member).collect()
     }
 
-    /// The outputs; the id of a fault says which there are.
+    /// The outputs; the comment of the error id lists the ids that can occur.
     pub(super) fn outputs(&self) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
@@ -112,7 +112,7 @@ impl Outline<'_> {
         variables.iter().zip(names).map(member).collect()
     }
 
-    /// A doc comment of the reference, with the unit that the axis has.
+    /// A doc comment of the reference, with the unit of the axis.
     pub(super) fn doc(&self, doc: &str) -> String {
         comment::harmless(&unit::own(doc, self.axis.is_rotary)).into_owned()
     }
@@ -121,24 +121,24 @@ impl Outline<'_> {
         self.language.ty(ty, self.block.program.real)
     }
 
-    /// The constants that appear in each of these ways.
+    /// The constants with each of these appearances.
     pub(super) fn groups<const N: usize>(&self, wanted: [Appearance; N]) -> [Vec<Group>; N] {
         self.groups_in(|_, appearance| wanted.iter().position(|wanted| *wanted == appearance))
     }
 
-    /// The constants in lists, in their order, a new group where another note of the block begins; `list` says in which list
-    /// one is.
+    /// The constants in lists, in their order; a new group begins with another note of the block. `list` returns the list of
+    /// a constant.
     pub(super) fn groups_in<const N: usize>(
         &self,
         list: impl Fn(usize, Appearance) -> Option<usize>,
     ) -> [Vec<Group>; N] {
         let mut lists = [const { Vec::new() }; N];
-        // How many groups have begun, and at which one each list is.
+        // The number of groups that have begun, and the group of each list.
         let (mut begun, mut at) = (0, [0; N]);
         let (mut said, mut notes): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
         let (constants, names) = (&self.block.program.constants, &self.printer.names().constants);
         for (index, (constant, appearance)) in constants.iter().zip(self.printer.appearances()).enumerate() {
-            // What the runtime knows stands in the statements under its own name.
+            // A value that the runtime provides is written in the statements under its own name.
             let Some(mut fresh) = self.notes(constant) else { continue };
             fresh.retain(|note| !said.contains(note));
             if begun == 0 || !fresh.is_empty() {
@@ -158,7 +158,7 @@ impl Outline<'_> {
         lists
     }
 
-    /// What a constant and those around it belong to; none: it is not the block's.
+    /// The meanings of a constant and its neighbours; `None` if it does not belong to the block.
     fn notes(&self, constant: &Constant) -> Option<Vec<&str>> {
         let notes = &self.block.block.notes;
         match constant.origin {
@@ -183,7 +183,7 @@ impl Outline<'_> {
     }
 }
 
-/// The ids that a program may give and that are asked for, with what each is named after.
+/// The ids that a program can report, filtered, each with the thing that it is named after.
 fn error_ids(program: &Program, is_wanted: &dyn Fn(&str) -> bool) -> String {
     let id = |value| if let Literal::U32(id) = value { Some(id) } else { None };
     let named = program.constants.iter().filter_map(|constant| {

@@ -31,10 +31,10 @@ struct RustFile<'a> {
     outputs: Vec<Member>,
     state: Vec<Member>,
     constants: Vec<Group>,
-    /// what rarely runs, a function of its own; empty where `step` is one function
+    /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
-    /// what is certain of its range, and its measured response
+    /// its proven range, and its measured response
     certificate: String,
     uses_nearest: bool,
     nearly_half: String,
@@ -45,7 +45,7 @@ struct RustFile<'a> {
     /// the input that counts the calls
     counter: Option<&'a str>,
     scales: [String; 3],
-    /// the factor of noise that is a part from 0 to 1
+    /// the factor of noise for a fraction from 0 to 1
     part: String,
     /// the words of every output, and of every part of the state
     watched: Vec<[String; 2]>,
@@ -57,7 +57,7 @@ impl RustFile<'_> {
         self.exercise.reals.iter().any(|real| !real.is_fraction)
     }
 
-    /// Each struct with what its start is, and its members.
+    /// Each struct with the source of its start values, and its members.
     fn starts(&self) -> Vec<(&str, &str, &[Member])> {
         let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
         let always: [(_, _, &[Member]); 3] = [
@@ -124,7 +124,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     vec![rendered(&file, "", &template)]
 }
 
-/// The words of a value, as the digest takes them; the second one may be empty.
+/// The words of a value for the digest; the second one may be empty.
 fn words(value: &str, ty: Type, real: RealKind) -> [String; 2] {
     match (ty, real) {
         (Type::Real, RealKind::F64) => {
@@ -137,7 +137,7 @@ fn words(value: &str, ty: Type, real: RealKind) -> [String; 2] {
     }
 }
 
-/// What each part of the state is before the first cycle: the constant that `init` gives it, by its name, else its value.
+/// Each part of the state before the first cycle: the constant that `init` assigns, by its name, else its value.
 fn starts(program: &Program, names: &[String]) -> Vec<String> {
     let machine = Machine::start(program);
     let value = |(state, value): (usize, &Literal)| {

@@ -1,10 +1,10 @@
-//! The unit of an axis in texts that know both: a translatory axis has um, a rotary axis and a spindle 0.001 deg.
+//! The unit of an axis in texts with two units: um for a translatory axis, 0.001 deg for a rotary axis or a spindle.
 
 use std::borrow::Cow;
 
-/// The text with the unit that the axis has: `um/s or 0.001 deg/s` becomes one of the two.
+/// The text with the axis's unit: `um/s or 0.001 deg/s` becomes one of the two.
 pub(super) fn own(text: &str, is_rotary: bool) -> Cow<'_, str> {
-    // Most texts know no unit, or one.
+    // Most texts contain no unit, or only one.
     if !text.contains('0') {
         return text.into();
     }
@@ -24,5 +24,5 @@ pub(super) fn own(text: &str, is_rotary: bool) -> Cow<'_, str> {
     own.into()
 }
 
-/// What stands between the two.
+/// The text between the two units.
 const BETWEEN: &str = " or 0.001 deg";

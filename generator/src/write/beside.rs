@@ -1,4 +1,4 @@
-//! The names of files next to a target while it is being replaced, on the same file system. They hold the process's number.
+//! The names of files next to a target while it is being replaced, on the same file system. They contain the process id.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ pub(super) fn staged(path: &Path) -> PathBuf {
     beside(path, "staged")
 }
 
-/// The old content, until all files have their new one.
+/// The old content, until all files have their new content.
 pub(super) fn kept(path: &Path) -> PathBuf {
     beside(path, "kept")
 }
@@ -20,7 +20,7 @@ fn beside(path: &Path, what: &str) -> PathBuf {
     path.with_file_name(name)
 }
 
-/// What a file of that name is, `staged` or `kept`, and the name of its target; `None`: it is none of ours.
+/// The role of a file with that name, `staged` or `kept`, and the name of its target; `None` if axgen did not create it.
 pub(super) fn left_over(name: &str) -> Option<(&str, &str)> {
     let (target, rest) = name.rsplit_once(MARK)?;
     let (what, process) = rest.split_once('-')?;
@@ -29,7 +29,7 @@ pub(super) fn left_over(name: &str) -> Option<(&str, &str)> {
     (is_number && is_ours).then_some((what, target))
 }
 
-/// Removes a file of ours. That it may not be there, or cannot be removed, changes nothing for the caller.
+/// Removes one of axgen's files. It makes no difference to the caller if the file does not exist or cannot be removed.
 pub(super) fn remove(path: &Path) {
     let _ = fs::remove_file(path);
 }

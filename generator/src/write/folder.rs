@@ -1,4 +1,4 @@
-//! The folder that files go into: made if need be, held by one process at a time, cleared of what a killed one left.
+//! The output folder: created if necessary, locked by one process at a time, and cleared of files of a killed process.
 
 use super::Refusal;
 use super::beside::{left_over, remove};
@@ -10,11 +10,11 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-/// A folder that is held until this is gone. Folders that were made for it go again if they stay empty.
+/// A folder that is locked while this value exists. Folders that were created for it are removed if they stay empty.
 #[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
-    /// the folder itself, opened and locked; none where the system locks no folders
+    /// the folder itself, opened and locked; `None` if the system cannot lock folders
     lock: Option<fs::File>,
     below: Mutex<Below>,
 }
@@ -22,35 +22,36 @@ pub struct Folder {
 #[derive(Debug, Default)]
 struct Below {
     ready: BTreeSet<PathBuf>,
-    /// those that were not there before, each once: what another run makes after its removal is that run's
+    /// created folders, each once: a folder that another run creates after the removal belongs to that run
     made: BTreeSet<PathBuf>,
-    /// files that have the name of one that a killed run left next to a target; whose they are the target tells
+    /// files with the name of one that a killed run leaves next to a target; the target decides whose they are
     left_over: LeftOver,
 }
 
-/// The left-over files of each target, and which of them have its old content.
+/// The leftover files of each target, and whether each has its old content.
 type LeftOver = BTreeMap<PathBuf, Vec<(PathBuf, bool)>>;
 
 impl Drop for Folder {
     fn drop(&mut self) {
         let below = self.below.get_mut().unwrap_or_else(PoisonError::into_inner);
-        // A folder comes after those above it. The removal fails where a file is in it, and should.
+        // A folder comes after its parents. The removal fails, as intended, if the folder contains a file.
         for made in below.made.iter().rev() {
             let is_own = *made == self.path && self.lock.as_ref().is_some_and(|own| is_at(own, made));
-            // Another run may have come to hold it, or may wait for it: that one then makes it again.
+            // Another run may hold the folder now, or wait for it: that run then creates it again.
             let lock = if is_own { Ok(None) } else { lock(made, Wait::No) };
             let _ = lock.and_then(|_lock| fs::remove_dir(made));
         }
     }
 }
 
-/// So often the folder may vanish between its making and its locking: another run made it, failed and took it away.
+/// Number of attempts if the folder vanishes between creation and locking, because another run created it, failed and
+/// removed it.
 const TRIES: usize = 100;
 
-/// Makes the folder if need be, waits until no other process holds it, and holds it.
+/// Creates the folder if necessary, waits until no other process holds it, and locks it.
 ///
 /// # Errors
-/// It cannot be made, or not be opened.
+/// It cannot be created or opened.
 pub fn open(path: &Path) -> Result<Folder, Refusal> {
     let mut folder = Folder { path: path.to_owned(), lock: None, below: Mutex::default() };
     let mut last = ErrorKind::NotFound.into();
@@ -62,7 +63,7 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
                 folder.lock = lock;
                 return Ok(folder);
             }
-            // Another run may take the folder, or one above it, away while it is being made.
+            // Another run may remove the folder, or one of its parents, during the creation.
             Err(error) if matches!(error.kind(), ErrorKind::NotFound | ErrorKind::AlreadyExists) && !path.is_file() => {
                 last = error;
             }
@@ -73,10 +74,11 @@ pub fn open(path: &Path) -> Result<Folder, Refusal> {
 }
 
 impl Folder {
-    /// Where a file of that name goes; its folder is there afterwards, and nothing of a killed run next to it.
+    /// The path of a file with that name. Its folder exists afterwards, without leftover files of a killed run next to the
+    /// target.
     ///
     /// # Errors
-    /// Its folder cannot be made.
+    /// Its folder cannot be created.
     pub fn path_of(&self, name: &str) -> Result<PathBuf, Refusal> {
         let path = self.path.join(name);
         let mut below = self.below.lock().unwrap_or_else(PoisonError::into_inner);
@@ -93,15 +95,15 @@ impl Folder {
         Ok(path)
     }
 
-    /// Removes the folders above a file that was removed, up to this one, as far as nothing else is in them.
+    /// Removes the parents of a removed file, up to this folder, as far as they are empty.
     pub(super) fn clear_above(&self, path: &Path) {
         let above = path.ancestors().skip(1).take_while(|above| *above != self.path);
         let _ = above.map(fs::remove_dir).take_while(Result::is_ok).count();
     }
 }
 
-/// Removes what a killed run left, as its checksum says, and notes what only has the name of such a file. Only if the folder is
-/// held: what lies next to a target then belongs to nobody.
+/// Removes the files of a killed run, recognised by their checksums, and notes files that only have such a name. Only if the
+/// folder is locked: no running process then owns files next to a target.
 fn clear(folder: &Path, is_held: bool, noted: &mut LeftOver) {
     let entries = is_held.then(|| fs::read_dir(folder)).into_iter().flatten().flatten().flatten();
     for entry in entries.filter(|entry| entry.file_type().is_ok_and(|found| found.is_file())) {
@@ -116,7 +118,7 @@ fn clear(folder: &Path, is_held: bool, noted: &mut LeftOver) {
     }
 }
 
-/// Gives a target its old content back, if it has none, or removes what is next to it.
+/// Restores the old content of a target that has none, or removes the file next to it.
 fn settle(left_over: &Path, is_kept: bool, target: &Path) {
     if is_kept && fs::symlink_metadata(target).is_err() {
         let _ = fs::rename(left_over, target);
@@ -125,7 +127,7 @@ fn settle(left_over: &Path, is_kept: bool, target: &Path) {
     }
 }
 
-/// Makes a folder with those above it, and notes which.
+/// Creates a folder with its parents, and notes the created ones.
 fn make(path: &Path, made: &mut BTreeSet<PathBuf>) -> io::Result<()> {
     let missing: Vec<&Path> = path.ancestors().take_while(|above| fs::symlink_metadata(above).is_err()).collect();
     made.extend(missing.iter().filter(|above| !above.as_os_str().is_empty()).map(|above| above.to_path_buf()));
@@ -140,8 +142,8 @@ enum Wait {
     No,
 }
 
-/// Locks the folder itself, so that no file of a lock's own is left in it: the system unlocks it when the process ends,
-/// however that comes. Gives none where folders cannot be opened (Windows) or locked (some network file systems).
+/// Locks the folder itself, so that no lock file is left in it: the system unlocks it when the process ends for any reason.
+/// Returns `None` if folders cannot be opened (Windows) or locked (some network file systems).
 fn lock(path: &Path, wait: Wait) -> io::Result<Option<fs::File>> {
     let path = if path.as_os_str().is_empty() { Path::new(".") } else { path };
     let folder = match fs::File::open(path) {
@@ -161,7 +163,7 @@ fn lock(path: &Path, wait: Wait) -> io::Result<Option<fs::File>> {
     }
 }
 
-/// Whether an open folder is still the one at the path: it may have been removed while we waited for it.
+/// Whether an open folder is still the one at the path: it may have been removed while this process waited for it.
 #[cfg(unix)]
 fn is_at(folder: &fs::File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;

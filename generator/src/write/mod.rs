@@ -1,13 +1,13 @@
 //! Puts files into a folder: staged next to their targets, then renamed; all of them or none.
 //!
 //! ```text
-//! folder   made if need be, locked, cleared of what a killed run left
-//! stage    file -> a file next to its target, unless the target is somebody else's
-//! removal  a file that is generated no more -> gone with the same commit
+//! folder   created if necessary, locked, cleared of files of a killed run
+//! stage    file -> a file next to its target, unless the target belongs to someone else
+//! removal  a file that is no longer generated -> removed with the same commit
 //! one      a single file by its path, by the caller's rule
-//! replace  renames them all, and puts back what was there if one fails
+//! replace  renames all files, and restores the old ones if one fails
 //! ```
-//! What is promised, and why it is done this way: `docs/decisions/files.md`.
+//! The guarantees and the reasons: `docs/decisions/files.md`.
 
 mod beside;
 mod folder;
@@ -30,36 +30,36 @@ use std::{fs, iter};
 /// What was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Written {
-    /// files that are new or have changed
+    /// new or changed files
     pub changed: usize,
-    /// files that were there already
+    /// unchanged files
     pub unchanged: usize,
 }
 
-/// Why nothing was written.
+/// The reason why nothing was written.
 #[derive(Debug)]
 pub enum Refusal {
-    /// these files are not as axgen made them
+    /// these files differ from what axgen generated
     Edited(Vec<(PathBuf, Owner)>),
-    /// the folder does not take them
+    /// the folder does not accept them
     Failed(PathBuf, io::Error),
-    /// the folder does not take them, and these files, which had their new content already, could not be put back
+    /// the folder does not accept them, and these files, which already had their new content, could not be restored
     Torn(PathBuf, io::Error, Vec<PathBuf>),
 }
 
-/// Whose a file is.
+/// The owner of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Owner {
-    /// ours, as it was generated, or empty: nothing is lost with it
+    /// axgen: as generated, or empty, so that nothing is lost with it
     Generated,
-    /// it was generated, and changed by hand
+    /// generated, then edited by hand
     Edited,
-    /// another tool's or a person's; or its checksum was taken out
+    /// another tool or a person; or its checksum was removed
     Other,
 }
 
 impl Refusal {
-    /// What is said about it: a message for each file.
+    /// A message for each file.
     pub fn report(&self) -> Report {
         let unwritable =
             |path: &Path, found: String| Diagnostic::error(codes::UNWRITABLE, Place::whole(path.slashes()), found);
@@ -88,57 +88,58 @@ fn kept(path: &Path, owner: Owner) -> Diagnostic {
         .instead("the change in what the file is made from; or overwrite it with --force")
 }
 
-/// A file on its way into a folder, or out of it. What was staged is gone when this is, whatever happens in between.
+/// A file to be written or removed. The staged file is removed together with this value in any case.
 #[derive(Debug)]
 pub struct Staged {
-    /// where it goes
+    /// its target
     pub path: PathBuf,
     change: Change,
 }
 
-/// What becomes of a file.
+/// The change of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Change {
-    /// it is there already
+    /// unchanged
     None,
-    /// it replaces one whose owner this is; ours, if none is there
+    /// it replaces a file with this owner; `Generated` if there is none
     Write(Owner),
-    /// it is the record of the folder itself, which is always replaced, and counts as no file
+    /// it is the record of the folder itself, which is always replaced, and is not counted as a file
     Record,
-    /// it goes
+    /// it is removed
     Remove,
 }
 
 impl Drop for Staged {
     fn drop(&mut self) {
         match self.change {
-            Change::Write(_) | Change::Record => remove(&staged(&self.path)), // not there any more, if it was renamed
+            Change::Write(_) | Change::Record => remove(&staged(&self.path)), // already gone if it was renamed
             Change::None | Change::Remove => {}
         }
     }
 }
 
-/// Writes a file next to its target in the folder; a file that is there already is left alone, whatever program has saved it.
+/// Writes a file next to its target in the folder. A file that already has this text is left unchanged, apart from changes
+/// that `saved` undoes.
 ///
 /// # Errors
-/// The folder does not take it.
+/// The folder does not accept it.
 pub fn stage(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
     let path = folder.path_of(&file.name)?;
     let replaces = replaced(&path, &file.text).map_err(|error| Refusal::Failed(path.clone(), error))?;
     stage_at(path, &file.text, replaces.map_or(Change::None, Change::Write))
 }
 
-/// The same of the folder's own record, which replaces what is there.
+/// Writes the folder's own record next to its target, which it replaces.
 ///
 /// # Errors
-/// The folder does not take it.
+/// The folder does not accept it.
 pub fn record(folder: &Folder, file: &File) -> Result<Staged, Refusal> {
     let path = folder.path_of(&file.name)?;
     replaced(&path, &file.text).map_err(|error| Refusal::Failed(path.clone(), error))?;
     stage_at(path, &file.text, Change::Record)
 }
 
-/// A file that goes.
+/// A file to be removed.
 ///
 /// # Errors
 /// The folder of the file cannot be made.
@@ -151,25 +152,25 @@ fn stage_at(path: PathBuf, text: &str, change: Change) -> Result<Staged, Refusal
         return Ok(Staged { path, change });
     }
     let failed = |error| Refusal::Failed(path.clone(), error);
-    // What is there already is somebody else's: it is neither followed nor written, and stays.
+    // An existing file was not created by this run: it is neither followed nor written, and stays.
     let mut new = fs::OpenOptions::new().write(true).create_new(true).open(staged(&path)).map_err(failed)?;
     let on_its_way = Staged { path: path.clone(), change };
     new.write_all(text.as_bytes()).map_err(failed)?;
     Ok(on_its_way)
 }
 
-/// Renames all staged files to their targets, or none: not where one could not be staged, nor, unless `force` is set, where
-/// one would replace a file that is not as it was generated.
+/// Renames all staged files to their targets, or none: not if one could not be staged, nor, unless `force` is set, if one
+/// would replace a file that differs from what was generated.
 ///
 /// # Errors
-/// Why nothing was written; the folder's files are as they were before.
+/// The reason why nothing was written; the folder's files are unchanged.
 pub fn commit(folder: Folder, results: Vec<Result<Staged, Refusal>>, force: bool) -> Result<Written, Refusal> {
     let written = commit_in(&folder, results, force);
     drop(folder);
     written
 }
 
-/// The same, and the folder is held on.
+/// Renames all staged files as [`commit`] does, and keeps the folder locked.
 ///
 /// # Errors
 /// As [`commit`].
@@ -193,25 +194,25 @@ pub fn commit_in(folder: &Folder, results: Vec<Result<Staged, Refusal>>, force: 
     })
 }
 
-/// Whose a file of this content is.
+/// The owner of a file with this content.
 pub fn owner(content: &[u8]) -> Owner {
-    // What is not UTF-8 is not what we wrote: with its replacement characters the checksum is wrong.
+    // axgen writes UTF-8 only: with replacement characters the checksum is wrong.
     match has_right_checksum(&String::from_utf8_lossy(content)) {
         Some(true) => Owner::Generated,
         Some(false) => Owner::Edited,
-        // A crash of the host may leave it so.
+        // A crash of the host can leave an empty file.
         None if content.is_empty() => Owner::Generated,
         None => Owner::Other,
     }
 }
 
-/// Whose file a text is to replace. Through a link nothing is written, and nothing but a file is read.
+/// The owner of the file that a text is to replace. Nothing is written through a link, and only files are read.
 fn replaced(path: &Path, text: &str) -> io::Result<Option<Owner>> {
     let found = match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Some(Owner::Generated)),
         found => found?.file_type(),
     };
-    // `load` refuses what is not a file, with or without a link before it.
+    // `load` refuses everything except files, also through a link.
     if found.is_symlink() && config::load(path).is_ok_and(|old| is_text(&old, text)) {
         return Ok(None);
     }
@@ -223,7 +224,7 @@ fn replaced(path: &Path, text: &str) -> io::Result<Option<Owner>> {
     }
 }
 
-/// Whether a thing of that type may be written anew at all.
+/// Checks that a file of this type may be written at all.
 fn is_writable(found: fs::FileType) -> io::Result<()> {
     match found {
         _ if found.is_symlink() => Err(io::Error::other("is a symbolic link, through which nothing is written")),

@@ -1,5 +1,4 @@
-//! One file that a command was asked for, by its path: staged next to it, then renamed. Which files it may replace the
-//! caller says.
+//! One requested file, by its path: staged next to it, then renamed. The caller decides which files it may replace.
 
 use super::beside::{left_over, remove, staged};
 use super::is_writable;
@@ -8,34 +7,34 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
-/// Which files that are there may be replaced. None that is not a regular file is.
+/// The existing files that may be replaced; always only regular files.
 #[derive(Clone, Copy)]
 pub enum Replace<'r> {
     None,
-    /// empty ones, and those whose first bytes are as this says
+    /// empty files, and those whose first bytes satisfy this
     Those(&'r dyn Fn(&[u8]) -> bool),
     All,
 }
 
-/// A file next to its target; it is gone when this is, whatever happens in between.
+/// A file next to its target; removed together with this value in any case.
 #[derive(Debug)]
 pub struct One {
     path: PathBuf,
     replaces: bool,
-    /// the file next to it, locked as long as it is on its way: another run takes it for a left-over else
+    /// the file next to it, locked while in use: otherwise another run would treat it as a leftover
     lock: Option<File>,
 }
 
 impl Drop for One {
     fn drop(&mut self) {
-        remove(&staged(&self.path)); // not there any more, if it was renamed
+        remove(&staged(&self.path)); // already gone if it was renamed
     }
 }
 
-/// Whether a file is there, which may be replaced.
+/// Whether there is a file, which may be replaced.
 ///
 /// # Errors
-/// `AlreadyExists`: it may not be. It is a link or no regular file, or the system does not let it be read.
+/// `AlreadyExists`: it must not be replaced. It is a link or not a regular file, or the system does not allow reading it.
 pub fn is_replaced(path: &Path, replace: Replace<'_>) -> io::Result<bool> {
     match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
@@ -56,7 +55,7 @@ pub fn is_replaced(path: &Path, replace: Replace<'_>) -> io::Result<bool> {
 /// Writes the bytes next to their target.
 ///
 /// # Errors
-/// As [`is_replaced`], or the folder does not take them. Nothing is left then.
+/// As [`is_replaced`], or the folder does not accept them. Nothing is left then.
 pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<One> {
     let replaces = is_replaced(path, replace)?;
     clear(path);
@@ -64,7 +63,7 @@ pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<
         let is_there = error.kind() == ErrorKind::AlreadyExists;
         if is_there { io::Error::other(format!("{} is in the way", staged(path).slashes())) } else { error }
     })?;
-    // Not everywhere can files be locked; where they cannot, what a killed run leaves stays.
+    // Not every system can lock files; if it cannot, the files of a killed run stay.
     let _ = file.lock();
     let mut one = One { path: path.to_owned(), replaces, lock: None };
     file.write_all(bytes).and_then(|()| file.sync_all())?;
@@ -72,8 +71,8 @@ pub fn stage_one(path: &Path, bytes: &[u8], replace: Replace<'_>) -> io::Result<
     Ok(one)
 }
 
-/// Removes what a killed run left next to the target: a file of its own name that no process holds. In containers all processes
-/// may have one number.
+/// Removes the leftover of a killed run next to the target: a file with this process's name for it that no process holds. In
+/// containers all processes may have the same id.
 fn clear(path: &Path) {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let target = path.file_name().unwrap_or_default();
@@ -88,13 +87,13 @@ fn clear(path: &Path) {
 }
 
 impl One {
-    /// Puts the file in its place, whole.
+    /// Moves the complete file to its place.
     ///
     /// # Errors
-    /// `AlreadyExists`: a file has come there meanwhile. Otherwise the folder does not take it.
+    /// `AlreadyExists`: a file was created there in the meantime. Otherwise the folder does not accept it.
     pub fn commit(self) -> io::Result<()> {
         let staged = staged(&self.path);
-        // Unlike a renamed file, a second name replaces nothing. Some file systems have none.
+        // Unlike a renamed file, a hard link never replaces a file. Some file systems do not support it.
         if !self.replaces && fs::hard_link(&staged, &self.path).is_ok() {
             return Ok(());
         }

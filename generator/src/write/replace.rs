@@ -1,4 +1,5 @@
-//! Renames staged files to their targets and removes what goes, all or none. At any moment a target has its old content or its new one, whole.
+//! Renames staged files to their targets and removes other files, all or none. At any moment a target has its complete old
+//! or new content.
 
 use super::beside::{kept, remove, staged};
 use super::{Change, Refusal, Staged};
@@ -6,7 +7,7 @@ use std::fs;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Renames every staged file, and removes every one that goes; on a failure puts back what was there.
+/// Renames every staged file, and removes every file that goes; restores the old files after a failure.
 pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
     let mut replaced: Vec<Replaced<'_>> = Vec::with_capacity(files.len());
     for Staged { path, change } in files.iter().filter(|file| file.change != Change::None) {
@@ -28,7 +29,7 @@ pub(super) fn all(files: &[Staged]) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A target, and how far its replacing has come.
+/// A target and the progress of its replacement.
 struct Replaced<'p> {
     path: &'p Path,
     old: bool,
@@ -42,12 +43,12 @@ fn keep(path: &Path) -> io::Result<bool> {
         Ok(found) if !found.is_file() => return Err(io::Error::other("is no regular file any more")),
         Ok(_) => {}
     }
-    // Where the file system has no second names, the target is missing for a moment.
+    // Without hard links in the file system, the target is missing for a moment.
     fs::hard_link(path, kept(path)).or_else(|_| fs::rename(path, kept(path)))?;
     Ok(true)
 }
 
-/// Removes a file; that it is gone already is all the same.
+/// Removes a file; not an error if it no longer exists.
 fn removed(path: &Path) -> io::Result<()> {
     match fs::remove_file(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
@@ -55,7 +56,7 @@ fn removed(path: &Path) -> io::Result<()> {
     }
 }
 
-/// Undoes the replacing of one file; gives its path if that fails.
+/// Undoes the replacement of one file; returns its path if that fails.
 fn put_back(file: &Replaced<'_>) -> Option<PathBuf> {
     if !file.old {
         return (file.new && fs::remove_file(file.path).is_err()).then(|| file.path.to_owned());
@@ -63,6 +64,6 @@ fn put_back(file: &Replaced<'_>) -> Option<PathBuf> {
     if fs::rename(kept(file.path), file.path).is_err() {
         return Some(file.path.to_owned());
     }
-    remove(&kept(file.path)); // still there, if it and the target are one file
+    remove(&kept(file.path)); // still there if it and the target are one file
     None
 }

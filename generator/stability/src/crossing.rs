@@ -1,4 +1,4 @@
-//! The largest weight at one frequency: how far one part of the loop can grow before the loop comes too near to -1.
+//! The largest weight at one frequency: how far one part of the loop can grow until the loop is too close to -1.
 
 use crate::{Complex64, magnitude};
 use portable::Extreme;
@@ -8,21 +8,21 @@ use portable::Extreme;
 pub struct Line {
     /// 1 + L without the part
     pub rest: Complex64,
-    /// what weight 1 adds
+    /// the contribution of weight 1
     pub part: Complex64,
-    /// two standard errors of P, divided by its magnitude: L is uncertain by as much
+    /// two standard errors of P, divided by its magnitude: the relative uncertainty of L
     pub uncertainty: f64,
 }
 
-/// The largest weight, up to `most`, with |rest + w part| >= distance + u w |part| for it and all smaller ones, u the uncertainty: only the part is
-/// uncertain.
+/// The largest weight, up to `most`, for which |rest + w part| >= distance + u w |part| holds for it and all smaller
+/// weights; u is the uncertainty, and only the part is uncertain.
 ///
 /// ```text
 /// B = Re(rest part*) - distance u |part|    A = |part|^2 (1 - u^2)    c = |rest|^2 - distance^2    D = B^2 - A c
 /// w = c/(-B + sqrt D) where D > 0 and (B < 0 or A < 0)
 /// ```
 ///
-/// The smaller root of a quadratic equation, without cancellation. 0 where the rest is too near to 0 itself.
+/// The smaller root of a quadratic equation, without cancellation. 0 if the rest itself is too close to 0.
 #[must_use]
 pub fn largest_within(line: &Line, distance: f64, most: f64) -> f64 {
     let Line { rest, part, uncertainty } = line;
@@ -39,13 +39,13 @@ pub fn largest_within(line: &Line, distance: f64, most: f64) -> f64 {
     (c / (discriminant.sqrt() - b)).smaller(most)
 }
 
-/// Steps of the search where the response is uncertain.
+/// Steps of the search if the response is uncertain.
 const STEPS: u32 = 200;
-/// Of a weight.
+/// Precision of a weight.
 const PRECISION: f64 = 1e-9;
 
 impl Line {
-    /// How far the loop stays from -1 with a weight, at the least.
+    /// The least distance of the loop from -1 with a weight.
     pub(crate) fn distance(&self, weight: f64) -> f64 {
         let distance = self.rest + self.part * weight;
         magnitude(distance) - self.uncertainty * magnitude(distance - 1.0)
@@ -61,7 +61,8 @@ impl Line {
         largest_within(self, distance, most)
     }
 
-    /// The distance changes by at most (1 + uncertainty) |part| for a change of the weight by 1: steps that never pass the root.
+    /// A change of the weight by 1 changes the distance by at most (1 + uncertainty) |part|, so the steps never pass the
+    /// root.
     fn uncertain(&self, distance: f64, most: f64) -> f64 {
         let steepest = (1.0 + self.uncertainty) * magnitude(self.part);
         if steepest == 0.0 {
@@ -81,12 +82,12 @@ impl Line {
         weight
     }
 
-    /// On which side of -1 the loop passes as the weight grows: its sign changes where a weight meets -1 itself.
+    /// The side of -1 on which the loop passes as the weight grows: the sign changes where a weight leads to -1 itself.
     pub(crate) fn side(&self) -> f64 {
         (self.rest * self.part.conj()).im
     }
 
-    /// The weight at which 1 + L comes nearest to 0.
+    /// The weight at which 1 + L is closest to 0.
     pub(crate) fn nearest(&self) -> f64 {
         -(self.rest * self.part.conj()).re / self.part.norm_sqr()
     }

@@ -1,4 +1,4 @@
-//! What stands for the drive: the response P from the commanded velocity to the motor's, at the sampling instants.
+//! The model of the drive: the response P from the commanded velocity to the motor's, at the sampling instants.
 
 use crate::frequency::{Controller, Point};
 use crate::{Complex64, Response, turned};
@@ -6,10 +6,10 @@ use crate::{Complex64, Response, turned};
 /// A drive without mechanics, or a measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drive<'a> {
-    /// the motor does what was commanded some cycles before, 1 at the least, after a time constant [s], where there is one:
-    /// P = exp(-j 2 pi f d T) (1 - e)/(1 - e z^-1), e = exp(-T/Tc)
+    /// the motor follows the command after some cycles, at least 1, and optionally after a time constant [s]: P = exp(-j 2
+    /// pi f d T) (1 - e)/(1 - e z^-1), e = exp(-T/Tc)
     Delay { cycles: f64, time_constant: Option<f64> },
-    /// as it was measured
+    /// a measured response
     Measured(&'a Response),
 }
 
@@ -17,12 +17,12 @@ pub enum Drive<'a> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Value {
     pub response: Complex64,
-    /// two standard errors of it, divided by its magnitude
+    /// two standard errors of P, divided by its magnitude
     pub uncertainty: f64,
 }
 
 impl Drive<'_> {
-    /// Cycles of pure delay, as far as they are known without its lines.
+    /// Cycles of pure delay, as far as they are known without the measured lines.
     pub(crate) fn delay_cycles(&self) -> f64 {
         match self {
             Self::Delay { cycles, .. } => *cycles,
@@ -30,7 +30,7 @@ impl Drive<'_> {
         }
     }
 
-    /// The frequencies of its lines [Hz].
+    /// The frequencies of the measured lines [Hz].
     pub(crate) fn lines(&self) -> &[f64] {
         match self {
             Self::Delay { .. } => &[],

@@ -1,4 +1,5 @@
-//! Points of the frequency axis at which a loop is looked at: dense where a stage turns, sparse elsewhere. No drive.
+//! Points of the frequency axis for the analysis of a loop: dense where the phase of a stage changes, sparse elsewhere. No
+//! drive.
 
 use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, magnitude};
 use portable::Extreme;
@@ -6,35 +7,35 @@ use std::f64::consts::PI;
 
 /// The last point, as a part of the sampling frequency: t is still finite there.
 const LAST: f64 = 0.499_99;
-/// The first point, as a part of the lowest centre: every stage has left its band there.
+/// The first point, as a part of the lowest centre: far outside the band of every stage.
 const FIRST: f64 = 1e-3;
-/// Points between which a stage turns by more than that get another one between them: sin^2 of 15 degrees.
+/// Another point is inserted between two if the phase of a stage changes by more than this: sin^2 of 15 degrees.
 const TURN: f64 = 0.067;
-/// A stage that adds less than that with the largest weight decides nothing.
+/// A stage whose contribution with the largest weight is smaller does not matter.
 const SMALL: f64 = 0.1;
 /// Halvings of an interval.
 const DEPTH: u32 = 14;
-/// Points in a turn of a delay.
+/// Points per full turn of a delay.
 const IN_A_TURN: f64 = 20.0;
 
-/// Where a stage acts [Hz]: centre, and distance of the -3 dB edges.
+/// The band of a stage [Hz]: centre, and distance of the -3 dB edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Band {
     pub centre: f64,
     pub width: f64,
 }
 
-/// A controller, looked at in the frequency domain.
+/// A controller in the frequency domain.
 pub struct Controller<'a> {
     /// T [s]
     pub cycle_time: f64,
-    /// the weights of the stages; 0 for one that does not look at `v_motor`
+    /// the weights of the stages; 0 for a stage whose input is not `v_motor`
     pub weight: [f64; STAGES],
-    /// what each stage gives with weight 1 at t = tan(pi f T), its sign in it
+    /// the response of each stage with weight 1 at t = tan(pi f T), including its sign
     pub stage: Box<dyn Fn(f64) -> [Complex64; STAGES] + 'a>,
-    /// where the stages act: points lie there
+    /// the bands of the stages, which need points
     pub bands: Vec<Band>,
-    /// gain of the position controller Kv [1/s], if its loop is closed around all this
+    /// gain of the position controller Kv [1/s], if its loop is closed around this one
     pub position_gain: Option<f64>,
 }
 
@@ -47,7 +48,7 @@ pub(crate) struct Point {
     pub half: f64,
     /// each stage with weight 1
     pub stage: [Complex64; STAGES],
-    /// of the position controller: Kv T/(z - 1)
+    /// the position controller: Kv T/(z - 1)
     pub position: Complex64,
 }
 
@@ -66,7 +67,7 @@ pub struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    /// The points for these drives: as dense as the longest delay asks for, and at the lines of measured responses.
+    /// The points for these drives: as dense as the longest delay requires, and at the lines of measured responses.
     #[must_use]
     pub fn new(controller: Controller<'a>, drives: &[Drive<'_>]) -> Self {
         let cycle_time = controller.cycle_time;
@@ -127,7 +128,7 @@ impl Controller<'_> {
         point.half / (PI * self.cycle_time)
     }
 
-    /// Adds what has to lie between two points.
+    /// Inserts the necessary points between two points.
     fn between(&self, a: Point, b: Point, depth: u32, points: &mut Vec<Point>) {
         if depth == 0 || !(0..STAGES).any(|i| turns(a.stage[i], b.stage[i])) {
             return;
@@ -139,7 +140,7 @@ impl Controller<'_> {
     }
 }
 
-/// Whether a stage changes much from a to b.
+/// Whether the response of a stage changes much from a to b.
 fn turns(a: Complex64, b: Complex64) -> bool {
     let (squares, larger) = (a.norm_sqr() * b.norm_sqr(), magnitude(a).larger(magnitude(b)));
     if larger * LARGEST_WEIGHT < SMALL {

@@ -1,24 +1,24 @@
-//! The loop that improved position control closes: is it stable, how far is it from instability, and with which weights. No parameter,
-//! no file, no block: a controller is a closure that gives numbers, a measured response is two arrays.
+//! The loop that improved position control closes: its stability, its margins, and its largest weights. No parameter, no
+//! file, no block: a controller is a closure that returns numbers, a measured response is two arrays.
 //!
 //! # The loop
-//! It is cut at the commanded velocity, `v_cmd = v_command + v_add`, and looked at from sampling instant to sampling instant.
+//! The loop is cut at the commanded velocity, `v_cmd = v_command + v_add`, and described at the sampling instants.
 //!
 //! ```text
-//! C(f) = sum of w_i C_i(f)             from v_motor to v_add: the active stages that look at v_motor, their signs in them
-//! P(f)                                 from v_cmd to v_motor: every delay is in it
-//! L(f) = -C P + Kv T z^-1/(1 - z^-1) P the second term where there is a position controller with the gain Kv
+//! C(f) = sum of w_i C_i(f)             from v_motor to v_add: the active stages with the input v_motor, with their signs
+//! P(f)                                 from v_cmd to v_motor, including every delay
+//! L(f) = -C P + Kv T z^-1/(1 - z^-1) P the second term only with a position controller with the gain Kv
 //! S(f) = 1/(1 + L)                     stable: 1 + L does not turn around 0
 //! Ms   = largest |S|                   1/Ms is the distance of L from -1
 //! ```
 //!
-//! C and P are stable, so that the closed loop is stable where 1 + L makes no turn around 0 (Nyquist). z^-1 = exp(-j 2 pi f T); the frequency
-//! axis is t = tan(pi f T), which keeps all digits at low frequencies.
+//! C and P are stable, so the closed loop is stable if 1 + L does not turn around 0 (Nyquist). z^-1 = exp(-j 2 pi f T); the
+//! frequency axis is t = tan(pi f T), which keeps all digits at low frequencies.
 //!
 //! ```text
 //! frequency  points of the frequency axis, and a controller there
 //! response   a measured response between its lines
-//! drive      what stands for the drive: P
+//! drive      the model of the drive: P
 //! crossing   the largest weight at a frequency
 //! margins    turns, Ms, gain and phase margin, largest weights
 //! ```

@@ -1,4 +1,4 @@
-//! A controller and a drive: is their loop stable, how far is it from instability, how much weight does a stage bear.
+//! A controller with a drive: the stability of their loop, its margins, the largest weights of its stages.
 
 use crate::crossing::Line;
 use crate::drive::Value;
@@ -8,25 +8,27 @@ use crate::{Complex64, Drive, LARGEST_WEIGHT, STAGES, angle, magnitude};
 use portable::Extreme;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// The largest |S| of a loop that stays calm: a gain margin of 6 dB and a phase margin of 29 degrees are in it.
+/// The largest |S| of a well-damped loop: it implies a gain margin of 6 dB and a phase margin of 29 degrees.
 pub const MAX_MS: f64 = 2.0;
-/// A margin beyond that factor is none that anybody needs.
+/// Larger factors are not searched.
 const LARGEST_FACTOR: f64 = 1e6;
-/// Halvings of an interval in which 1 + L turns by more than a quarter.
+/// Halvings of an interval in which 1 + L changes by more than a quarter turn.
 const DEPTH: u32 = 40;
-/// A local minimum within that factor of the least one may be the least one between the points: where two stages and the position controller
-/// meet, a point missed the minimum next to it by a half.
+/// A local minimum within this factor of the least one may be the least one between the points: where two stages and the
+/// position controller interact, a point exceeded the minimum next to it by a half.
 const NEAR: f64 = 4.0;
 
-/// What is known of a closed loop. Every figure is the worst within two standard errors of a measured response.
+/// Figures of a closed loop. Each is the worst within two standard errors of a measured response.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Margins {
     pub stable: bool,
-    /// largest |S|, and where [Hz]; none: the loop is unstable
+    /// largest |S| and its frequency [Hz]; `None` if the loop is unstable
     pub ms: Option<[f64; 2]>,
-    /// least factor above 1 of L that makes the loop unstable [dB]; none: there is none, or it is unstable
+    /// least factor above 1 of L that makes the loop unstable [dB]; `None` if there is no such factor, or if the loop is
+    /// unstable
     pub gain_db: Option<f64>,
-    /// least turn of L that makes it unstable [degrees]; the same
+    /// least phase change of L that makes the loop unstable [degrees]; `None` if there is no such change, or if the loop is
+    /// unstable
     pub phase_deg: Option<f64>,
 }
 
@@ -53,7 +55,7 @@ pub struct Loop<'a> {
     values: Vec<Value>,
 }
 
-/// A point, and P there.
+/// A point with P at it.
 type At = (Point, Value);
 
 impl<'a> Loop<'a> {
@@ -70,13 +72,13 @@ impl<'a> Loop<'a> {
         self.weight
     }
 
-    /// The same loop with other weights.
+    /// The loop with other weights.
     #[must_use]
     pub fn with(&self, weight: [f64; STAGES]) -> Self {
         Self { weight, values: self.values.clone(), ..*self }
     }
 
-    /// Whether it is stable, in the middle of what was measured.
+    /// Whether it is stable with the measured values, without their uncertainty.
     #[must_use]
     pub fn is_stable(&self) -> bool {
         self.is_stable_with(&self.weight)
@@ -90,7 +92,7 @@ impl<'a> Loop<'a> {
         if degrees > 0.0 { degrees - 360.0 } else { degrees }
     }
 
-    /// How far the drive alone lags at a frequency [Hz], in degrees, from 0 to 360.
+    /// The lag of the drive alone at a frequency [Hz], in degrees, from 0 to 360.
     #[must_use]
     pub fn lag(&self, hz: f64) -> f64 {
         let at = self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time));
@@ -120,21 +122,21 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// The part of what acts on the motor at a frequency [Hz] that a stage leaves: |S| with it by |S| without it.
+    /// The remaining part of a disturbance at the motor at a frequency [Hz]: |S| with a stage divided by |S| without it.
     #[must_use]
     pub fn left(&self, stage: usize, hz: f64) -> f64 {
         let line = self.line(&self.at_t(libm::tan(PI * hz * self.points.controller.cycle_time)), stage);
         magnitude(line.rest) / magnitude(line.rest + line.part * self.weight[stage])
     }
 
-    /// The largest |S|, and where [Hz]; none: the loop is unstable.
+    /// The largest |S| and its frequency [Hz]; `None` if the loop is unstable.
     #[must_use]
     pub fn ms(&self) -> Option<[f64; 2]> {
         let (distance, at) = self.least(|at| self.whole(at).distance(1.0));
         (distance > 0.0 && self.is_stable()).then(|| [1.0 / distance, self.points.controller.hz(&at.0)])
     }
 
-    /// The loop with all of L as its part.
+    /// The loop with the whole of L as its part.
     fn whole(&self, (point, value): &At) -> Line {
         Line {
             rest: Complex64::new(1.0, 0.0),
@@ -143,7 +145,7 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// Whether it is stable, its largest |S|, its margins.
+    /// Its stability, its largest |S|, its margins.
     #[must_use]
     pub fn margins(&self) -> Margins {
         let Some(ms) = self.ms() else {
@@ -167,7 +169,7 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// The largest weight of a stage, the others as they are, up to which the loop is stable.
+    /// The largest weight of a stage up to which the loop is stable, with unchanged weights of the others.
     #[must_use]
     pub fn largest_stable_weight(&self, stage: usize) -> f64 {
         if !self.is_stable_with(&self.without(stage)) {
@@ -176,7 +178,8 @@ impl<'a> Loop<'a> {
         self.largest_stable(|at| self.line(at, stage), [0.0, LARGEST_WEIGHT])
     }
 
-    /// The largest weight of a stage, the others as they are, up to which the loop is stable and |S| stays within [`MAX_MS`].
+    /// The largest weight of a stage up to which the loop is stable and |S| stays within [`MAX_MS`], with unchanged weights
+    /// of the others.
     #[must_use]
     pub fn largest_weight(&self, stage: usize) -> f64 {
         if !self.is_stable_with(&self.without(stage)) {
@@ -185,7 +188,8 @@ impl<'a> Loop<'a> {
         self.largest(|at| self.line(at, stage), LARGEST_WEIGHT)
     }
 
-    /// The largest parts of all weights together, up to which the loop is stable, and up to which |S| stays within [`MAX_MS`].
+    /// The largest factors of all weights together, up to which the loop is stable, and up to which |S| stays within
+    /// [`MAX_MS`].
     #[must_use]
     pub fn largest_parts(&self) -> [f64; 2] {
         let whole = |at: &At| {
@@ -205,7 +209,8 @@ impl<'a> Loop<'a> {
         weight
     }
 
-    /// The largest weight of a part, above `least` and up to `most`, with which a loop stays stable that is stable with `least`.
+    /// The largest weight of a part, above `least` and up to `most`, up to which a loop stays stable that is stable with
+    /// `least`.
     fn largest_stable(&self, line: impl Fn(&At) -> Line, [least, most]: [f64; 2]) -> f64 {
         let mut largest = most;
         self.crossings(
@@ -223,7 +228,8 @@ impl<'a> Loop<'a> {
         largest
     }
 
-    /// The same with which |S| stays within [`MAX_MS`]: the loop passes -1 no nearer than that on the way there, and stays stable.
+    /// The largest weight of a part up to which the loop stays stable and |S| within [`MAX_MS`], for all smaller weights
+    /// too.
     fn largest(&self, line: impl Fn(&At) -> Line, most: f64) -> f64 {
         self.least(|at| line(at).largest_weight(1.0 / MAX_MS, most)).0
     }
@@ -247,8 +253,8 @@ impl<'a> Loop<'a> {
         matches!(self.drive, Drive::Measured(_))
     }
 
-    /// 1 + L makes no turn around 0, from 0 Hz to half the sampling frequency. A position controller has its pole at 0 Hz, around which the way
-    /// begins on the right: with the angle that 1 + L has at the first point.
+    /// Whether 1 + L makes no turn around 0, from 0 Hz to half the sampling frequency. A position controller has its pole at
+    /// 0 Hz; the path around it begins on the right, with the angle of 1 + L at the first point.
     fn is_stable_with(&self, weight: &[f64; STAGES]) -> bool {
         if self.points.controller.position_gain.is_none() && weight.iter().all(|weight| *weight <= 0.0) {
             return true;
@@ -267,7 +273,7 @@ impl<'a> Loop<'a> {
         libm::fabs(turned) < FRAC_PI_2
     }
 
-    /// The angle by which a value turns from one point to the next.
+    /// The change of a value's angle from one point to the next.
     fn turn(&self, of: &impl Fn(&At) -> Complex64, a: (At, Complex64), b: (At, Complex64), depth: u32) -> f64 {
         let turned = angle(b.1 * a.1.conj());
         if libm::fabs(turned) < FRAC_PI_2 || depth == 0 {
@@ -291,7 +297,8 @@ impl<'a> Loop<'a> {
         self.points.points.iter().copied().zip(self.values.iter().copied())
     }
 
-    /// The least value over all frequencies, and where: at the points, then between the neighbours of those that are nearly the least.
+    /// The least value over all frequencies, and its place: at the points, then between the neighbours of those that are
+    /// almost the least.
     fn least(&self, of: impl Fn(&At) -> f64) -> (f64, At) {
         let values: Vec<f64> = self.all().map(|at| of(&at)).collect();
         let t = |k: usize| self.points.points[k].t;
@@ -314,7 +321,7 @@ impl<'a> Loop<'a> {
         (found, self.at_t(at))
     }
 
-    /// Calls `found` where a function of the frequency changes its sign.
+    /// Calls `found` at each sign change of a function of the frequency.
     fn crossings(&self, of: impl Fn(&At) -> f64, mut found: impl FnMut(&At)) {
         let mut last: Option<(f64, f64)> = None;
         for at in self.all() {

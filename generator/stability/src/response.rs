@@ -1,24 +1,24 @@
-//! A measured response: lines with their standard errors, and what is taken between them and beyond.
+//! A measured response: lines with their standard errors, interpolation between them and extrapolation beyond.
 
 use crate::drive::Value;
 use crate::{Complex64, angle, magnitude, turned};
 use std::f64::consts::TAU;
 
-/// Cycles of delay that are taken out before lines are connected, and put back: what is left turns slowly.
+/// Cycles of delay that are removed before the lines are interpolated, and restored afterwards: the rest changes slowly.
 const TAKEN_OUT: f64 = 2.0;
 
-/// From the commanded velocity to the motor's. All its lines stay in, with their errors.
+/// The response from the commanded velocity to the motor's. All its lines are used, with their errors.
 ///
-/// Between its lines a cubic spline connects P exp(j 2 pi f 2 T); below the lowest one magnitude and phase go linearly to 1 and 0 at 0 Hz; above the
-/// highest one the last value holds, turned by the same delay.
+/// Between the lines a cubic spline interpolates P exp(j 2 pi f 2 T). Below the lowest line magnitude and phase are linear
+/// to 1 and 0 at 0 Hz. Above the highest line the last value is used, turned by the same delay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Response {
     hz: Vec<f64>,
-    /// the delay taken out, and its second derivative over Hz
+    /// the lines without the delay, and their second derivatives over Hz
     lines: Vec<[Complex64; 2]>,
     /// standard errors, relative to the magnitudes
     error: Vec<f64>,
-    /// of the lowest line
+    /// the lowest line
     lowest: Complex64,
     /// [s]
     delay: f64,

@@ -4,12 +4,12 @@
 const STEPS: u32 = 16;
 /// Steps of the search for a root.
 const ROOT_STEPS: u32 = 60;
-/// A root is found when the interval is that part of its place.
+/// The search for a root ends when the interval is this part of its position.
 const PRECISION: f64 = 1e-12;
 /// The golden section.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Where a function has its minimum in an interval, in which it has one, and the minimum: golden section.
+/// The position and the value of a function's minimum in an interval with exactly one: golden section.
 pub(crate) fn least(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> (f64, f64) {
     let mut low = to - GOLDEN * (to - from);
     let mut high = from + GOLDEN * (to - from);
@@ -28,7 +28,7 @@ pub(crate) fn least(mut from: f64, mut to: f64, of: impl Fn(f64) -> f64) -> (f64
     if at_low <= at_high { (low, at_low) } else { (high, at_high) }
 }
 
-/// Where a function is 0 between two places at which its signs differ: the Illinois form of regula falsi.
+/// The position where a function is 0 between two places with different signs: the Illinois form of regula falsi.
 pub(crate) fn root([mut from, mut to]: [f64; 2], [mut at_from, mut at_to]: [f64; 2], of: impl Fn(f64) -> f64) -> f64 {
     let mut kept = 0;
     for _ in 0..ROOT_STEPS {
@@ -40,7 +40,7 @@ pub(crate) fn root([mut from, mut to]: [f64; 2], [mut at_from, mut at_to]: [f64;
         if value == 0.0 {
             return middle;
         }
-        // A side that stays twice would hold the search back: its value counts half.
+        // A side that stays twice would slow the search down: its value is halved.
         if (value < 0.0) == (at_to < 0.0) {
             (to, at_to) = (middle, value);
             at_from = if kept == 1 { at_from / 2.0 } else { at_from };

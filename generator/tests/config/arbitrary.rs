@@ -31,6 +31,7 @@ fn every_code_has_a_test() {
         include_str!("advice.rs"),
         include_str!("control.rs"),
         include_str!("every_rule.rs"),
+        include_str!("excitation.rs"),
         include_str!("arbitrary.rs"),
         include_str!("files.rs"),
         include_str!("gantry.rs"),

@@ -6,6 +6,7 @@ mod canonical;
 mod control;
 mod every_rule;
 mod examples;
+mod excitation;
 mod files;
 mod gantry;
 mod gear;

@@ -20,16 +20,16 @@ pub const UM: f64 = 1e6;
 pub struct Position {
     /// gain Kv [1/s]
     pub kv: f64,
-    /// part of the planned velocity that is fed forward
+    /// fraction of the planned velocity that is fed forward
     pub feedforward: f64,
 }
 
 impl Position {
-    /// That of the demonstration plant.
+    /// The position controller of the demonstration plant.
     pub const DEMONSTRATION: Self = Self { kv: 20.0, feedforward: 1.0 };
 
-    /// What the controller and improved position control see in a cycle: a position command [m], its velocity [m/s], actual
-    /// values.
+    /// The signals of the controller and of improved position control in a cycle, from a position command [m], its velocity
+    /// [m/s] and actual values.
     #[must_use]
     pub fn signals(&self, x: f64, v: f64, actual: &Measured) -> Signals {
         let v_command = self.kv * (x - actual.x) + self.feedforward * v;
@@ -37,7 +37,7 @@ impl Position {
     }
 }
 
-/// What improved position control sees in a cycle [um/s].
+/// The inputs of improved position control in a cycle [um/s].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Signals {
     /// output of the position controller with feedforward, before v_add is added
@@ -48,13 +48,12 @@ pub struct Signals {
     pub v_direct: f64,
 }
 
-/// What was seen in each cycle, and where the ramps are.
+/// The signals of each cycle, and the ramps.
 #[derive(Clone, Debug, Default)]
 pub struct Record {
     /// cycle time Ts [s]
     pub cycle: f64,
-    /// each ramp as the drive sees it, later than planned by the delays of the machine: its first cycle, and the one after its
-    /// last
+    /// each ramp at the drive, later than planned by the delays of the machine: its first cycle, and the one after its last
     pub ramps: Vec<[usize; 2]>,
     /// the position command [m]
     pub command: Vec<f64>,
@@ -64,15 +63,15 @@ pub struct Record {
     pub x: Vec<f64>,
     /// the motor's position as the controller sees it, a cycle later [m]
     pub seen: Vec<f64>,
-    /// the acceleration of the load, which the sensor measures [m/s^2]
+    /// the measured acceleration of the load [m/s^2]
     pub sensor: Vec<f64>,
-    /// what the closure saw
+    /// the inputs of the closure
     pub signals: Vec<Signals>,
-    /// what the closure added [um/s]
+    /// the outputs of the closure [um/s]
     pub v_add: Vec<f64>,
 }
 
-/// Runs a sequence from standstill. The closure gets the signals of each cycle [um/s] and gives `v_add` [um/s] in the same
+/// Runs a sequence from standstill. The closure gets the signals of each cycle [um/s] and returns `v_add` [um/s] in the same
 /// cycle.
 #[must_use]
 pub fn run(

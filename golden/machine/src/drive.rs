@@ -1,10 +1,10 @@
-//! An axis that is only its drive: the load is stiff, and the velocity follows the command with a delay and a time constant.
+//! An axis without mechanics: the load is rigid, and the velocity follows the command with a delay and a time constant.
 //!
 //! ```text
 //! v_cmd -> delay of d cycles -> 1 / (1 + Tc s) after the hold -> v,   x = sum of Ts v
 //! ```
 //!
-//! The cycle for which a command is held is a part of the delay: the ideal drive has d = 1, `v = z^-1 v_cmd`.
+//! The cycle in which a command is held is part of the delay: the ideal drive has d = 1, `v = z^-1 v_cmd`.
 
 use super::line::{Fraction, Line};
 use super::machine::{Machine, Measured};
@@ -14,25 +14,25 @@ use portable::Extreme;
 /// Time constant of a usual velocity loop [s].
 pub const TIME_CONSTANT: f64 = 5e-3;
 
-/// Numbers of such an axis.
+/// The parameters of such an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
     /// cycle of the controller Ts [s]
     pub cycle: f64,
-    /// d: cycles, and parts of one, from a command to the first measured value that it changes; at least 1
+    /// d: cycles, also fractional, from a command to the first measured value that it changes; at least 1
     pub delay: f64,
-    /// Tc [s]; 0: none
+    /// Tc [s]; 0 for none
     pub time_constant: f64,
 }
 
 impl Setup {
-    /// A drive that is late and nothing else: half a cycle in addition to the hold.
+    /// A drive with only a delay: half a cycle in addition to the hold.
     pub const DELAY: Self = Self { cycle: 1e-3, delay: 1.5, time_constant: 0.0 };
     /// A delay of half a cycle in addition to the hold, with the time constant of a usual velocity loop.
     pub const DELAY_AND_LAG: Self = Self { time_constant: TIME_CONSTANT, ..Self::DELAY };
 }
 
-/// The axis while it runs.
+/// The axis in operation.
 #[derive(Clone, Debug)]
 pub struct Drive {
     setup: Setup,
@@ -49,7 +49,7 @@ impl Drive {
     pub fn new(setup: Setup) -> Self {
         let beyond = (setup.delay - 1.0).larger(0.0);
         let part = beyond - beyond.floor();
-        // A short part is taken together with a whole cycle: Thiran's all-pass is best from half a cycle on.
+        // A short fraction is combined with a whole cycle: Thiran's all-pass is accurate from half a cycle on.
         let (whole, part) = if part > 0.0 && part < 0.5 && beyond > 1.0 {
             (beyond.floor() - 1.0, part + 1.0)
         } else {

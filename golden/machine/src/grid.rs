@@ -1,4 +1,4 @@
-//! Numbers as controllers have them: angles within a turn, positions and velocities on a grid. No state.
+//! Numbers as in controllers: angles within a turn, positions and velocities on a grid. No state.
 
 /// A full turn [0.001 deg].
 pub const TURN: f64 = 360_000.0;
@@ -22,7 +22,7 @@ pub fn angle(x: f64) -> f64 {
     if x >= TURN { 0.0 } else { x }
 }
 
-/// A distance by the shortest way.
+/// A distance in the shorter direction.
 #[must_use]
 pub fn shortest(distance: f64) -> f64 {
     let within = distance.rem_euclid(TURN);

@@ -1,13 +1,13 @@
-//! Values on their way. What they are is the caller's.
+//! Delay lines. The meaning of the values is not known here.
 
 use std::collections::VecDeque;
 
-/// Whole cycles from a sender to a receiver.
+/// A delay of whole cycles from a sender to a receiver.
 #[derive(Clone, Debug)]
 pub struct Line<T>(VecDeque<T>);
 
 impl<T: Copy> Line<T> {
-    /// What arrives at first is `rest`.
+    /// A line in which all values are `rest` at first.
     #[must_use]
     pub fn new(cycles: usize, rest: T) -> Self {
         Self(std::iter::repeat_n(rest, cycles).collect())
@@ -21,8 +21,8 @@ impl<T: Copy> Line<T> {
 }
 
 /// A delay of d cycles, 0 < d < 1.5: `(a + z^-1) / (1 + a z^-1)` with `a = (1 - d) / (1 + d)`. Its gain is 1 at every
-/// frequency. Its delay is d at low frequencies; of half a cycle the phase is wrong by 0.06 deg at 1/20 of the sampling
-/// frequency, and by 0.5 deg at 1/10 of it. Thiran's all-pass of the first order (T. I. Laakso et al., Splitting the Unit
+/// frequency. Its delay is d at low frequencies; for half a cycle the error of the phase is 0.06 deg at 1/20 of the sampling
+/// frequency, and 0.5 deg at 1/10 of it. Thiran's all-pass of the first order (T. I. Laakso et al., Splitting the Unit
 /// Delay, IEEE Signal Processing Magazine 13, 1996).
 #[derive(Clone, Copy, Debug)]
 pub struct Fraction {

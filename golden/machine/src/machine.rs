@@ -1,6 +1,6 @@
-//! What a simulated axis is to its controller. No machine is here.
+//! The interface of a simulated axis for its controller. No machine is here.
 
-/// What an axis shows. The unit of length is the machine's.
+/// The measured values of an axis. The unit of length is the machine's.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
     /// position of the motor
@@ -13,18 +13,18 @@ pub struct Measured {
     pub a_load: f64,
 }
 
-/// An axis that obeys velocity commands. It starts at rest at 0.
+/// An axis that follows velocity commands. It starts at rest at 0.
 pub trait Machine {
     /// Cycle of the controller Ts [s].
     fn cycle(&self) -> f64;
 
-    /// Whole cycles, rounded up, that the machine is late in addition to the one for which a command is held.
+    /// Delay of the machine in whole cycles, rounded up, in addition to the cycle in which a command is held.
     fn delay_cycles(&self) -> usize;
 
-    /// What a sensor at the machine shows now, without the way to the controller.
+    /// The present values at the machine, without the delay to the controller.
     fn now(&self) -> Measured;
 
-    /// One cycle with a velocity command, which is held. Returns what the controller reads when it computes the next command.
+    /// One cycle with a velocity command, which is held. Returns the values that the controller reads for the next command.
     fn step(&mut self, v_cmd: f64) -> Measured;
 }
 

@@ -1,5 +1,5 @@
-//! What a record shows of the vibrations of the demonstration plant: amplitudes, ring-down, following error. By a plain Fourier
-//! sum: the frequencies that are asked for are few.
+//! The vibrations of the demonstration plant in a record: amplitudes, ring-down, following error. Computed by a plain
+//! Fourier sum, because only a few frequencies are needed.
 
 use super::closed_loop::Record;
 use portable::{Extreme, peak};
@@ -18,7 +18,7 @@ pub struct Figures {
     pub following_error: f64,
 }
 
-/// All of them.
+/// All columns of the table.
 #[must_use]
 pub fn figures(record: &Record) -> Figures {
     Figures {
@@ -29,37 +29,39 @@ pub fn figures(record: &Record) -> Figures {
     }
 }
 
-/// The largest difference between the command and the motor's position [m]: `max |x[n] - q1(n Ts)|`, with the command that the
-/// controller gets at the start of cycle n. The command of a [`Sequence`](super::sequence::Sequence) is ahead by a cycle: at
-/// constant speed, where the controller sees no difference to the position that it reads a cycle late, this one is -Ts v.
+/// The largest difference between the command and the motor's position [m]: `max |x[n] - q1(n Ts)|`, with the command that
+/// the controller gets at the start of cycle n. The command of a [`Sequence`](super::sequence::Sequence) is ahead by a
+/// cycle: at constant speed the controller, which reads the position a cycle late, has a difference of 0, and this
+/// difference is -Ts v.
 #[must_use]
 pub fn following_error(record: &Record) -> f64 {
     let errors = record.command.iter().zip(&record.x).map(|(x, actual)| (x - actual).abs());
     errors.fold(0.0, f64::larger)
 }
 
-/// Cycles of a record.
+/// A range of cycles of a record.
 pub type Window = std::ops::Range<usize>;
 
-/// Cycles of a time [s].
+/// The number of cycles of a time [s].
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
 fn cycles(record: &Record, time: f64) -> usize {
     libm::round(time / record.cycle) as usize
 }
 
-/// At constant speed: from 0.4 s after a ramp's end to the start of the next ramp.
+/// Windows at constant speed: from 0.4 s after a ramp's end to the start of the next ramp.
 pub fn dwells(record: &Record) -> impl Iterator<Item = Window> {
     let settle = cycles(record, 0.4);
     record.ramps.chunks(2).map(move |pair| pair[0][1] + settle..pair[1][0])
 }
 
-/// 1.0 s from 0.1 s before each ramp's start.
+/// Windows of 1.0 s from 0.1 s before each ramp's start.
 pub fn ramps(record: &Record) -> impl Iterator<Item = Window> {
     let (before, length) = (cycles(record, 0.1), cycles(record, 1.0));
     record.ramps.iter().map(move |[start, _]| start - before..start - before + length)
 }
 
-/// The whole record through a brick wall from 7 to 18 Hz: the peak from 0.08 to 0.6 s after each ramp's end, mean of the ramps.
+/// The whole record through an ideal band-pass from 7 to 18 Hz: the peak from 0.08 to 0.6 s after each ramp's end, mean of
+/// the ramps.
 fn ring_down(record: &Record) -> f64 {
     let filtered = brick_wall(&record.sensor, record.cycle, [7.0, 18.0]);
     let (from, to) = (cycles(record, 0.08), cycles(record, 0.6));
@@ -81,12 +83,13 @@ pub fn without_mean(values: impl Iterator<Item = f64>) -> Vec<f64> {
 
 /// The largest amplitude within a band [Hz]: Hann window, padded with zeros to eight times the length. 1 for a sine of
 /// amplitude 1.
+/// amplitude 1.
 #[must_use]
 pub fn amplitude(samples: &[f64], cycle: f64, band: [f64; 2]) -> f64 {
     spectrum(samples, cycle, band).into_iter().fold(0.0, |largest, [_, amplitude]| amplitude.larger(largest))
 }
 
-/// Frequency [Hz] and amplitude, line by line within a band [Hz], in the same way.
+/// Frequency [Hz] and amplitude, line by line within a band [Hz]: Hann window, padded with zeros to eight times the length.
 #[must_use]
 pub fn spectrum(samples: &[f64], cycle: f64, band: [f64; 2]) -> Vec<[f64; 2]> {
     let length = samples.len() as f64;
@@ -102,7 +105,7 @@ fn magnitude([re, im]: [f64; 2]) -> f64 {
     libm::sqrt(re * re + im * im)
 }
 
-/// Sum of x\[n\] exp(-j w n), w in rad per sample: the factor is turned from sample to sample.
+/// Sum of x\[n\] exp(-j w n), w in rad per sample: the factor is rotated from sample to sample.
 #[must_use]
 pub fn fourier(samples: &[f64], w: f64) -> [f64; 2] {
     let (cos, sin) = (libm::cos(w), -libm::sin(w));
@@ -114,7 +117,7 @@ pub fn fourier(samples: &[f64], w: f64) -> [f64; 2] {
     sum
 }
 
-/// What of a record lies within a band [Hz], both edges with it.
+/// The part of a record within a band [Hz], including both edges.
 #[must_use]
 pub fn brick_wall(samples: &[f64], cycle: f64, band: [f64; 2]) -> Vec<f64> {
     let length = samples.len() as f64;

@@ -1,4 +1,4 @@
-//! Three masses on two springs and the drive's current loop: differential equations, and nothing that is sampled. With a bed of infinite
+//! Three masses on two springs and the drive's current loop: differential equations without sampling. With a bed of infinite
 //! mass they are two masses on one spring.
 
 use std::f64::consts::TAU;
@@ -26,7 +26,7 @@ pub struct Mechanics {
     pub k2: f64,
     /// damping between bed and ground [Ns/m]
     pub c2: f64,
-    /// what the teeth do
+    /// the force of the teeth
     pub mesh: Mesh,
     /// time constant of the current loop [s]
     pub current_lag: f64,
@@ -35,13 +35,13 @@ pub struct Mechanics {
 /// The mesh of rack and pinion: a force on the motor that depends on its position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mesh {
-    /// amplitude [N]; 0: the teeth are ideal
+    /// amplitude [N]; 0 for ideal teeth
     pub force: f64,
     /// pitch of the teeth [m]
     pub pitch: f64,
 }
 
-/// Where everything is: q1, q1', x2, x2', xb, xb' [m, m/s], Fm [N].
+/// The state: q1, q1', x2, x2', xb, xb' [m, m/s], Fm [N].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Place([f64; 7]);
 
@@ -58,15 +58,16 @@ impl Place {
         self.0[1]
     }
 
-    /// The carriage's velocity against the bed [m/s].
+    /// The carriage's velocity relative to the bed [m/s].
     #[must_use]
     pub fn v2(&self) -> f64 {
         self.0[3] - self.0[5]
     }
 }
 
-/// Steps of the integration in a cycle of the velocity loop. The fastest time constant is 0.4 ms, a step 31 us: the error of the fourth
-/// order is below 1e-6 of a vibration (measured: four times as many steps change the table's numbers by less than that).
+/// Steps of the integration per cycle of the velocity loop. The fastest time constant is 0.4 ms, a step is 31 us: the error
+/// of the fourth order is below 1e-6 of a vibration (measured: with four times as many steps the numbers of the table change
+/// by less).
 const STEPS: u32 = 4;
 
 impl Mechanics {
@@ -91,7 +92,7 @@ impl Mechanics {
         [v1, a1, v2, contact / self.m2, vb, ab, (force - fm) / self.current_lag]
     }
 
-    /// Goes on by a time [s] with a constant force command F [N]: Runge-Kutta of the fourth order.
+    /// Advances by a time [s] with a constant force command F [N]: Runge-Kutta of the fourth order.
     pub fn advance(&self, place: &mut Place, force: f64, time: f64) {
         let h = time / f64::from(STEPS);
         for _ in 0..STEPS {

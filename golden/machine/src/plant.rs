@@ -1,4 +1,4 @@
-//! Mechanics in the velocity loop of their drive, with the ways of commands and actual values, and the numbers of the
+//! Mechanics in the velocity loop of their drive, with the delays of commands and actual values, and the parameters of the
 //! demonstration plant.
 //!
 //! ```text
@@ -12,13 +12,13 @@ use super::machine::{Machine, Measured};
 use super::mechanics::{Mechanics, Mesh, Place};
 use portable::Extreme;
 
-/// A machine by its numbers. What a caller varies stands before those of the demonstration plant:
-/// `Plant { cycle: 2e-3, ..DEMONSTRATION }`.
+/// The parameters of a machine. A caller overrides those of the demonstration plant: `Plant { cycle: 2e-3, ..DEMONSTRATION
+/// }`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plant {
     /// masses, springs, mesh, current loop
     pub mechanics: Mechanics,
-    /// cycle of the velocity loop [s]; what divides Ts evenly and is nearest to it is taken
+    /// cycle of the velocity loop [s]; the nearest value that divides Ts evenly is used
     pub drive_cycle: f64,
     /// proportional gain of the velocity loop Kp [Ns/m]
     pub kp: f64,
@@ -26,13 +26,13 @@ pub struct Plant {
     pub tn: f64,
     /// cycle of the CNC Ts [s]
     pub cycle: f64,
-    /// cycles Ts from a command of the CNC to the drive that obeys it
+    /// cycles Ts from a command of the CNC to the drive
     pub command_delay: usize,
-    /// cycles Ts from an actual value to the CNC that computes with it
+    /// cycles Ts from an actual value to its use in the CNC
     pub actual_delay: usize,
 }
 
-/// A rack-and-pinion axis on which the application example of the manual comes true: the carriage vibrates at 53 Hz while it
+/// A rack-and-pinion axis that reproduces the application example of the manual: the carriage vibrates at 53 Hz while it
 /// moves, the bed at 11 Hz after each ramp. It is one plant of a random search. It shows that the documented result is
 /// possible, not that it is typical.
 pub const DEMONSTRATION: Plant = Plant {
@@ -56,7 +56,7 @@ pub const DEMONSTRATION: Plant = Plant {
 };
 
 impl Plant {
-    /// The machine with another mass of the carriage, m2 times the factor.
+    /// The machine with another mass of the carriage: m2 times the factor.
     #[must_use]
     pub fn with_mass_factor(self, factor: f64) -> Self {
         Self { mechanics: Mechanics { m2: self.mechanics.m2 * factor, ..self.mechanics }, ..self }
@@ -69,7 +69,7 @@ impl Plant {
         Self { mechanics: Mechanics { mesh, ..self.mechanics }, ..self }
     }
 
-    /// Before its first cycle.
+    /// The plant before its first cycle.
     #[must_use]
     pub fn at_rest(self) -> Running {
         let drive_cycles = self.drive_cycles();
@@ -83,14 +83,14 @@ impl Plant {
         }
     }
 
-    /// Cycles of the velocity loop in a cycle of the CNC, at least one.
+    /// Cycles of the velocity loop per cycle of the CNC, at least one.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
     fn drive_cycles(&self) -> u32 {
         libm::round(self.cycle / self.drive_cycle).larger(1.0) as u32
     }
 }
 
-/// A plant while it runs.
+/// A plant in operation.
 #[derive(Clone, Debug)]
 pub struct Running {
     of: Plant,
@@ -98,14 +98,14 @@ pub struct Running {
     place: Place,
     /// integral of the velocity error / Tn [m/s]
     integral: f64,
-    /// velocity commands on their way to the drive [m/s]
+    /// velocity commands delayed on the way to the drive [m/s]
     commands: Line<f64>,
-    /// actual values on their way to the CNC
+    /// actual values delayed on the way to the CNC
     actual: Line<Measured>,
 }
 
 impl Running {
-    /// The velocity loop: Kp (e + integral of e / Tn), the integral over the cycles before.
+    /// The velocity loop: Kp (e + integral of e / Tn), with the integral over the previous cycles.
     fn force(&mut self, v_cmd: f64) -> f64 {
         let Plant { kp, tn, drive_cycle, .. } = self.of;
         let error = v_cmd - self.place.v1();

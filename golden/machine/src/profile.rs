@@ -1,8 +1,8 @@
-//! The motion of one spindle or axis: jerk-limited, from any moving start, to a speed or a position, sample by sample. No
-//! unit: lengths are what the caller has, times are seconds.
+//! The motion of one spindle or axis: jerk-limited, from any moving start, to a speed or a position, sample by sample.
+//! Lengths are in the unit of the caller, times in seconds.
 //!
-//! The profiles are those of `rsruckig`, the fastest within the limits. It decides by absolute differences of about 1e-8, so it
-//! is given velocities relative to the largest one, and positions relative to where the motion begins.
+//! The profiles are those of `rsruckig`, the fastest within the limits. It compares with absolute tolerances of about 1e-8,
+//! so it gets velocities relative to the largest one, and positions relative to the start of the motion.
 
 use portable::Extreme;
 use rsruckig::prelude::{
@@ -10,7 +10,7 @@ use rsruckig::prelude::{
 };
 use std::fmt;
 
-/// What no motion exceeds.
+/// Limits of every motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// [1/s]
@@ -21,22 +21,22 @@ pub struct Limits {
     pub jerk: f64,
 }
 
-/// Where a mover is at the end of a cycle.
+/// The state of a mover at the end of a cycle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sample {
     pub x: f64,
     pub v: f64,
     pub a: f64,
-    /// of the time that begins here; 0 at the end
+    /// jerk of the time that begins here; 0 at the end
     pub j: f64,
 }
 
-/// Why a motion cannot be planned.
+/// The reason why a motion cannot be planned.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
     /// a number that is not finite, a limit or a cycle time that is not above 0, a speed above the limit: its name and its value
     Number { name: &'static str, value: f64 },
-    /// what the library says, if it finds no profile
+    /// the message of the library if it finds no profile
     NoProfile(String),
 }
 
@@ -64,7 +64,7 @@ pub struct Mover {
 #[derive(Clone, Debug)]
 struct Plan {
     sections: Vec<Section>,
-    /// where it ends: exactly, whatever the last digit of a profile is
+    /// its exact end, because the last digit of a profile may be wrong
     end: Sample,
     /// cycles since its beginning
     cycles: u32,
@@ -74,7 +74,7 @@ struct Plan {
 #[derive(Clone, Debug)]
 struct Section {
     profile: Box<Trajectory<1>>,
-    /// position that it counts from
+    /// origin of its positions
     from: f64,
     /// times of its beginning and its end, from the beginning of the motion [s]
     begin: f64,
@@ -82,7 +82,7 @@ struct Section {
 }
 
 impl Mover {
-    /// Moves on with a speed, of which `velocity` is the limit, until there is a target. The cycle time is in s.
+    /// Moves at a speed, limited by `velocity`, until there is a target. The cycle time is in s.
     pub fn at(limits: Limits, cycle: f64, x: f64, v: f64) -> Result<Self, Error> {
         for (name, value) in [
             ("the limit of the velocity", limits.velocity),
@@ -102,7 +102,7 @@ impl Mover {
         self.now
     }
 
-    /// From here to a speed, which is kept. An error leaves the motion as it is.
+    /// Plans a motion to a speed, which is then kept. After an error the motion is unchanged.
     pub fn turn(&mut self, v_target: f64) -> Result<(), Error> {
         within("the target velocity", v_target, v_target.abs() <= self.limits.velocity)?;
         let section = self.section(self.to_speed(self.now, v_target), self.now.x, 0.0)?;
@@ -111,21 +111,21 @@ impl Mover {
         Ok(())
     }
 
-    /// From here to a position, no faster than `v_max`, and to a stop there; back to it, if the way is too short to stop. From a
-    /// speed above `v_max` it first slows down. An error leaves the motion as it is.
+    /// Plans a motion to a stop at a position, at most at `v_max`; it returns if the distance is too short to stop. From a
+    /// speed above `v_max` it first slows down. After an error the motion is unchanged.
     pub fn go(&mut self, x_target: f64, v_max: f64) -> Result<(), Error> {
         within("the target position", x_target, x_target.is_finite())?;
         within("the velocity of the way", v_max, v_max > 0.0 && v_max <= self.limits.velocity)?;
         let mut sections = Vec::new();
         let mut start = self.now;
-        // The speed that there is when the acceleration is taken back: above v_max the library would brake by the whole
-        // acceleration until v_max, and be slower than that or even turn back before it is at v_max for good.
+        // The speed when the acceleration has been reduced to 0. Above v_max the library would brake with the full
+        // acceleration down to v_max, and then fall below it or even reverse before it stays at v_max.
         let reached = start.v + start.a * start.a.abs() / (2.0 * self.limits.jerk);
         if reached.abs() > v_max {
             let v = v_max.copysign(reached);
             let slower = self.section(self.to_speed(start, v), start.x, 0.0)?;
             let x = self.position(&slower, slower.end);
-            // If the target cannot be reached from there without turning back, the fastest way is the library's.
+            // If the target cannot be reached from there without reversing, the library's fastest motion is used.
             if (x_target - x) * v.signum() >= self.stopping_distance(v_max) {
                 start = Sample { x, v, a: 0.0, j: 0.0 };
                 sections.push(slower);
@@ -139,7 +139,7 @@ impl Mover {
         Ok(())
     }
 
-    /// One cycle further.
+    /// Advances by one cycle.
     #[expect(clippy::should_implement_trait, reason = "a motion has no end that an iterator could have")]
     pub fn next(&mut self) -> Sample {
         let Some(plan) = &mut self.plan else {
@@ -160,12 +160,12 @@ impl Mover {
         self.now
     }
 
-    /// Whether the target is reached; without one, it is.
+    /// Whether the target is reached; true without a target.
     pub fn is_done(&self) -> bool {
         self.plan.is_none()
     }
 
-    /// The way to stop from a speed: its half for the time dv / a + a / j, with the acceleration that is reached.
+    /// The distance to stop from a speed: half of the speed for the time dv / a + a / j, with the reached acceleration.
     fn stopping_distance(&self, v: f64) -> f64 {
         let Limits { acceleration, jerk, .. } = self.limits;
         let reached = acceleration.smaller((v * jerk).sqrt());
@@ -179,7 +179,7 @@ impl Mover {
         input
     }
 
-    /// A sample, whose position is 0, and the limits, as the library takes them.
+    /// A sample with its position as 0, and the limits, in the form of the library.
     fn input(&self, start: Sample) -> InputParameter<1> {
         let Limits { velocity, acceleration, jerk } = self.limits;
         let mut input = InputParameter::new(None);

@@ -1,8 +1,8 @@
-//! Moves forward and back with a rest between, as an interpolator gives them. Nothing of the control is here.
+//! Moves forward and back with a rest between, as from an interpolator. Nothing of the control is here.
 
 use portable::Extreme;
 
-/// Rest, ramp up, dwell, ramp down, rest, and the same backward.
+/// Rest, ramp up, dwell, ramp down, rest, and the same moves backward.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sequence {
     /// before the first ramp [s]
@@ -11,7 +11,7 @@ pub struct Sequence {
     pub speed: f64,
     /// the largest acceleration of a ramp [m/s^2]
     pub acceleration: f64,
-    /// within which the acceleration of a ramp rises, and falls [s]
+    /// rise time and fall time of the acceleration in a ramp [s]
     pub rise: f64,
     /// at constant speed [s]
     pub dwell: f64,
@@ -34,7 +34,7 @@ impl Sequence {
     };
 }
 
-/// A sequence, cycle by cycle. The position is where the axis shall be a cycle later: `x[n] = x[n-1] + Ts v[n+1]`.
+/// A sequence, cycle by cycle. The position is the one for the next cycle: `x[n] = x[n-1] + Ts v[n+1]`.
 #[derive(Clone, Debug, Default)]
 pub struct Planned {
     /// each ramp: its first cycle, and the one after its last
@@ -46,7 +46,7 @@ pub struct Planned {
 }
 
 impl Sequence {
-    /// What an interpolator gives in each cycle Ts [s].
+    /// The outputs of an interpolator in each cycle Ts [s].
     #[must_use]
     pub fn planned(&self, cycle: f64) -> Planned {
         let mut planned = Planned::default();
@@ -63,8 +63,8 @@ impl Sequence {
         planned
     }
 
-    /// The share of the change of velocity in each cycle of a ramp; together 1. The trapezoid of the acceleration, sampled at
-    /// half cycles and scaled, so that the ramp ends exactly at its speed.
+    /// The fraction of the velocity change in each cycle of a ramp; their sum is 1. The trapezoid of the acceleration is
+    /// sampled at half cycles and scaled, so that the ramp ends exactly at its speed.
     fn ramp(&self, cycle: f64) -> Vec<f64> {
         let length = self.speed / self.acceleration + self.rise;
         let sample = |n: u32| {
@@ -78,7 +78,7 @@ impl Sequence {
 }
 
 impl Planned {
-    /// The positions of the velocities.
+    /// Integrates the velocities to positions.
     fn integrate(&mut self, cycle: f64) {
         let next = self.v.iter().skip(1).chain(self.v.last());
         let sum = |x: &mut f64, v: &f64| {

@@ -5,7 +5,7 @@
 pub struct Move {
     /// jerk while the acceleration changes [um/s^3]
     pub jerk: f64,
-    /// each of the four changes of the acceleration lasts so long [us]
+    /// duration of each of the four changes of the acceleration [us]
     pub change: u32,
     /// constant acceleration, and later constant deceleration [us]
     pub acceleration: u32,
@@ -13,7 +13,7 @@ pub struct Move {
     pub velocity: u32,
 }
 
-/// What the interpolator gives in one cycle.
+/// The outputs of the interpolator in one cycle.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Planned {
     /// position [um]
@@ -35,7 +35,7 @@ impl Move {
         [up, constant, down, (self.velocity, 0.0), down, constant, up]
     }
 
-    /// When a phase, counted from 0, is over [ns].
+    /// The end of a phase, counted from 0 [ns].
     #[must_use]
     pub fn end(&self, phase: usize) -> u64 {
         self.phases().iter().take(phase + 1).map(|(us, _)| u64::from(*us) * 1000).sum()
@@ -53,7 +53,7 @@ impl Move {
         self.largest_acceleration() * seconds(u64::from(self.change + self.acceleration) * 1000)
     }
 
-    /// What is planned for a time [ns]: cubic polynomials, phase by phase; at rest after the last phase.
+    /// The planned values at a time [ns]: cubic polynomials, phase by phase; at rest after the last phase.
     #[must_use]
     pub fn at(&self, ns: u64) -> Planned {
         let (mut now, mut rest) = (Planned::default(), ns);

@@ -17,12 +17,12 @@ pub struct TwoMasses {
     pub mass: [f64; 2],
     pub stiffness: f64,
     pub damping: f64,
-    /// of the velocity controller [Ns/m], and divided by its reset time [N/m]
+    /// gain of the velocity controller [Ns/m], and gain divided by its reset time [N/m]
     pub gain: f64,
     pub integral_gain: f64,
     /// cycle of the controller [ns], a whole number of cycles of the velocity controller
     pub cycle_ns: u32,
-    /// cycles from a command to the drive that obeys it
+    /// cycles from a command to the drive
     pub delay_cycles: usize,
 }
 
@@ -36,25 +36,25 @@ impl TwoMasses {
     }
 }
 
-/// The running machine.
+/// The machine in operation.
 #[derive(Clone, Debug)]
 pub struct Running {
     of: TwoMasses,
     /// constant forces on motor and load from now on [N]
     pub forces: [f64; 2],
-    /// of motor and load
+    /// positions of motor and load
     x: [f64; 2],
     v: [f64; 2],
     /// the controller's integral, and the force [N]
     integral: f64,
     force: f64,
     load_acceleration: f64,
-    /// on their way to the drive
+    /// commands delayed on the way to the drive
     commands: Line<f64>,
 }
 
 impl Running {
-    /// The load gets a velocity [m/s].
+    /// Sets the velocity of the load [m/s].
     pub fn push(&mut self, v: f64) {
         self.v[1] += v;
     }

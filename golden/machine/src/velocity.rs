@@ -1,48 +1,50 @@
-//! How an actual velocity follows its command, sample by sample: what inertia and velocity loop leave of it. No position, no
-//! delay.
+//! The response of an actual velocity to its command, sample by sample: the effect of inertia and velocity loop. No
+//! position, no delay.
 
-/// Ways to follow.
+/// Kinds of responses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Follows {
     /// at once
     AtOnce,
     /// a cycle late
     Late,
-    /// beyond each change by as much again, for a cycle
+    /// overshoots each change by its size for a cycle
     Beyond,
     /// limited change per cycle: a drive at its current limit
     Weak(f64),
-    /// from above, except for 0: too fast by this value after each change, then halved in each cycle, for this number of cycles
+    /// from above, except for 0: too fast by this value after each change; the excess is halved in each cycle, this number
+    /// of times
     FromAbove(f64, u8),
-    /// first order: a cycle covers this part of the distance
+    /// first order: in each cycle this fraction of the difference is covered
     Lagging(f64),
     /// second order: `a += k (v_command - v) - d a`, `v += a`; k, d
     Overshooting(f64, f64),
 }
 
 impl Follows {
-    /// `Tc dv/dt = v_command - v` with a command that is held for a cycle; both times are in s. At once without a time constant.
+    /// `Tc dv/dt = v_command - v` with a command that is held for a cycle; both times are in s. `AtOnce` without a time
+    /// constant.
     #[must_use]
     pub fn time_constant(cycle: f64, time_constant: f64) -> Self {
         if time_constant > 0.0 { Self::Lagging(1.0 - libm::exp(-cycle / time_constant)) } else { Self::AtOnce }
     }
 }
 
-/// A velocity, and what its way to follow needs of the previous cycle; all else is 0.
+/// A velocity, and the values of the previous cycle that its response needs; all others are 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Velocity {
     /// the velocity
     pub v: f64,
     /// the command of the previous cycle
     pub before: f64,
-    /// how often the excess has been halved
+    /// number of times that the excess has been halved
     pub halved: u8,
     /// change of the velocity in a cycle
     a: f64,
 }
 
 impl Velocity {
-    /// In the steady state of a constant velocity.
+    /// The steady state of a constant velocity.
     #[must_use]
     pub fn of(v: f64) -> Self {
         Self { v, ..Self::default() }

@@ -1,10 +1,10 @@
-//! An axis that is only its velocity loop: exact between two changes of its command. No control here.
+//! An axis that consists only of its velocity loop: exact between two changes of its command. No control here.
 
 use super::line::Line;
 use super::machine::{Machine, Measured};
 use super::seven_phases::seconds;
 
-/// How the velocity follows its command. `Ta` is the equivalent time constant, the time lag on a ramp.
+/// The response of the velocity to its command. `Ta` is the equivalent time constant, the time lag on a ramp.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loop {
     /// exp(-Ta s)
@@ -18,14 +18,14 @@ pub enum Loop {
     },
 }
 
-/// Substeps in a cycle: a dead time is a whole number of them.
+/// Substeps per cycle: a dead time is a whole number of them.
 const SUBSTEPS: u32 = 20;
 
-/// Terms of the Taylor series. A substep is at most 0.04 of Ta and of T2^2/Ta, wherever this is used: the first term that is
-/// left out is below the last bit of a double, 0.04^9/9! < 2^-52.
+/// Terms of the Taylor series. A substep is at most 0.04 of Ta and of T2^2/Ta in all uses: the first omitted term is below
+/// the last bit of a double, 0.04^9/9! < 2^-52.
 const TERMS: usize = 9;
 
-/// A velocity loop, and where its axis is.
+/// A velocity loop, and the position of its axis.
 #[derive(Clone, Debug)]
 pub struct VelocityLoop {
     of: Loop,
@@ -34,7 +34,7 @@ pub struct VelocityLoop {
     /// cycle Ts, and length of a substep [s]
     cycle: f64,
     h: f64,
-    /// substeps of a dead time, and commands on their way
+    /// substeps of a dead time, and delayed commands
     substeps: u32,
     delayed: Line<f64>,
     /// acceleration, of a PT2
@@ -67,7 +67,8 @@ impl VelocityLoop {
         self.a = taylor(&d[1..], self.h, 0);
     }
 
-    /// The velocity and its derivatives at the begin of a substep: the differential equation, derived again and again.
+    /// The velocity and its derivatives at the beginning of a substep, by repeated differentiation of the differential
+    /// equation.
     fn derivatives(&self, u: f64) -> [f64; TERMS + 1] {
         let mut d = [0.0; TERMS + 1];
         match self.of {

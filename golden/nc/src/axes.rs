@@ -1,5 +1,5 @@
-//! The G words of a block with their axes and feed: what they may be with each other, and the commands that they are. Nothing of
-//! spindles, nor of the time of a dwell.
+//! The G words of a block with their axes and feed: their permitted combinations and their commands. Nothing about spindles
+//! or the time of a dwell.
 
 use super::dwell;
 use super::foreign::Foreign;
@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// mm in an inch.
 const INCH: f64 = 25.4;
 
-/// What G words and F of earlier blocks still say.
+/// The G words and F of earlier blocks that are still in force.
 #[derive(Default)]
 pub(crate) struct InForce {
     /// of G00 (true) or G01
@@ -22,13 +22,13 @@ pub(crate) struct InForce {
     feed: Option<f64>,
     is_incremental: bool,
     is_inch: bool,
-    /// where the moves end [mm, deg]
+    /// end positions of the moves [mm, deg]
     place: BTreeMap<Axis, f64>,
-    /// of G92: what is added to absolute positions [mm, deg]
+    /// from G92: added to absolute positions [mm, deg]
     shift: BTreeMap<Axis, f64>,
 }
 
-/// An axis word: where it stands, its axis, its number.
+/// An axis word: its place, its axis, its number.
 struct Position<'w, 't> {
     placed: &'w Placed<'t>,
     axis: Axis,
@@ -116,12 +116,12 @@ impl InForce {
         Command::Move { rapid, axes: ends, feed_mm_min: self.feed.filter(|_| !rapid) }
     }
 
-    /// In mm, or in deg.
+    /// A length or an angle in mm or deg.
     fn length(&self, axis: Axis, number: f64) -> f64 {
         if self.is_inch && axis.is_linear() { number * INCH } else { number }
     }
 
-    /// G92: where an axis is has this number from now on. With a feed it is a thread of a lathe.
+    /// G92: the present position of an axis has this number from now on. With a feed it is a thread on a lathe.
     fn preset(
         &mut self,
         function: &Placed<'_>,
@@ -146,7 +146,7 @@ fn position<'w, 't>(placed: &'w Placed<'t>) -> Option<Position<'w, 't>> {
     if let Word::Axis(axis, number) = placed.word { Some(Position { placed, axis, number }) } else { None }
 }
 
-/// The G words that go together: one, or two of a pair, in this order; `None`: others are there, which is reported.
+/// The G words of a valid combination: one, or two of a pair, in this order; `None` after a reported error.
 fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option<Vec<(&'w Placed<'t>, Function)>> {
     const PAIRS: [[Function; 2]; 3] = [
         [Function::FeedforwardOn, Function::Percentage],
@@ -174,7 +174,7 @@ fn functions<'w, 't>(words: &'w [Placed<'t>], mistakes: &mut Mistakes) -> Option
     good.then_some(all)
 }
 
-/// Axis words that belong to no G word: one message for the block.
+/// Reports axis words without a G word: one message for the block.
 fn needless(axes: &[Position<'_, '_>], mistakes: &mut Mistakes) {
     if let Some(Position { placed, .. }) = axes.first() {
         let found = format!("{} without its G word", shown(placed.text));

@@ -1,5 +1,5 @@
-//! The words of one block, which make its commands: what holds for all of them, and what stays in force after it. Not the rules of
-//! spindles or of axes alone.
+//! The words of one block and their commands: the common rules, and the words that stay in force. Not the rules of spindles
+//! or of axes.
 
 use super::foreign::Foreign;
 use super::mistake::{Mistakes, shown};
@@ -8,14 +8,14 @@ use super::program::Command;
 use super::word::{Function, Parameters, Placed, Word};
 use super::{axes, spindle};
 
-/// What words of earlier blocks still say.
+/// The words of earlier blocks that are still in force.
 #[derive(Default)]
 pub(crate) struct InForce {
     pub(crate) spindle: spindle::InForce,
     pub(crate) axes: axes::InForce,
 }
 
-/// The commands of a block, whose number is taken off.
+/// The commands of a block, without its number.
 pub(crate) fn commands(words: Vec<Placed<'_>>, force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
     note_passed(&words, mistakes);
     let words = once(parameters(words, mistakes), mistakes);
@@ -27,7 +27,7 @@ pub(crate) fn commands(words: Vec<Placed<'_>>, force: &mut InForce, mistakes: &m
     commands
 }
 
-/// Notes the words that are passed over.
+/// Notes the skipped words.
 fn note_passed(words: &[Placed<'_>], mistakes: &mut Mistakes) {
     for Placed { column, text, word } in words {
         match word {
@@ -50,7 +50,7 @@ fn spelt(kind: PassedKind, text: &str) -> String {
     text[..end].to_ascii_uppercase()
 }
 
-/// Takes the words away that belong to one that is passed over; words of the same letters without one are not read.
+/// Removes the words that belong to a skipped word. Without one, words with these letters are not read.
 fn parameters<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> {
     let has = |these: &[Parameters]| {
         words.iter().any(|placed| matches!(&placed.word, Word::Passed(_, of) if these.contains(of)))
@@ -79,7 +79,7 @@ fn parameters<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed
     words.into_iter().zip(kept).filter(|(_, kept)| *kept).map(|(placed, _)| placed).collect()
 }
 
-/// Each word once: the second one of a letter or of a function is a mistake, and is left out.
+/// Each word once: the second one of a letter or of a function is an error, and is left out.
 fn once<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> {
     let mut kept: Vec<Placed<'t>> = Vec::new();
     for placed in words {
@@ -95,7 +95,7 @@ fn once<'t>(words: Vec<Placed<'t>>, mistakes: &mut Mistakes) -> Vec<Placed<'t>> 
     kept
 }
 
-/// Whether two words say the same thing, each its own way.
+/// Whether two words have the same meaning in different forms.
 fn same(one: &Word, other: &Word) -> bool {
     match (one, other) {
         (Word::Function(one), Word::Function(other)) => one == other,

@@ -1,4 +1,4 @@
-//! What stands in the brackets of a spindle, `S[...]` and `S2[...]`: the commands of one bracket. No other spindle word.
+//! The contents of a spindle's brackets, `S[...]` and `S2[...]`: the commands of one bracket. No other spindle word.
 
 use super::lexical::Piece;
 use super::mistake::{Mistakes, shown};
@@ -14,7 +14,7 @@ pub(crate) struct Bracket {
 
 const WORDS: &str = "`G135`, `G136=` and a percentage, both of them, `G137`, `G74`, `PUTAX`";
 
-/// Reads one; `None`: it has said why not.
+/// Reads a bracket; `None` after a reported error.
 pub(crate) fn read(piece: Piece<'_>, mistakes: &mut Mistakes) -> Option<Bracket> {
     let (name, after) = piece.text.split_once('[')?;
     let Some(spindle) = spindle(name) else {
@@ -65,7 +65,7 @@ fn words(inside: &str, column: usize) -> impl Iterator<Item = Piece<'_>> {
     })
 }
 
-/// Reports what is wrong with a text that is not a word.
+/// Reports the error in a text that is not a word.
 fn unknown(word: Piece<'_>, mistakes: &mut Mistakes) {
     let Piece { column, text } = word;
     let found = shown(text);

@@ -1,4 +1,4 @@
-//! The time of a dwell: which words of its block say it, and in which unit. Nothing of motion.
+//! The time of a dwell: the words of its block with the time, and their units. Nothing about motion.
 
 use super::mistake::{Mistakes, shown};
 use super::passed::PassedKind;
@@ -7,7 +7,7 @@ use super::word::{Placed, Word};
 
 const TIME: &str = "`G04` with one time: `X` or `F` and seconds, or `P`, no less than 0";
 
-/// Its time is that of X, U or F in s, or of P: seconds if it has a point, else milliseconds from 100 on.
+/// The time is in X, U or F in s, or in P: in seconds if it has a point, else in milliseconds from 100 on.
 pub(crate) fn commands(placed: &Placed<'_>, words: &[Placed<'_>], mistakes: &mut Mistakes) -> Option<Command> {
     let mut times = Vec::new();
     for word in words {
@@ -36,7 +36,7 @@ fn wrong(other: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) {
 
 /// The time of a word of a dwell [s].
 fn time(word: &Placed<'_>, dwell: &Placed<'_>, mistakes: &mut Mistakes) -> Option<f64> {
-    /// Nobody waits so long in s, or so short in ms.
+    /// The limit between both units: a longer time in s, or a shorter one in ms, is unusual.
     const MILLISECONDS: f64 = 100.0;
     match word.word {
         Word::Axis(axis, seconds) if ["X", "U"].contains(&axis.to_string().as_str()) => Some(seconds),

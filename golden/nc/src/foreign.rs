@@ -1,6 +1,6 @@
-//! Words of NC languages that are not read: what each of them is, and what may stand in its place.
+//! Words of NC languages that are not read: their kinds, and their replacements.
 
-/// What a word is that stands in the way of a program.
+/// The kind of a word that is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Foreign {
     Arc,
@@ -21,7 +21,7 @@ pub(crate) enum Foreign {
 }
 
 impl Foreign {
-    /// What it is, and what to write instead.
+    /// Its description, and what to write instead.
     pub(crate) fn said(self) -> (&'static str, &'static str) {
         match self {
             Self::Arc => ("an arc", "straight moves, as a CAM system writes them with arcs switched off"),
@@ -65,7 +65,7 @@ pub(crate) fn g_word(number: &str) -> Foreign {
     }
 }
 
-/// What a word is that is not a letter with a number, and what to write instead.
+/// The kind of a word that is not a letter with a number.
 pub(crate) fn text(upper: &str) -> Foreign {
     let word = upper.trim_start_matches(['#', '$']);
     let starts = |words: &[&str]| words.iter().any(|start| word.starts_with(start));

@@ -1,8 +1,9 @@
-//! A line, cut into words and comments: where each word stands, and which characters it may have. Not what a word says.
+//! Splits a line into words and comments: the place of each word, and the characters that it may have. Not the meaning of a
+//! word.
 
 use super::mistake::{Mistakes, shown};
 
-/// A word, or what stands in its place.
+/// A word, or a text instead of one.
 #[derive(Clone, Copy)]
 pub(crate) struct Piece<'t> {
     /// character of the line, from 1
@@ -13,10 +14,10 @@ pub(crate) struct Piece<'t> {
 /// The beginning and the end of a comment over several lines, as words of a command.
 const BLOCK_COMMENT: [&str; 2] = ["BEGIN", "END"];
 
-/// Where the lines of a file stand: a comment over several lines goes through it.
+/// The state between lines: a comment over several lines.
 #[derive(Default)]
 pub(crate) struct Comment {
-    /// line and column of `#COMMENT BEGIN`, inside of it
+    /// within a comment over several lines: line and column of `#COMMENT BEGIN`
     pub(crate) begin: Option<(usize, usize)>,
 }
 
@@ -45,7 +46,7 @@ impl Comment {
         found
     }
 
-    /// Where the comment ends that begins here; none: no comment does.
+    /// The end of the comment that begins here; `None` if no comment begins here.
     fn comment_end(&mut self, rest: &str, column: usize, line: usize) -> Option<usize> {
         let command = |word| block_comment(rest, word);
         if self.begin.is_some() {
@@ -71,7 +72,7 @@ fn is_blank(letter: char) -> bool {
     matches!(letter, ' ' | '\t' | '\r' | '\0'..='\u{4}' | '\u{11}'..='\u{14}' | '\u{1a}')
 }
 
-/// Where `#COMMENT` and this word end, if they stand here.
+/// The end of `#COMMENT` and this word, if they are here.
 fn block_comment(rest: &str, word: &str) -> Option<usize> {
     const COMMAND: &str = "#COMMENT";
     let after =
@@ -81,8 +82,8 @@ fn block_comment(rest: &str, word: &str) -> Option<usize> {
     (blanks > 0 && found.eq_ignore_ascii_case(word)).then_some(COMMAND.len() + blanks + word.len())
 }
 
-/// A comment need not be closed, since programs with open ones are about: then it goes on to the end of its line. One inside of
-/// another belongs to it if both are closed.
+/// The end of a comment. It may be unclosed, because such programs exist: then it continues to the end of its line. A nested
+/// comment belongs to it if both are closed.
 fn parenthesis_end(rest: &str) -> usize {
     /// No comment is longer [characters].
     const LONGEST: usize = 1000;
@@ -100,8 +101,8 @@ fn parenthesis_end(rest: &str) -> usize {
     rest.find(')').map_or(rest.len(), |end| end + 1)
 }
 
-/// Where the word ends that begins here: a letter and its number, with or without a blank between; a name with brackets or `=`;
-/// a command.
+/// The end of the word that begins here: a letter and its number, with or without a blank between; a name with brackets or
+/// `=`; a command.
 fn word_end(rest: &str) -> usize {
     let bytes = rest.as_bytes();
     let run = |from: usize, is: fn(u8) -> bool| from + bytes.iter().skip(from).take_while(|byte| is(**byte)).count();
@@ -133,7 +134,7 @@ fn word_end(rest: &str) -> usize {
             }
             let from = if of_number(next(blanks)) { blanks } else { letters };
             let end = run(from, of_number);
-            // A power of ten is a part of its number, so that it is refused there.
+            // An exponent is part of its number, so that it is refused there.
             let power = run(end + 1, |byte| matches!(byte, b'+' | b'-'));
             let is_power = end > from
                 && !b"GMNTgmnt".contains(&first)
@@ -161,7 +162,7 @@ fn blank(text: &str) -> usize {
     text.len()
 }
 
-/// A command has its arguments up to a comment; a comment's sign in a text in quotes begins none.
+/// The end of a command: it has its arguments up to a comment. A comment sign in a quoted text does not begin a comment.
 fn command_end(text: &str) -> usize {
     let mut is_quoted = false;
     for (at, letter) in text.char_indices() {
@@ -174,7 +175,7 @@ fn command_end(text: &str) -> usize {
     text.len()
 }
 
-/// Whether a word has the characters of words only; says where it has not.
+/// Whether a word contains only valid characters; reports the first invalid one.
 fn is_plain(text: &str, column: usize, mistakes: &mut Mistakes) -> bool {
     let foreign = |letter: char| !(letter.is_ascii_graphic() || matches!(letter, ' ' | '\t'));
     let is_text_of_command = text.starts_with('#') && text.contains('"');

@@ -1,14 +1,14 @@
-//! NC programs: the crate's parts and what other crates see of them. It knows no generator, no block and no file.
+//! NC programs: the crate's parts and its public interface. It knows no generator, no block and no file.
 //!
 //! ```text
-//! program        what a program says: blocks and their commands
+//! program        the contents of a program: blocks and their commands
 //! passed         words without effect, kind by kind
 //! foreign        words of NC languages that are not read, by what they are
-//! mistake        what is wrong, and where
+//! mistake        errors with their places
 //! number         the forms of numbers
 //! lexical        a line -> words and comments
-//! bracket        what stands in S[...]; word: a word -> what it says; unknown: what is reported for a text that is not a word
-//! spindle, axes, dwell  words of a block -> commands; block: what the words of a block may be with each other
+//! bracket        the contents of S[...]; word: a word -> its meaning; unknown: the report for a text that is not a word
+//! spindle, axes, dwell  words of a block -> commands; block: valid combinations of the words of a block
 //! read           lines -> a program
 //! ```
 //!
@@ -18,15 +18,15 @@
 //! Comments are `( )`, `;` and `//` to the end of the line, `# ` with a blank, and `#COMMENT BEGIN` to `#COMMENT END`. The
 //! first line with a word may be `%`, with the name of the program.
 //!
-//! | words | what they say |
+//! | words | meaning |
 //! | --- | --- |
 //! | `G135`, `G137` | feedforward of all axes on, off |
 //! | `G136 X80 Y0` | its percentages, integers; also with `G135` |
-//! | `S[G135]`, `S[G136=80]`, `S2[G135 G136=90]`, `S[G137]` | the same of a spindle; `S` is spindle 1 |
+//! | `S[G135]`, `S[G136=80]`, `S2[G135 G136=90]`, `S[G137]` | feedforward of a spindle; `S` is spindle 1 |
 //! | `S[PUTAX]` | the spindle becomes an axis |
 //! | `G74 X1 Y1`, `S[G74]` | homing of axes, all at once, or of a spindle |
 //! | `M3 S1000`, `M4`, `S500`, `M5` | spindle 1 turns, takes another speed [rpm] in the direction in force, stops |
-//! | `M19 S.POS=180 S500 M4` | spindle 1 goes to an angle [deg]; speed [rpm] and direction need not be there |
+//! | `M19 S.POS=180 S500 M4` | spindle 1 goes to an angle [deg]; speed [rpm] and direction are optional |
 //! | `G0 X1 Y2`, `G1 X1 F600`, `X2` | the axes go to a position [mm, deg], rapidly or with a feed [mm/min] |
 //! | `G90`, `G91`; `G20`, `G70`, `G21`, `G71`; `G92 X0` | positions are absolute, incremental; inches, mm; the position gets another number |
 //! | `G4 X2.5`, `G4 F2`, `G4 P1.5`, `#TIME 2` | dwell [s] |
@@ -40,7 +40,7 @@
 //! - A bracket is the only spindle word of its block.
 //! - Percentages are kept as written: the block that uses them limits them to 0..100.
 //! - The commands of a block are in a fixed order, those of the spindle first.
-//! - A word that is neither read nor passed over is refused, once for all like it.
+//! - A word that is neither read nor skipped is refused, with one message for all equal words.
 #![forbid(unsafe_code)]
 
 mod axes;

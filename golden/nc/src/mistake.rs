@@ -1,4 +1,4 @@
-//! What is wrong with an NC program, and where: one message for each place, with what is allowed there and what to write
+//! Errors of an NC program with their places: one message for each place, with what is allowed there and what to write
 //! instead.
 
 use super::foreign::Foreign;
@@ -6,16 +6,16 @@ use super::passed::{PassedKind, PassedOver};
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// A place of a program that the reader does not take.
+/// A place of a program that the reader rejects.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Mistake {
     /// line of the file, from 1
     pub line: usize,
     /// character of the line, from 1
     pub column: usize,
-    /// what stands there
+    /// the text there
     pub found: String,
-    /// what may stand there
+    /// the allowed text
     pub allowed: String,
     /// what to write instead
     pub instead: String,
@@ -30,13 +30,13 @@ impl fmt::Display for Mistake {
 
 impl std::error::Error for Mistake {}
 
-/// At most this number is listed of a file.
+/// At most this number is listed for a file.
 const MOST: usize = 1000;
 
 const ALLOWED: &str =
     "straight moves (`G00`, `G01`), dwell, homing, feedforward, the words of spindle 1 and words that are passed over";
 
-/// What is reported for a program, as it is found.
+/// The messages about a program, as they are found.
 #[derive(Default)]
 pub(crate) struct Mistakes {
     /// the line that is being read
@@ -44,12 +44,12 @@ pub(crate) struct Mistakes {
     pub(crate) passed: PassedOver,
     list: Vec<Mistake>,
     count: usize,
-    /// by what they are, and which: the first one, and the number of them
+    /// by kind and word: the first place, and the count
     foreign: BTreeMap<(Foreign, String), (Mistake, usize)>,
 }
 
 impl Mistakes {
-    /// One in the present line.
+    /// Reports an error in the present line.
     pub(crate) fn push(
         &mut self,
         column: usize,
@@ -64,7 +64,7 @@ impl Mistakes {
         }
     }
 
-    /// A word that is not read, said once for all like it: a program with an arc has thousands.
+    /// A word that is not read, reported once for all equal words: a program with an arc has thousands.
     pub(crate) fn foreign(&mut self, column: usize, text: &str, foreign: Foreign) {
         self.count += 1;
         let (what, instead) = foreign.said();
@@ -86,12 +86,12 @@ impl Mistakes {
         self.passed.push(kind, self.line, column, word);
     }
 
-    /// How many there are.
+    /// The number of errors.
     pub(crate) fn count(&self) -> usize {
         self.count
     }
 
-    /// All, in the order of the file, each once.
+    /// All errors, in the order of the file, each once.
     pub(crate) fn sorted(mut self) -> Vec<Mistake> {
         self.list.extend(self.foreign.into_values().map(|(mut mistake, count)| {
             if count > 1 {
@@ -106,7 +106,7 @@ impl Mistakes {
     }
 }
 
-/// Text of the file as a message shows it: a long one by its beginning, what a terminal would obey by its code.
+/// Text of the file for a message: a long one is shortened, characters that control a terminal are shown by their codes.
 pub(crate) fn shown(text: &str) -> String {
     const LENGTH: usize = 40;
     let mut shown = String::from("`");

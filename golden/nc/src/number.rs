@@ -1,12 +1,12 @@
-//! Numbers as they are written: which forms are read, and what they are. No letter that stands before them.
+//! The accepted forms of numbers, and their values. The letter before a number is not known here.
 
-/// What a message says of a decimal number.
+/// The description of a decimal number in a message.
 pub(crate) const DECIMAL: &str =
     "a number like `5`, `-5`, `.5` or `5.`, with up to 9 digits before the point and up to 30 after it";
-/// What a message says of an integer.
+/// The description of an integer in a message.
 pub(crate) const INTEGER: &str = "an integer like `80`, with up to 9 digits";
 
-/// `d`, `d.`, `.d`, `d.d`, each with a sign or without one.
+/// `d`, `d.`, `.d`, `d.d`, each with or without a sign.
 pub(crate) fn decimal(text: &str) -> Option<f64> {
     let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
     let (whole, part) = unsigned.split_once('.').unwrap_or((unsigned, ""));
@@ -14,7 +14,7 @@ pub(crate) fn decimal(text: &str) -> Option<f64> {
     if is_empty || !digits(whole, 9) || !digits(part, 30) {
         return None;
     }
-    // No number is -0: nothing may depend on how a zero was written.
+    // Never -0: nothing may depend on the notation of a zero.
     text.parse().ok().map(|value: f64| value + 0.0)
 }
 

@@ -1,17 +1,17 @@
-//! What a program says and the reader does not act on: one note for each kind, with its first place and the number of them.
+//! Words and lines that the reader skips: one note for each kind, with its first place and the count.
 
 use std::collections::BTreeMap;
 
-/// A kind of words, or of lines, that are passed over or taken in one of several meanings.
+/// A kind of words or lines that are skipped, or interpreted in one of several meanings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PassedKind {
     /// T, D, H, M6, G40, G43, G44, G49: lengths and radii of tools
     Tool,
     /// M0, M1, M7 to M9 and the other M words that no other kind has
     Machine,
-    /// planes, feed in mm/min, program numbers, messages: what the scenario has anyway, or does not need
+    /// planes, feed in mm/min, program numbers, messages: settings that the scenario already has or does not need
     Setting,
-    /// G09, G60, G61, G64, #SLOPE and the like: how a path is smoothed
+    /// G09, G60, G61, G64, #SLOPE and similar: smoothing of a path
     PathMode,
     /// G54 to G59
     Offset,
@@ -21,7 +21,7 @@ pub enum PassedKind {
     Skip,
     /// G04 with P, an integer
     DwellUnit,
-    /// G92 with axes: where they are gets another number
+    /// G92 with axes: the present position gets another number
     Preset,
     /// G01 before any F
     NoFeed,
@@ -31,21 +31,21 @@ pub enum PassedKind {
     AfterEnd,
 }
 
-/// What was passed over of one kind.
+/// The skipped words of one kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Passed {
     pub kind: PassedKind,
     /// the first one's line, from 1
     pub line: usize,
-    /// the first one's character of the line, from 1
+    /// character of the first one in its line, from 1
     pub column: usize,
-    /// the words, each once, in the order of the file; of many the first ones
+    /// the words, each once, in the order of the file; only the first ones of many
     pub words: Vec<String>,
-    /// how many there are
+    /// their number
     pub count: usize,
 }
 
-/// What is passed over, as it is found.
+/// The skipped words, as they are found.
 #[derive(Default)]
 pub(crate) struct PassedOver(BTreeMap<PassedKind, Passed>);
 

@@ -1,31 +1,31 @@
-//! What an NC program says, as plain data: nothing of how it is written, except the lines and the block numbers.
+//! The contents of an NC program as plain data: nothing about its notation, except the lines and the block numbers.
 
 use super::passed::Passed;
 use std::fmt;
 
-/// A program that has no mistake.
+/// A program without errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
-    /// after `%` in the first line, without it
+    /// the text after `%` in the first line
     pub name: Option<String>,
-    /// in the order of the file, without those that have no command; the last one is the end
+    /// in the order of the file, without blocks that have no command; the last one is the end
     pub blocks: Vec<Block>,
-    /// what is passed over, a kind each
+    /// the skipped words, one entry per kind
     pub passed: Vec<Passed>,
 }
 
-/// What begins at the same time.
+/// Commands that begin at the same time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
     /// line of the file, from 1
     pub line: usize,
-    /// after `N`
+    /// the number after `N`
     pub number: Option<u32>,
-    /// those of the spindle first
+    /// commands of the spindle first
     pub commands: Vec<Command>,
 }
 
-/// One thing that a block asks for.
+/// One command of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
     /// G135, G137
@@ -44,14 +44,14 @@ pub enum Command {
     Release { spindle: u32 },
     /// G04
     Dwell { seconds: f64 },
-    /// G00, G01: absolute positions [mm, deg] in the order of the words; the feed of G01 is from this block or
-    /// an earlier one, if there is one
+    /// G00, G01: absolute positions [mm, deg] in the order of the words; the feed of G01 is from this block or an earlier
+    /// one, if there is any
     Move { rapid: bool, axes: Vec<(Axis, f64)>, feed_mm_min: Option<f64> },
     /// M30, M2, or the end of the file
     End,
 }
 
-/// What a command acts on.
+/// The target of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
     /// all axes of the program
@@ -73,7 +73,7 @@ impl Axis {
     pub const Y: Self = Self { letter: 'Y', number: None };
     pub const Z: Self = Self { letter: 'Z', number: None };
 
-    /// A letter of an axis, and a number from 0 to 99 without leading zeros or none; in any case.
+    /// A letter of an axis, optionally with a number from 0 to 99 without leading zeros; in any case.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         let letter = name.chars().next()?.to_ascii_uppercase();
@@ -89,13 +89,13 @@ impl Axis {
         Self { number: None, ..self }
     }
 
-    /// Whether the feed is for it: X, Y and Z make the path, the other axes go with it.
+    /// Whether the feed applies to it: X, Y and Z form the path, the other axes follow.
     #[must_use]
     pub fn is_of_path(self) -> bool {
         matches!(self.letter, 'X' | 'Y' | 'Z')
     }
 
-    /// Whether its positions are lengths, so that inches hold for it.
+    /// Whether its positions are lengths, so that inches apply to it.
     pub(crate) fn is_linear(self) -> bool {
         !matches!(self.letter, 'A' | 'B' | 'C')
     }
@@ -108,7 +108,7 @@ impl fmt::Display for Axis {
     }
 }
 
-/// Which way a spindle turns.
+/// The direction of a spindle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// M3, towards growing positions

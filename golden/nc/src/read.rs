@@ -1,4 +1,4 @@
-//! A text, line by line, which makes a program: its name, its block numbers, its end. Not what a block may hold.
+//! Reads a text line by line into a program: its name, its block numbers, its end. Not the contents of a block.
 
 use super::block::{self, InForce};
 use super::foreign::Foreign;
@@ -9,7 +9,7 @@ use super::program::{Block, Command, Program};
 use super::unknown;
 use super::word::{self, Placed, Word};
 
-/// Reads a program; the error is all that is wrong with it, in the order of the file.
+/// Reads a program. The error contains all its errors, in the order of the file.
 pub fn read(text: &str) -> Result<Program, Vec<Mistake>> {
     let mut reader = Reader::default();
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -29,11 +29,11 @@ struct Reader {
     force: InForce,
     comment: Comment,
     mistakes: Mistakes,
-    /// where a missing `M30` would stand: after the last word, line and column
+    /// place of a missing `M30`: after the last word, line and column
     last: (usize, usize),
-    /// a line with a word was there
+    /// whether a line with a word has been read
     begun: bool,
-    /// `M30`, `M2` or the closing `%` was there
+    /// whether `M30`, `M2` or the closing `%` has been read
     ended: bool,
 }
 
@@ -106,7 +106,7 @@ impl Reader {
             }
             !stray
         });
-        // A word that is not known would lead to more mistakes, which are none when it is corrected.
+        // An unknown word would cause more errors that vanish when it is corrected.
         let mut unsaid = Mistakes::default();
         let mistakes = if known { &mut self.mistakes } else { &mut unsaid };
         let commands = block::commands(words, &mut self.force, mistakes);
@@ -116,7 +116,7 @@ impl Reader {
         }
     }
 
-    /// An end without `M30`, which is noted; with a `%`, at its line.
+    /// Notes an end without `M30`; with a `%`, at its line.
     fn finish(&mut self, place: Option<(usize, usize)>) {
         let (line, column) = place.unwrap_or((self.mistakes.line, 1));
         self.mistakes.line = line;

@@ -5,7 +5,7 @@ use super::mistake::{Mistakes, shown};
 use super::program::{Command, Direction, Target};
 use super::word::{Placed, Word};
 
-/// What words of earlier blocks still say.
+/// The words of earlier blocks that are still in force.
 #[derive(Default)]
 pub(crate) struct InForce {
     /// of M3 or M4, while spindle 1 turns
@@ -14,10 +14,10 @@ pub(crate) struct InForce {
     rpm: Option<f64>,
 }
 
-/// Spindle 1, of which words without brackets are.
+/// Spindle 1, to which words without brackets belong.
 const MAIN: u32 = 1;
 
-/// The commands of the spindle words; keeps direction and speed in force.
+/// The commands of the spindle words; stores direction and speed in force.
 pub(crate) fn commands(words: &[Placed<'_>], force: &mut InForce, mistakes: &mut Mistakes) -> Vec<Command> {
     let words: Vec<&Placed<'_>> = words.iter().filter(|placed| is_spindle(&placed.word)).collect();
     if let Some(bracket) = words.iter().find_map(|placed| bracket(placed)) {
@@ -56,14 +56,14 @@ fn bracket<'w>(placed: &'w Placed<'_>) -> Option<&'w Bracket> {
     if let Word::Bracket(bracket) = &placed.word { Some(bracket) } else { None }
 }
 
-/// A bracket, which stands without another spindle word.
+/// A bracket, which may not be combined with another spindle word.
 fn bracketed(
     words: &[&Placed<'_>],
     first: &Bracket,
     force: &mut Option<Direction>,
     mistakes: &mut Mistakes,
 ) -> Vec<Command> {
-    // The place is the bracket's that has to go, or of the first one if all are brackets.
+    // The place is that of the bracket to be removed, or of the first one if all are brackets.
     let at = words.iter().position(|placed| bracket(placed).is_some()).unwrap_or(0);
     let other = words.iter().enumerate().find(|(other, _)| *other != at).map(|(_, placed)| placed);
     if let (Some(placed), Some(other)) = (words.get(at), other) {
@@ -80,7 +80,7 @@ fn bracketed(
     first.commands.clone()
 }
 
-/// The one word that commands the spindle, and the direction given with it.
+/// The only word that commands the spindle, and the direction given with it.
 fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option<(&'w Placed<'t>, Option<Direction>)> {
     let said = |placed: &&&'w Placed<'t>| matches!(placed.word, Word::Turn(_) | Word::Stop | Word::Position);
     let functions: Vec<&'w Placed<'t>> = words.iter().filter(said).copied().collect();
@@ -103,7 +103,7 @@ fn function<'w, 't>(words: &[&'w Placed<'t>], mistakes: &mut Mistakes) -> Option
     Some((first, direction))
 }
 
-/// Reports every angle without `M19`; `place`: what its block has instead.
+/// Reports every angle without `M19`; `place` is the alternative in its block.
 fn refuse_angle(words: &[&Placed<'_>], place: &str, mistakes: &mut Mistakes) {
     for placed in words.iter().filter(|placed| matches!(placed.word, Word::Angle(_))) {
         let found = format!("{} {place}", shown(placed.text));

@@ -1,4 +1,4 @@
-//! A text that is not a word: what is reported for it. Nothing of what words say.
+//! The report for a text that is not a word. Nothing about the meaning of words.
 
 use super::bracket;
 use super::foreign::{self, Foreign};
@@ -6,7 +6,7 @@ use super::lexical::Piece;
 use super::mistake::{Mistakes, shown};
 use super::number::{DECIMAL, decimal};
 
-/// Reports what is wrong with a text that is not a word.
+/// Reports the error in a text that is not a word.
 pub(crate) fn say(piece: Piece<'_>, mistakes: &mut Mistakes) {
     let Piece { column, text } = piece;
     let found = shown(text);
@@ -37,7 +37,7 @@ pub(crate) fn say(piece: Piece<'_>, mistakes: &mut Mistakes) {
     }
 }
 
-/// A word that has its letter and a number that is none for it: the letter, and what is allowed.
+/// A word with a known letter and an invalid number: the letter, and what is allowed.
 fn bad_number(upper: &str) -> Option<(&str, &'static str)> {
     let word = if upper.starts_with("#TIME") { "#TIME" } else { upper.get(..1)? };
     let allowed = match word {

@@ -1,4 +1,4 @@
-//! A word: which there are, and what each says by itself. Nothing of what may stand with it, and no messages.
+//! The words and the meaning of each by itself. Nothing about combinations of words, and no messages.
 
 use super::bracket::{self, Bracket};
 use super::foreign::{self, Foreign};
@@ -35,9 +35,9 @@ pub(crate) enum Word {
     Bracket(Bracket),
     /// F
     Feed(f64),
-    /// X, Y1: what the number is, the function says
+    /// X, Y1: the function decides the meaning of the number
     Axis(Axis, f64),
-    /// P, Q, R, L, I, J, K: of another word of the block; whether the number is an integer without a point
+    /// P, Q, R, L, I, J, K: of another word of the block; also whether the number is an integer without a point
     Parameter { value: f64, letter: char, is_integer: bool },
     /// #TIME, in s
     Wait(f64),
@@ -47,17 +47,17 @@ pub(crate) enum Word {
     Foreign(Foreign),
 }
 
-/// Which words of its block belong to a word that is passed over.
+/// The words of a block that belong to a skipped word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Parameters {
     No,
     /// P, Q, R, L
     Letters,
-    /// those, and if the block has no G word also S, F and axes: they are neither speed nor feed nor position
+    /// those, and if the block has no G word also S, F and axes, which are then not speed, feed or position
     All,
 }
 
-/// A word and where it stands.
+/// A word and its place.
 #[derive(Clone, Debug)]
 pub(crate) struct Placed<'t> {
     /// character of the line, from 1
@@ -66,7 +66,7 @@ pub(crate) struct Placed<'t> {
     pub(crate) word: Word,
 }
 
-/// What the axis words of a block are for.
+/// The use of the axis words of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Function {
     Rapid,
@@ -82,7 +82,7 @@ pub(crate) enum Function {
     FeedforwardOff,
 }
 
-/// What the numbers of later axis words are.
+/// The meaning of the numbers of later axis words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Modal {
     Absolute,
@@ -93,7 +93,7 @@ pub(crate) enum Modal {
     NoPreset,
 }
 
-/// What a word says, if it is one.
+/// The meaning of a word, if it is one.
 pub(crate) fn parse(text: &str) -> Option<Word> {
     let upper = text.to_ascii_uppercase();
     let first = upper.chars().next()?;
@@ -129,7 +129,7 @@ pub(crate) fn parse(text: &str) -> Option<Word> {
         'N' => number::count(number).map(Word::Number),
         'G' => Some(g_word(&plain()?)),
         'M' => Some(m_word(&plain()?)),
-        // The direction of a spindle is its M word, never a sign.
+        // The M word gives the direction of a spindle, never a sign.
         'S' => speed(number::decimal(number)?),
         'F' => feed(number::decimal(number)?),
         'T' | 'D' | 'H' => number::decimal(number).map(|_| Word::Passed(PassedKind::Tool, Parameters::No)),
@@ -150,7 +150,7 @@ fn feed(feed: f64) -> Option<Word> {
     (feed > 0.0).then_some(Word::Feed(feed))
 }
 
-/// A word that begins with a sign.
+/// A word that begins with a special character.
 fn command(upper: &str) -> Option<Word> {
     let (first, rest) = upper.split_at(1);
     let name = rest.split(|letter: char| !letter.is_ascii_alphanumeric()).next().unwrap_or_default();
@@ -165,7 +165,7 @@ fn command(upper: &str) -> Option<Word> {
     })
 }
 
-/// By its number without leading zeros.
+/// A G word by its number without leading zeros.
 fn g_word(number: &str) -> Word {
     let passed = |kind| Word::Passed(kind, Parameters::Letters);
     match number {

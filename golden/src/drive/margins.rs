@@ -1,11 +1,12 @@
-//! The loop that an axis closes with its drive: of the stages by its analysis, without stages the position loop alone.
+//! The loop that an axis closes with its drive: with stages from the analysis of their loop, without stages the position
+//! loop alone.
 
 use generator::analysis;
 use generator::axis::DriveModel;
 use generator::blocks::Designed;
 use stability::{Band, Complex64, Controller, Drive, Loop, Margins, Points, STAGES};
 
-/// Ms of the loop with the stages of an axis; none: unstable, or perhaps so.
+/// Ms of the loop with the stages of an axis; `None` if it is unstable, or may be.
 pub(crate) fn ms(designed: &Designed, model: &DriveModel) -> Option<f64> {
     margins(designed, model).ms.map(|[ms, _]| ms)
 }
@@ -34,7 +35,7 @@ fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
         cycle_time,
         weight: [0.0; STAGES],
         stage: Box::new(|_| [Complex64::new(0.0, 0.0); STAGES]),
-        // Where a position loop has its corner, about.
+        // The approximate corner frequency of a position loop.
         bands: vec![Band { centre: nyquist / 50.0, width: nyquist / 50.0 }],
         position_gain: model.position_gain,
     };

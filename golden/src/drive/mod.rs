@@ -1,9 +1,9 @@
-//! The drive of an axis as its keys `drive.*` state it, as a machine without mechanics; and whether the loop that it closes oscillates.
+//! The drive of an axis as stated in its keys `drive.*`, as a machine without mechanics; and whether its loop oscillates.
 //!
 //! ```text
 //! response_filter  a measured response as a machine
 //! margins          stability and Ms of the loop
-//! oscillation      what a run shows of an unstable loop
+//! oscillation      effects of an unstable loop in a run
 //! ```
 
 pub(crate) mod margins;
@@ -21,16 +21,16 @@ use response_filter::ResponseFilter;
 
 /// The drive of an axis.
 pub(crate) struct AxisDrive {
-    /// what it is, with the gain of the position controller
+    /// the model, with the gain of the position controller
     pub model: DriveModel,
-    /// that gain [1/s]
+    /// gain of the position controller [1/s]
     pub position_gain: f64,
     setup: Setup,
     filter: Option<ResponseFilter>,
 }
 
 impl AxisDrive {
-    /// The drive that the axis states; another one where it states none; and a gain of the position controller, likewise [1/s].
+    /// The drive that the axis states, or the given one; and likewise a gain of the position controller [1/s].
     pub(crate) fn of(designed: &Designed, otherwise: Setup, position_gain: f64) -> Self {
         let (cycle, stated) = (designed.axis.cycle_time(), &designed.axis.drive);
         let setup = match stated.is_given() {
@@ -52,7 +52,7 @@ impl AxisDrive {
         Self { model, position_gain, setup, filter }
     }
 
-    /// At rest.
+    /// The machine at rest.
     pub(crate) fn machine(&self) -> Box<dyn Machine> {
         match &self.filter {
             Some(filter) => Box::new(filter.clone()),
@@ -60,7 +60,7 @@ impl AxisDrive {
         }
     }
 
-    /// How far the filter of a measured response is from it, and where [Hz].
+    /// The deviation of the filter of a measured response, and its frequency [Hz].
     pub(crate) fn deviation(&self) -> Option<[f64; 2]> {
         let measured = self.model.response.as_ref()?;
         Some(self.filter.as_ref()?.deviation(&measured.response))

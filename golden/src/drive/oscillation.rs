@@ -1,21 +1,21 @@
-//! What a run shows of an unstable loop: `v_add` stays at its limit where no ramp is the reason.
+//! The effect of an unstable loop in a run: `v_add` stays at its limit without a ramp as the reason.
 
-/// How long `v_add` may be at its limit without a ramp [s].
+/// The permitted time of `v_add` at its limit without a ramp [s].
 const ALLOWED: f64 = 0.2;
-/// How long after a ramp the limit may still act because of it [s].
+/// The time after a ramp in which it may still be the reason for limiting [s].
 const SETTLED: f64 = 0.3;
 
-/// A loop, and what a run of it showed.
+/// A loop and the result of its run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillation {
-    /// whether the loop is stable, by its frequency responses
+    /// whether the loop is stable, from its frequency responses
     pub is_stable: bool,
-    /// how long `v_add` was at its limit where no ramp is [s]
+    /// time of `v_add` at its limit without a ramp [s]
     pub at_limit: f64,
 }
 
 impl Oscillation {
-    /// What has to be reported; none: nothing.
+    /// The message; `None` if there is nothing to report.
     #[must_use]
     pub fn verdict(self) -> Option<String> {
         let time = self.at_limit;
@@ -30,7 +30,7 @@ impl Oscillation {
     }
 }
 
-/// Counts for how long `v_add` is at its limit without a ramp.
+/// Measures the time of `v_add` at its limit without a ramp.
 pub(crate) struct AtLimit {
     /// [s]
     cycle: f64,
@@ -39,7 +39,7 @@ pub(crate) struct AtLimit {
 }
 
 impl AtLimit {
-    /// Long after any ramp; the cycle is in seconds.
+    /// The state long after any ramp; the cycle is in seconds.
     pub(crate) fn new(cycle: f64) -> Self {
         Self { cycle, since_ramp: SETTLED, time: 0.0 }
     }
@@ -52,7 +52,7 @@ impl AtLimit {
         }
     }
 
-    /// So far [s].
+    /// The time so far [s].
     pub(crate) fn time(&self) -> f64 {
         self.time
     }

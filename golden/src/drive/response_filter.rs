@@ -1,4 +1,4 @@
-//! A measured response as a machine: the velocity of the motor is the command through its impulse response. No file, no
+//! A measured response as a machine: the velocity of the motor is the command filtered by its impulse response. No file, no
 //! parameter.
 
 use machine::{Machine, Measured};
@@ -6,15 +6,16 @@ use portable::Extreme;
 use stability::{Complex64, Response, magnitude};
 use std::f64::consts::TAU;
 
-/// Length of an impulse response [s], and its cycles at most: what rings longer is cut off, which the deviation shows.
+/// Length of an impulse response [s], and its maximum number of cycles: a longer decay is cut off, which the deviation
+/// shows.
 const LENGTH: f64 = 4.0;
 const MOST: usize = 16_384;
-/// Later values are left out where all of them together are below this part of all.
+/// The last values are left out if their sum is below this part of the total.
 const NEGLIGIBLE: f64 = 1e-7;
 /// Partial sums computed in parallel, so that the compiler can vectorise them.
 const LANES: usize = 8;
 
-/// A drive as it was measured, while it runs.
+/// A measured drive in operation.
 #[derive(Clone, Debug)]
 pub struct ResponseFilter {
     cycle: f64,
@@ -26,8 +27,8 @@ pub struct ResponseFilter {
 }
 
 impl ResponseFilter {
-    /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. What the
-    /// response does before its command, or in the same cycle, no machine can do: it is left out.
+    /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. The part of
+    /// the response before its command, or in the same cycle, is impossible for a machine: it is left out.
     #[must_use]
     pub fn new(response: &Response, cycle: f64) -> Self {
         let impulse = impulse(response, cycle);
@@ -42,7 +43,8 @@ impl ResponseFilter {
         Self { cycle, commands: vec![0.0; taps.len()], taps, now: Measured::default() }
     }
 
-    /// The largest difference from the response at its own lines, as a part of its largest magnitude; and the frequency [Hz].
+    /// The largest difference from the measured response at its lines, relative to its largest magnitude; and the frequency
+    /// [Hz].
     #[must_use]
     pub fn deviation(&self, response: &Response) -> [f64; 2] {
         let (mut worst, mut at, mut largest) = (0.0, 0.0, f64::MIN_POSITIVE);
@@ -61,7 +63,7 @@ impl ResponseFilter {
     /// Its own response at a frequency [Hz].
     fn value(&self, hz: f64) -> Complex64 {
         let turn = turned(-TAU * hz * self.cycle);
-        // Horner: the latest value is the highest power.
+        // Horner's method: the latest value is the highest power.
         self.taps.iter().fold(Complex64::new(0.0, 0.0), |sum, tap| (sum + tap) * turn)
     }
 }
@@ -71,7 +73,7 @@ fn turned(angle: f64) -> Complex64 {
     Complex64::new(cos, sin)
 }
 
-/// The first half of the inverse transform: the second one is what would be before the command.
+/// The first half of the inverse transform: the second one would be before the command.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
 fn impulse(response: &Response, cycle: f64) -> Vec<f64> {
     let half = ((LENGTH / cycle) as usize).clamp(LANES, MOST).next_power_of_two() / 2;
@@ -80,7 +82,7 @@ fn impulse(response: &Response, cycle: f64) -> Vec<f64> {
     let lines: Vec<Complex64> = (0..=half)
         .map(|k| {
             let value = response.value(k as f64 / (length as f64 * cycle));
-            // The lines at both ends stand for themselves, the others for their mirror images too.
+            // The lines at both ends occur once, the others also as their mirror images.
             if k == 0 || k == half { value } else { value * 2.0 }
         })
         .collect();
@@ -99,7 +101,7 @@ impl Machine for ResponseFilter {
         self.cycle
     }
 
-    /// The cycle of the largest value, after the cycle for which a command is held.
+    /// The cycle of the largest value, after the cycle in which a command is held.
     fn delay_cycles(&self) -> usize {
         let largest = (0..self.taps.len()).max_by(|a, b| self.taps[*a].abs().total_cmp(&self.taps[*b].abs()));
         self.taps.len() - 1 - largest.unwrap_or(0)

@@ -9,7 +9,7 @@ use generator::blocks::{Block, Designed};
 use std::fmt::Write as _;
 use tempfile::TempDir;
 
-/// A block's emitted files in a folder of their own, with a program around them that every build shares.
+/// A block's emitted files in a separate folder, with a surrounding program that every build shares.
 pub struct Harness {
     folder: TempDir,
     /// the emitted files to compile: the block, its self-test
@@ -18,7 +18,7 @@ pub struct Harness {
 }
 
 impl Harness {
-    /// Writes the files of a block and compiles the program around it.
+    /// Writes the files of a block and compiles the surrounding program.
     ///
     /// # Errors
     /// The compiler is missing, or the disk is full.
@@ -38,10 +38,10 @@ impl Harness {
         Ok(Self { folder, sources, block: block.clone() })
     }
 
-    /// Compiles the block, only it with the compiler's options, and runs it.
+    /// Compiles the block (only the block with the compiler's options) and runs it.
     ///
     /// # Errors
-    /// The compiler refuses, or the block does not pass its self-test.
+    /// The compiler rejects it, or the block fails its self-test.
     pub fn run(&self, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
         let build = process::folder()?;
         let path = |name: &str| build.path().join(name).to_string_lossy().into_owned();
@@ -58,7 +58,7 @@ impl Harness {
     }
 }
 
-/// What the harness has to know of the block.
+/// The description of the block for the harness.
 fn layout(stem: &str, block: &Block) -> String {
     let program = &block.own.program;
     let real = program.real;

@@ -1,4 +1,4 @@
-//! Compilers: how they are called, and what their failures mean.
+//! Compilers: their calls, and the meaning of their failures.
 
 use super::Failure;
 use std::path::Path;
@@ -13,12 +13,12 @@ pub struct Compiler {
     pub options: Vec<String>,
     /// its options for linking
     pub link: Vec<String>,
-    /// what runs a compiled program of another machine; empty: the host itself
+    /// the program that runs a compiled program of another machine; empty for the host itself
     pub emulator: Vec<String>,
 }
 
 impl Compiler {
-    /// The host's compiler, as a user would call it: `$CC` or `cc`, `-std=c99 -O2`.
+    /// The host's compiler as usually called: `$CC` or `cc`, `-std=c99 -O2`.
     #[must_use]
     pub fn host() -> Self {
         let command = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
@@ -32,13 +32,13 @@ impl Compiler {
         Self { command: command.to_owned(), options: owned(&options), link: Vec::new(), emulator: Vec::new() }
     }
 
-    /// The same compiler with options for linking.
+    /// This compiler with options for linking.
     #[must_use]
     pub fn linking(self, options: &[&str]) -> Self {
         Self { link: owned(options), ..self }
     }
 
-    /// The same compiler, whose programs are run by another program.
+    /// This compiler with an emulator for its programs.
     #[must_use]
     pub fn emulated(self, emulator: &[&str]) -> Self {
         Self { emulator: owned(emulator), ..self }
@@ -51,7 +51,7 @@ impl Compiler {
     }
 }
 
-/// Calls the compiler of a language in a folder; a variable of the environment chooses it.
+/// Calls the compiler of a language in a folder; an environment variable selects it.
 pub(super) fn call(
     language: &str,
     variable: &str,

@@ -1,4 +1,5 @@
-//! The engines `st`, `twincat`, `codesys` and `scl`: the emitted Structured Text, read by a grammar that is not ours, and run.
+//! The engines `st`, `twincat`, `codesys` and `scl`: the emitted Structured Text, parsed with an independent grammar, and
+//! run.
 
 use super::{Failure, target};
 use crate::samples::{Samples, Shape};
@@ -17,7 +18,7 @@ pub(super) fn run(dialect: Dialect, designed: &Designed, block: &Block, inputs: 
     run_read(dialect, &read(dialect, &file, designed, block)?, block, inputs)
 }
 
-/// The file of a block in a dialect, and that of its self-test.
+/// The file of a block in a dialect, and the file of its self-test.
 ///
 /// # Errors
 /// A defect of the target.
@@ -32,7 +33,7 @@ pub fn files(dialect: Dialect, designed: &Designed, block: &Block) -> Result<[Fi
 /// Reads the block of a file.
 ///
 /// # Errors
-/// The text holds what implementations could disagree on.
+/// The text contains constructs that implementations may interpret differently.
 pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -> Result<st::Block, Failure> {
     let (name, real) = (type_name(dialect, designed, block), block.program.real);
     let types = if dialect == Dialect::TwinCat { types(designed, block)? } else { None };
@@ -43,7 +44,7 @@ pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -
     read.map_err(|mistakes| broken(&file.name, &mistakes))
 }
 
-/// The file with the type of the parameter sets of a block, which TwinCAT has apart; none: it takes no sets.
+/// The file with the type of the parameter sets of a block, which is separate in TwinCAT; `None` if it takes no sets.
 fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
     if !block.own.program.has_set() {
         return Ok(None);
@@ -52,11 +53,11 @@ fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
     Ok(files.into_iter().find(|file| file.name.ends_with(".TcDUT")))
 }
 
-/// Runs a self-test to its end, or until it has had enough time; returns whether it says that it is done, and how many values it
-/// says that differ.
+/// Runs a self-test to its end, or until a time limit; returns whether it reports its end, and the number of differing
+/// values that it reports.
 ///
 /// # Errors
-/// The text holds what implementations could disagree on.
+/// The text contains constructs that implementations may interpret differently.
 pub fn run_self_test(
     dialect: Dialect,
     (test, tested): (&File, &st::Block),
@@ -91,7 +92,7 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
     let inputs = inputs.only(&own.inputs);
     let enable: &[(&str, bool)] = if dialect == Dialect::Plain { &[] } else { &[("Enable", true)] };
     let mut wanted = signals_of(&outputs, &output_names);
-    // A dialect shows an id without a fault at an output of its own.
+    // Some dialects have a separate output for an id without a fault.
     let has_notice = legal.outputs.iter().any(|output| output.path == NOTICE);
     wanted.extend(has_notice.then_some((NOTICE, Literal::U32(0))));
     let error_id = own.program.outputs.iter().position(|output| output.path == "error_id");
@@ -107,7 +108,7 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
             && let (Some(Literal::U32(notice)), Some(at)) = (results.pop(), error_id)
             && let Literal::U32(id) = &mut results[at]
         {
-            // One of them is 0: if not, the sum is not an id of the block.
+            // One of them is 0; otherwise the sum is not an id of the block.
             *id += notice;
         }
         answers.push(&results);
@@ -115,7 +116,7 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
     Ok(answers.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
 }
 
-/// The target whose files have the form of a dialect.
+/// The target for the files of a dialect.
 fn name(dialect: Dialect) -> &'static str {
     match dialect {
         Dialect::Plain => "st",
@@ -131,7 +132,7 @@ fn type_name(dialect: Dialect, designed: &Designed, block: &Block) -> String {
     if dialect == Dialect::Plain { name } else { format!("FB_{name}") }
 }
 
-/// The names that the axis's own signals have in the text.
+/// The names of the axis's own signals in the text.
 fn names(own: &Program, legal: &Program) -> [Vec<String>; 2] {
     let [inputs, outputs] = signals(legal, &PLAIN);
     let named = |variables: &[Variable], legal: &[Variable], names: &[String]| -> Vec<String> {
@@ -148,7 +149,7 @@ fn broken(file: &str, mistakes: &[Mistake]) -> Failure {
     Failure::Broken(lines.join("\n"))
 }
 
-/// The signals of a shape under the names that they have in the text.
+/// The signals of a shape under their names in the text.
 fn signals_of<'n>(shape: &Shape, names: &'n [String]) -> Vec<Signal<'n>> {
     shape.signals.iter().zip(names).map(|(signal, name)| (name.as_str(), signal.start)).collect()
 }

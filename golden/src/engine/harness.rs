@@ -1,5 +1,6 @@
-//! Runs an emitted block, the only one of a program or one of many: packed samples from standard input to standard output. `layout.rs` names the block and its signals.
-//! Exit code 0: done; 2: the self-test failed, its answer is on standard error; 3: a read or a write failed.
+//! Runs an emitted block, the only one of a program or one of many: packed samples from standard input to standard output.
+//! `layout.rs` names the block and its signals. Exit code 0: done; 2: the self-test failed, its result is on standard error;
+//! 3: a read or a write failed.
 
 use std::io::{BufWriter, ErrorKind, Read, Result, Write, stdin, stdout};
 use std::process::ExitCode;

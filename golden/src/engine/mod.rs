@@ -40,7 +40,7 @@ pub enum Engine {
     Scl,
 }
 
-/// All engines; the first one is right.
+/// All engines; the first one is the correct one.
 pub const ENGINES: [Engine; 8] = [
     Engine::Reference,
     Engine::Program,
@@ -67,16 +67,16 @@ impl fmt::Display for Engine {
     }
 }
 
-/// Why an engine could not run a block.
+/// The reason why an engine could not run a block.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Failure {
-    /// something that the engine needs is not there; the text says what to install
+    /// a program that the engine needs is missing; the text says what to install
     Environment(String),
-    /// the compiler refused the emitted file, as the file itself demands
+    /// the compiler rejected the emitted file, as the file itself demands
     Refused(String),
     /// the self-test of the compiled block found other bits
     SelfTest(u32),
-    /// a defect of ours: the emitted file does not compile, or the engine broke off
+    /// a defect of axgen: the emitted file does not compile, or the engine aborted
     Broken(String),
 }
 
@@ -96,7 +96,8 @@ impl std::error::Error for Failure {}
 /// Runs a block of an axis from its start.
 ///
 /// # Errors
-/// The engines `c` and `rust` need a compiler; the engines of Structured Text refuse a text that implementations could disagree on.
+/// The engines `c` and `rust` need a compiler; the engines of Structured Text reject a text that implementations may
+/// interpret differently.
 pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     match engine {
         Engine::Reference => Ok(reference::run(designed, block, inputs)),
@@ -120,10 +121,10 @@ fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>
     target.files(&identity(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
-/// Runs a block through the emitted C and a compiler of one's choice.
+/// Runs a block through the emitted C and the given compiler.
 ///
 /// # Errors
-/// The compiler is not there, refuses, or the block does not pass its self-test.
+/// The compiler is missing or rejects the block, or the block fails its self-test.
 pub fn run_c(designed: &Designed, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
     Harness::compile(designed, block, compiler)?.run(inputs, compiler)
 }

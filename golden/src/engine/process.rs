@@ -1,4 +1,4 @@
-//! A compiled block as a process: samples on its standard input, answers on its standard output. What compiles it is not known
+//! A compiled block as a process: samples on its standard input, answers on its standard output. The compiler is not known
 //! here.
 
 use super::Failure;
@@ -11,12 +11,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use tempfile::TempDir;
 
-/// A folder that is gone afterwards.
+/// A temporary folder.
 pub(super) fn folder() -> Result<TempDir, Failure> {
     tempfile::tempdir().map_err(|error| Failure::Environment(format!("no temporary folder: {error}")))
 }
 
-/// Writes a file that is to be compiled.
+/// Writes a file to be compiled.
 pub(super) fn write(folder: &Path, name: &str, text: &str) -> Result<(), Failure> {
     let written = std::fs::write(folder.join(name), text);
     written.map_err(|error| Failure::Environment(format!("{name}: {error}")))
@@ -27,7 +27,7 @@ pub(super) fn frame(variables: &[Variable], real: RealKind) -> usize {
     Shape::of(variables, real).frame()
 }
 
-/// Runs the program of a block, perhaps by another one, from its start.
+/// Runs the program of a block from its start, optionally with an emulator.
 pub(super) fn run(program: &str, emulator: &[String], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let (all, own) = (&block.program, &block.own);
     let bytes = pipe(program, emulator, &inputs.only(&own.inputs).bytes)?;
@@ -53,7 +53,7 @@ fn pipe(program: &str, emulator: &[String], input: &[u8]) -> Result<Vec<u8>, Fai
     let mut stdout = child.stdout.take().expect("engine: standard output is piped");
     let mut output = Vec::with_capacity(input.len());
     let read = std::thread::scope(|scope| {
-        // A block that fails its self-test reads nothing, so a broken input pipe is not a failure of its own.
+        // A block that fails its self-test reads nothing, so a broken input pipe is not another failure.
         scope.spawn(move || drop(stdin.write_all(input)));
         stdout.read_to_end(&mut output)
     });

@@ -18,7 +18,7 @@ pub fn command() -> String {
     std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned())
 }
 
-/// The options that a user's release build has; a warning about the module is a defect of it.
+/// The options of a user's release build; a warning about the module is a defect of it.
 const OPTIONS: [&str; 8] = ["--edition", "2024", "-O", "-D", "warnings", "harness.rs", "-o", "block"];
 
 /// Compiles and runs a block from the file that its target emits.
@@ -31,7 +31,7 @@ pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Resul
 /// Compiles and runs a block from its module.
 ///
 /// # Errors
-/// The compiler is not there or refuses, or the block does not pass its self-test.
+/// The compiler is missing or rejects the module, or the block fails its self-test.
 pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let folder = process::folder()?;
     write(folder.path(), file, block)?;
@@ -42,7 +42,7 @@ pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples,
 /// Runs many blocks in one program, compiled once; returns the outputs of each.
 ///
 /// # Errors
-/// The compiler is not there or refuses, or a block does not pass its self-test.
+/// The compiler is missing or rejects a module, or a block fails its self-test.
 pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Failure> {
     let folder = process::folder()?;
     let (mut modules, mut arms) = (String::new(), String::new());
@@ -68,7 +68,7 @@ pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Fai
     many.iter().enumerate().map(run).collect()
 }
 
-/// Writes a module, and what runs it.
+/// Writes a module, and the program that runs it.
 fn write(folder: &Path, file: &File, block: &Block) -> Result<(), Failure> {
     let texts = [
         (file.name.as_str(), file.text.as_str()),
@@ -78,7 +78,7 @@ fn write(folder: &Path, file: &File, block: &Block) -> Result<(), Failure> {
     texts.into_iter().try_for_each(|(name, text)| process::write(folder, name, text))
 }
 
-/// What the harness has to know of the block.
+/// The description of the block for the harness.
 fn layout(file: &str, block: &Block) -> String {
     let program = &block.own.program;
     let real = program.real;

@@ -1,5 +1,5 @@
-//! Events that bring a block to where its integers and flags change for good: the boundaries of process data, and limits. Noise
-//! does not meet them; they are found by bisection, on the block's own program, one real input at a time.
+//! Events that lead a block to the points where its integers and flags change: the boundaries of process data, and limits.
+//! Noise does not reach them; they are found by bisection on the block's own program, one real input at a time.
 
 use crate::csv::{Reals, cell};
 use crate::stimulus::Event;
@@ -41,7 +41,7 @@ pub(super) fn events(block: &Program, real: RealKind, first: u64) -> Vec<Event> 
     events
 }
 
-/// What the inputs are while one of them is searched.
+/// The values of the inputs while one of them is searched.
 fn base(block: &Program) -> Vec<Literal> {
     let value = |variable: &compiler::program::Variable| match variable.path.as_str() {
         "mode" => Literal::I32(0),
@@ -59,7 +59,7 @@ fn largest(real: RealKind) -> f64 {
     }
 }
 
-/// The numbers, in their order, at which an integer or a flag gets the value that it has at `far`.
+/// The numbers, in order, at which an integer or a flag changes to its value at `far`.
 fn changes(block: &Program, real: RealKind, input: usize, far: f64) -> Vec<i64> {
     let inputs = base(block);
     let answers = |place: i64| {
@@ -84,7 +84,7 @@ fn changes(block: &Program, real: RealKind, input: usize, far: f64) -> Vec<i64> 
     (0..block.outputs.len()).filter(is_searched).map(search).collect()
 }
 
-/// The place of a number among all numbers of its type: 0 of 0, one more for each larger number.
+/// The index of a number among all numbers of its type: 0 for 0, one more for each larger number.
 #[expect(clippy::cast_possible_truncation, reason = "half of the sample limit is a number of both types")]
 fn place(x: f64, real: RealKind) -> i64 {
     let of_magnitude = match real {
@@ -94,7 +94,7 @@ fn place(x: f64, real: RealKind) -> i64 {
     if x < 0.0 { -of_magnitude } else { of_magnitude }
 }
 
-/// The number at a place.
+/// The number at an index.
 #[expect(clippy::cast_possible_truncation, reason = "places of single precision have 32 bits")]
 fn number(place: i64, real: RealKind) -> Literal {
     let sign = if place < 0 { -1.0 } else { 1.0 };

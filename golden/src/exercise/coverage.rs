@@ -1,4 +1,5 @@
-//! How much of a block an exercise reached: inputs that moved, outputs that changed, states and transitions of a spindle, parameter sets.
+//! The coverage of a block by an exercise: inputs that moved, outputs that changed, states and transitions of a spindle,
+//! parameter sets.
 
 use crate::samples::Samples;
 use crate::shows::spindle::STATES;
@@ -8,18 +9,18 @@ use portable::Literal;
 use std::collections::BTreeSet;
 use std::fmt;
 
-/// The transitions of a spindle that changes over (docs/spindle.md), by their ends: on the usual way, by an error and its reset, by a drive that is
-/// switched off.
+/// The transitions of a spindle that changes over (docs/spindle.md), by their ends: on the usual way, by an error and its
+/// reset, by a drive that is switched off.
 const TRANSITIONS: [[usize; 2]; 11] =
     [[4, 0], [4, 3], [0, 1], [1, 2], [2, 3], [3, 4], [0, 3], [1, 3], [0, 4], [1, 4], [2, 4]];
 
-/// TO_VELOCITY takes one cycle where the CNC changes over: nothing comes between.
+/// With the changeover in the CNC, TO_VELOCITY takes one cycle: nothing can happen within it.
 const NOT_IN_THE_CNC: [[usize; 2]; 2] = [[1, 3], [1, 4]];
 
-/// What was reached of what there is.
+/// The covered part.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Coverage {
-    /// each kind with how many there are, and those that were not reached
+    /// each kind with its number of items, and the items that were not reached
     pub rows: Vec<(&'static str, usize, Vec<String>)>,
 }
 
@@ -30,7 +31,7 @@ impl Coverage {
         self.rows.iter().all(|(_, _, missing)| missing.is_empty())
     }
 
-    /// What was not reached, a line for each kind.
+    /// The items that were not reached, one line per kind.
     pub fn missing(&self) -> impl Iterator<Item = String> {
         let missing = self.rows.iter().filter(|(_, _, missing)| !missing.is_empty());
         missing.map(|(kind, _, missing)| format!("not among the {kind}: {}", missing.join(", ")))
@@ -47,7 +48,7 @@ impl fmt::Display for Coverage {
     }
 }
 
-/// Looks at a run: of the signals that the axis has.
+/// The coverage in a run, of the signals that the axis has.
 #[must_use]
 pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &Samples) -> Coverage {
     let still = |run: &Samples, places: &[usize]| -> Vec<String> {
@@ -82,7 +83,7 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
     Coverage { rows }
 }
 
-/// The pairs of states of which one directly follows the other.
+/// The pairs of consecutive states.
 fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
     let mut reached = BTreeSet::new();
     let Some(at) = outputs.shape.place("spindle_state") else { return reached };
@@ -99,7 +100,7 @@ fn transitions(outputs: &Samples) -> BTreeSet<[usize; 2]> {
     reached
 }
 
-/// What has not become of parameter sets: one taken over, another one after it, one refused.
+/// The missing events of parameter sets: one taken over, another one after it, one refused.
 fn events_of_sets(outputs: &Samples, at: usize) -> Vec<String> {
     let error_id = outputs.shape.place("error_id");
     let (mut values, mut before, mut shown) = (Vec::new(), 0, [false; 3]);

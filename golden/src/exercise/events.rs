@@ -1,27 +1,29 @@
-//! The part of an exercise that nothing answers to: moves, vibrations, noise, and events.
+//! The part of an exercise that does not react to the block: moves, vibrations, noise, and events.
 
 use super::boundaries;
 use crate::stimulus::{Component, Event, Stimulus, Window};
 use crate::waveform::Form;
 use compiler::program::Program;
-use generator::axis::{Axis, Filter};
+use generator::axis::{Axis, Excitation, Filter};
 use portable::Extreme;
 
-/// The first cycle of those that search the boundaries of process data: early, so that a short run has them.
+/// The first cycle of the events at boundaries of process data: early, so that a short run contains them.
 const FIRST_BOUNDARY: u64 = 200;
 
-/// Everything that can happen to a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode
-/// changes, resets, loss of position control, bad samples, wrong cycle times, rest, and both boundaries of process data. Of all this a block gets what it has a signal for.
+/// All events of a block: moves, vibrations at its own frequencies, noise, steps to the limit, mode changes, resets, loss of
+/// position control, bad samples, wrong cycle times, rest, and both boundaries of process data. A block gets those for which
+/// it has a signal.
 pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let has = |name: &str| block.inputs.iter().any(|input| input.path == name);
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
     let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
+    event.extend(axis.excitation.iter().filter(|_| has("hold_to_run")).flat_map(excited));
     event.extend(boundaries::events(block, axis.real, FIRST_BOUNDARY));
     Stimulus { signal, event }
 }
 
-/// The real inputs of all blocks, each with the size that it has at the largest velocity of the axis.
+/// The real inputs of all blocks, each with its size at the largest velocity of the axis.
 fn reals(axis: &Axis) -> [(&'static str, f64); 13] {
     let v_max = axis.ipc.v_max;
     [
@@ -52,7 +54,7 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
         part(Form::Constant, 0.5, Window { at: 31_000, length: 2_000, every: 40_000 }),
     ];
     for stage in axis.ipc.stage.iter().flatten() {
-        // As large as it takes for the stage alone to reach the limit.
+        // Large enough for the stage alone to reach the limit.
         let large = (1.5 * axis.ipc.limit() / stage.weight() / axis.ipc.v_max).smaller(2.0);
         for filter in stage.filter {
             if let Filter::Bandpass { f0, .. } = filter {
@@ -65,6 +67,24 @@ fn components(axis: &Axis, seed: u32, v_max: f64) -> Vec<Component> {
         }
     }
     components
+}
+
+/// A run to its end, if the samples suffice, between short ones; the motor turns round, stands, and sends bad samples.
+fn excited(of: &Excitation) -> Vec<Event> {
+    let speed = format!("{}", 4.0 * of.amplitude);
+    let whole = (of.periods as u64 + 1) * of.sequence.period() as u64 + 3_000;
+    let event = Event::new;
+    vec![
+        event("v_motor", &speed, 0, 0, 0),
+        event("hold_to_run", "1", 20, 700, 1_000),
+        event("v_motor", &format!("-{speed}"), 400, 400, 3_000),
+        event("v_motor", "0", 2_010, 20, 5_000),
+        event("v_motor", "nan", 2_300, 1, 7_000),
+        event("task_cycle_ns", "1", 3_300, 2, 11_000),
+        event("v_motor", &speed, 5_000, whole, 0),
+        event("hold_to_run", "0", 5_000, 2, 0),
+        event("hold_to_run", "1", 5_002, whole, 0),
+    ]
 }
 
 fn events() -> Vec<Event> {

@@ -1,11 +1,11 @@
-//! The exercise of a block: what `verify` runs a user's own blocks with, and how much of the block it reached.
+//! The exercise of a block: the run of `verify` on a user's own blocks, and its coverage.
 //!
 //! ```text
 //! boundaries events at the boundaries of process data
-//! events     moves, vibrations, noise, disturbances: nothing answers to them
+//! events     moves, vibrations, noise, disturbances: they do not react to the block
 //! spindle    the partner of a spindle: an operator, an interpolator, a drive
 //! sets       the supplier of parameter sets: another one, also damaged, late or absent
-//! coverage   what moved, what changed, which states, transitions and sets were reached
+//! coverage   signals that moved or changed; states, transitions and sets that were reached
 //! ```
 
 mod boundaries;
@@ -25,7 +25,7 @@ use generator::blocks::{Block, Designed};
 #[must_use]
 pub fn inputs(designed: &Designed, block: &Block, count: usize) -> Samples {
     let mut stimulus = events::stimulus(&designed.axis, &block.program);
-    // The later events are the stronger ones.
+    // Later events override earlier ones.
     stimulus.event.splice(0..0, sets::other(designed, block));
     stimulus.event.extend(sets::damaged(&block.program));
     let mut partner = spindle::Machinery::of(designed, block);

@@ -5,11 +5,11 @@ use crate::stimulus::{Event, Window};
 use compiler::program::Program;
 use generator::blocks::{Block, Designed};
 
-/// When the other set is offered.
+/// The times at which the other set is offered.
 const OTHER: [Window; 2] =
     [Window { at: 2_000, length: 900, every: 0 }, Window { at: 40_000, length: 15_000, every: 60_000 }];
 
-/// The events that offer it; none, if the block takes no sets.
+/// The events that offer the other set; empty if the block takes no sets.
 ///
 /// # Panics
 /// If the axis with half the limit cannot be designed: a defect of axgen.
@@ -24,7 +24,7 @@ pub(super) fn other(designed: &Designed, block: &Block) -> Vec<Event> {
     OTHER.into_iter().flat_map(|window| offered(&other, window)).collect()
 }
 
-/// Parameter sets that are not the one that the block was generated with: memory that is zero up to the fifth cycle and again
+/// Parameter sets other than the one with which the block was generated: memory of zeros up to the fifth cycle and again
 /// later, a set without a number, another number before its contents, a NaN.
 pub(super) fn damaged(block: &Program) -> Vec<Event> {
     let parts = block.inputs.iter().filter_map(|input| Some((input, block.in_set(input)?)));

@@ -1,5 +1,5 @@
-//! The partner of a spindle: an operator, an interpolator, and a drive that is switched off, keeps its mode and loses samples
-//! now and then. What it does depends on what the block puts out, and on nothing else.
+//! The partner of a spindle: an operator, an interpolator, and a drive that is occasionally switched off, keeps its mode or
+//! loses samples. It depends only on the outputs of the block.
 
 use crate::engine::{self, Cycle};
 use crate::samples::Shape;
@@ -13,21 +13,21 @@ use machine::spindle::operator::{Bad, Operator};
 use portable::Extreme;
 use portable::{Literal, RealKind};
 
-/// Where the spindle stands at first [0.001 deg].
+/// The position of the spindle at the start [0.001 deg].
 const START: f64 = 10_000.0;
-/// How near the actual position is to the target, when a job is done [0.001 deg].
+/// Distance of the actual position from the target at which a job is done [0.001 deg].
 const WINDOW: f64 = 100.0;
-/// All inputs that ask for a job.
+/// All inputs for requests.
 const REQUESTS: [&str; 6] = ["m3", "m4", "m5", "m19", "putax", "g74"];
 
-/// An operator, an interpolator, a drive, and the reference of the block between them.
+/// An operator, an interpolator, a drive, and the reference of the block.
 pub(super) struct Machinery<'a> {
     machine: Machine<'a>,
     step: Cycle,
     signals: Signals,
     answers: Vec<Literal>,
     operator: Operator,
-    /// the mode that the drive displays
+    /// the mode displayed by the drive
     display: i32,
     is_on: bool,
     feedforward: [f64; 2],
@@ -44,7 +44,7 @@ impl Signals {
         Some(number(answers[self.outputs.place(name)?]))
     }
 
-    /// Sets an input; one that the block does not have is passed over.
+    /// Sets an input, if the block has it.
     fn set(&self, inputs: &mut [Literal], name: &str, value: f64) {
         if let Some(at) = self.inputs.place(name) {
             inputs[at] = literal(value, self.inputs.signals[at].ty, self.inputs.real);
@@ -96,7 +96,7 @@ impl Partner for Machinery<'_> {
         let mut seen = spindle_machine::seen(&outputs);
         let resets = operator.next(seen.state, outputs("waiting") == Some(0.0), outputs("fault") == Some(1.0));
         let commanded = machine.next(&seen).or_else(|_| {
-            // After a fault the spindle may be faster than any profile begins.
+            // After a fault the spindle may be faster than the start of any profile.
             machine.restart(seen.x_spindle)?;
             seen.v_spindle = 0.0;
             machine.next(&seen)
@@ -135,7 +135,7 @@ impl Partner for Machinery<'_> {
     }
 }
 
-/// The operator of a spindle: slow is for position control, fast is beyond it.
+/// The operator of a spindle: a slow speed is within position control, a fast one beyond it.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a number of cycles, which saturates")]
 fn operator(axis: &Axis, spindle: &Spindle) -> Operator {
     let [on, off] = [spindle.v_velocity_control_on, spindle.v_position_control_on].map(f64::from);

@@ -1,4 +1,4 @@
-//! The table of mistakes: which of them a recording can have, the most likely ones first, and what each is called.
+//! The table of mistakes: those that a recording can have, the most likely ones first, and their descriptions.
 
 use super::Case;
 use crate::samples::{Samples, Shape};
@@ -13,39 +13,39 @@ pub enum Side {
     Output,
 }
 
-/// A column of a recording: an input by its position among all inputs, an output by its position among those that were recorded.
+/// A column of a recording: an input by its position among all inputs, an output by its position among the recorded ones.
 pub type At = (Side, usize);
 
-/// A mistake that somebody made with a recording, or with the set that it is compared with.
+/// A mistake in a recording, or in the set with which it is compared.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// these columns have the other sign
     Sign(Vec<At>),
     /// these columns are too large by a factor
     Factor(Vec<At>, f64),
-    /// two columns stand for each other
+    /// two columns are swapped
     Swapped(At, At),
-    /// all outputs were recorded a number of cycles late, or early where it is negative
+    /// all outputs were recorded this number of cycles late, or early if it is negative
     OutputsLate(i32),
-    /// one input was recorded a number of cycles later than the others, or earlier where it is negative
+    /// one input was recorded this number of cycles later than the others, or earlier if it is negative
     InputLate(usize, i32),
-    /// every cycle was recorded a number of times; and after how many samples the first one ends
+    /// every cycle was recorded this number of times; and the number of samples after which the first one ends
     Repeated(usize, usize),
-    /// an input without a column was this
+    /// an input without a column had this value
     Constant(usize, Literal),
-    /// an input without a column was the same as another one
+    /// an input without a column was equal to another one
     Same(usize, usize),
     /// the block was generated for this cycle time [ns]
     CycleTime(u32),
     /// the block computes in this real type
     Real(RealKind),
-    /// the block is that of another axis, by its position among the others
+    /// the block is that of another axis, by its position among the other axes
     Axis(usize),
     /// a stage of the block was not active
     StageOff(usize),
 }
 
-/// Times too large: an SI prefix, minutes for seconds, degrees for turns.
+/// Usual wrong factors: an SI prefix, minutes for seconds, degrees for turns.
 const FACTORS: [f64; 8] = [1e3, 1e-3, 60.0, 1.0 / 60.0, 1e6, 1e-6, 360.0, 1.0 / 360.0];
 const CYCLES_LATE: [i32; 20] = [1, -1, 2, -2, 3, -3, 4, -4, 5, -5, 6, -6, 7, -7, 8, -8, 9, -9, 10, -10];
 const CYCLE_TIMES: [u32; 12] = [
@@ -53,7 +53,7 @@ const CYCLE_TIMES: [u32; 12] = [
     10_000_000,
 ];
 
-/// All that the recording can have.
+/// All mistakes that the recording can have.
 pub(super) fn all(case: &Case<'_>) -> Vec<Change> {
     let recording = &case.recording;
     let [inputs, outputs] = [&recording.inputs.shape, &recording.outputs.shape];
@@ -88,7 +88,7 @@ pub(super) fn all(case: &Case<'_>) -> Vec<Change> {
     changes
 }
 
-/// What the inputs without a column can have been.
+/// The possible values of inputs without a column.
 fn without_column(inputs: &Samples, given: &[usize]) -> Vec<Change> {
     let mut changes = Vec::new();
     for (at, signal) in inputs.shape.signals.iter().enumerate().filter(|(at, _)| !given.contains(at)) {
@@ -105,7 +105,7 @@ fn without_column(inputs: &Samples, given: &[usize]) -> Vec<Change> {
     changes
 }
 
-/// What the set can be wrong in.
+/// The possible mistakes in the set.
 fn of_set(case: &Case<'_>) -> Vec<Change> {
     let axis = &case.designed.axis;
     let other_real = match axis.real {
@@ -121,7 +121,7 @@ fn of_set(case: &Case<'_>) -> Vec<Change> {
 }
 
 impl Change {
-    /// What the mistake is, in a sentence.
+    /// A description of the mistake, in a sentence.
     pub(super) fn said(&self, case: &Case<'_>) -> String {
         let recording = &case.recording;
         let name = |(side, at): &At| match side {

@@ -1,4 +1,4 @@
-//! Whether a recording agrees once a mistake is undone.
+//! Whether a recording agrees after a mistake is undone.
 
 use super::change::Change;
 use super::undo::{Undone, undo};
@@ -6,7 +6,7 @@ use super::{Agreement, Case, answers};
 use crate::recording::{Error, Recording};
 use crate::samples::Samples;
 
-/// How all samples agree without this mistake, if they do.
+/// The agreement of all samples without this mistake, if they agree.
 pub(super) fn agrees(case: &Case<'_>, change: &Change) -> Option<Agreement> {
     let Undone { recording, block } = undo(case, change)?;
     let (designed, block) = block.as_ref().map_or((case.designed, case.block), |(designed, block)| (designed, block));
@@ -20,7 +20,7 @@ pub(super) fn agrees(case: &Case<'_>, change: &Change) -> Option<Agreement> {
     agrees.then_some(Agreement::EveryDigit)
 }
 
-/// How the recording differs from answers; `run` gives those to other inputs.
+/// The differences between the recording and answers; `run` returns the answers to other inputs.
 pub(super) fn errors(recording: &Recording, found: &Samples, run: impl Fn(&Samples) -> Samples) -> Vec<Error> {
     let moved = recording.moved_inputs().map(|moved| run(&moved).first(found.len()));
     recording.errors(found, moved.as_ref())

@@ -1,5 +1,5 @@
-//! Which of the commonest mistakes explains that a recording differs: each is undone, and the reference runs again. What does not make
-//! every sample agree, in all its bits or within the digits that were recorded, explains nothing.
+//! The common mistake that explains the differences of a recording: each is undone, and the reference runs again. A mistake
+//! explains them only if every sample then agrees, in all its bits or within the recorded digits.
 
 mod change;
 mod judge;
@@ -13,42 +13,42 @@ use crate::recording::Recording;
 use crate::samples::Samples;
 use generator::blocks::{Block, Designed};
 
-/// A recording with all inputs, and the block that should have made it.
+/// A recording with all inputs, and its expected block.
 pub struct Case<'c> {
     pub designed: &'c Designed,
     pub block: &'c Block,
-    /// its `inputs` are all that the block got, its `given` those that a file says
+    /// its `inputs` are all inputs of the block, its `given` those in a file
     pub recording: Recording,
     /// the other axes of the set
     pub others: Vec<&'c Designed>,
 }
 
-/// What explains a difference.
+/// The explanation of a difference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explanation {
     /// the mistake
     pub said: String,
-    /// how far the recording agrees without it
+    /// the agreement of the recording without it
     pub agreement: Agreement,
 }
 
-/// How far a recording agrees.
+/// The agreement of a recording.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Agreement {
     EveryBit,
-    /// within the digits that were written
+    /// within the written digits
     EveryDigit,
     /// in the samples that the text names
     InPart,
 }
 
-/// Samples after the first difference with which a mistake is tried, before all are.
+/// Number of samples after the first difference with which a mistake is tried before all samples are.
 const TRIAL: usize = 3_000;
-/// More explanations of one recording are not named.
+/// The largest number of explanations of one recording.
 const MOST: usize = 3;
 
-/// The mistakes each of which explains that the recording differs, the most likely ones first; and how many were tried. `first` is
-/// the first sample that differs.
+/// The mistakes that explain the differences of the recording, the most likely ones first; and the number of tried ones.
+/// `first` is the first sample that differs.
 #[must_use]
 pub fn explain(case: &Case<'_>, first: usize) -> (Vec<Explanation>, usize) {
     let changes = change::all(case);
@@ -74,19 +74,19 @@ pub fn explain(case: &Case<'_>, first: usize) -> (Vec<Explanation>, usize) {
 }
 
 impl Case<'_> {
-    /// The same with the first samples only.
+    /// The case with the first samples only.
     fn first(&self, count: usize) -> Self {
         let Self { designed, block, recording, others } = self;
         Case { designed, block, recording: recording.first(count), others: others.clone() }
     }
 
-    /// What the reference answers to other inputs, as far as it was recorded.
+    /// The answers of the reference to other inputs, as far as they were recorded.
     fn answers(&self, inputs: &Samples) -> Samples {
         answers(self.designed, self.block, inputs).only(&self.recording.recorded)
     }
 }
 
-/// What the reference answers.
+/// The answers of the reference.
 fn answers(designed: &Designed, block: &Block, inputs: &Samples) -> Samples {
     engine::run(Engine::Reference, designed, block, inputs)
         .unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"))

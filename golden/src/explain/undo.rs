@@ -1,4 +1,4 @@
-//! A mistake undone: the recording without it, and the block that it is then compared with.
+//! Undoes a mistake: the recording without it, and the block for comparison.
 
 use super::Case;
 use super::change::{At, Change, Side};
@@ -12,11 +12,11 @@ use portable::{Literal, RealKind};
 /// The recording without a mistake.
 pub(super) struct Undone {
     pub recording: Recording,
-    /// the block, where it is another one
+    /// the block, if it is another one
     pub block: Option<(Designed, Block)>,
 }
 
-/// `None`: the recording cannot have this mistake.
+/// `None` if the recording cannot have this mistake.
 pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
     let of = |recording: Recording| Some(Undone { recording, block: None });
     let recording = &case.recording;
@@ -50,7 +50,7 @@ pub(super) fn undo(case: &Case<'_>, change: &Change) -> Option<Undone> {
     }
 }
 
-/// With other values in each sample: all inputs, and the outputs that were recorded.
+/// A recording with changed values in each sample: all inputs, and the recorded outputs.
 fn each(recording: &Recording, mut change: impl FnMut(&mut [Literal], &mut [Literal])) -> Recording {
     let mut changed = recording.first(0);
     let (mut inputs, mut outputs) = (Vec::new(), Vec::new());
@@ -92,7 +92,7 @@ fn swapped(recording: &Recording, one: At, other: At) -> Recording {
     swapped
 }
 
-/// Swaps what belongs to two columns.
+/// Swaps the values of two columns.
 fn swap<T>(inputs: &mut [T], outputs: &mut [T], one: At, other: At) {
     match (one, other) {
         ((Side::Input, one), (Side::Input, other)) => inputs.swap(one, other),
@@ -103,7 +103,7 @@ fn swap<T>(inputs: &mut [T], outputs: &mut [T], one: At, other: At) {
     }
 }
 
-/// The outputs against inputs of other samples; what has no partner is left out.
+/// The outputs with the inputs of other samples; samples without a partner are left out.
 fn outputs_late(recording: &Recording, cycles: i32) -> Option<Recording> {
     let count = usize::try_from(cycles.unsigned_abs()).ok()?;
     let rest = recording.outputs.len().checked_sub(count).filter(|rest| *rest > 0)?;
@@ -115,7 +115,7 @@ fn outputs_late(recording: &Recording, cycles: i32) -> Option<Recording> {
     Some(recording.with_samples(inputs, outputs))
 }
 
-/// One input with the values of other samples; where they lie beyond the first sample, the first one stands.
+/// One input with the values of other samples; before the first sample its first value is used.
 fn input_late(recording: &Recording, at: usize, cycles: i32) -> Option<Recording> {
     let count = usize::try_from(cycles.unsigned_abs()).ok()?;
     let rest = recording.outputs.len().checked_sub(count).filter(|rest| *rest > 0)?;
@@ -135,7 +135,7 @@ fn input_late(recording: &Recording, at: usize, cycles: i32) -> Option<Recording
     Some(changed)
 }
 
-/// One sample of each run of equal ones.
+/// One sample of each run of repeated ones.
 fn every(recording: &Recording, times: usize, first: usize) -> Option<Recording> {
     let is_new = |sample: usize| sample == 0 || sample % times == first % times;
     let samples = recording.outputs.len();
@@ -148,7 +148,7 @@ fn every(recording: &Recording, times: usize, first: usize) -> Option<Recording>
     Some(recording.with_samples(recording.inputs.samples(&chosen), recording.outputs.samples(&chosen)))
 }
 
-/// The recording as that of the same block of another axis.
+/// The recording as that of this block of another axis.
 fn other_block(case: &Case<'_>, designed: Designed) -> Option<Undone> {
     let block = named_block(&designed, case.block.program.block).ok()?;
     let shape = |variables| Shape::of(variables, designed.axis.real);
@@ -168,13 +168,13 @@ fn other_block(case: &Case<'_>, designed: Designed) -> Option<Undone> {
     }
     recording.outputs = in_real(&old.outputs, designed.axis.real);
     (recording.given, recording.recorded) = (given, recorded);
-    // What was read as single precision has lost the digits of a double.
+    // A value that was read as single precision has lost the digits of a double.
     let is_longer = old.inputs.shape.real == RealKind::F32 && designed.axis.real == RealKind::F64;
     let recording = if is_longer { recording.inexact(None) } else { recording };
     Some(Undone { recording, block: Some((designed, block)) })
 }
 
-/// The same values in another real type.
+/// The values in another real type.
 fn in_real(samples: &Samples, real: RealKind) -> Samples {
     let shape = Shape { real, signals: samples.shape.signals.clone() };
     let mut converted = Samples::with_capacity(shape.clone(), samples.len());

@@ -1,4 +1,4 @@
-//! Mistakes that a block forgets: its state was another one for a while, and then every sample agrees again.
+//! Mistakes whose effect decays: the state differed for a while, and then every sample agrees again.
 
 use super::judge::errors;
 use super::{Agreement, Case, Explanation};
@@ -8,17 +8,17 @@ use crate::subject::{literal, number};
 use compiler::program::Type;
 use portable::Literal;
 
-/// How many mistakes are tried here.
+/// The number of mistakes that are tried here.
 pub(super) const TRIED: usize = 2;
-/// A recording that starts in the middle differs at once.
+/// A recording that starts in the middle differs within this number of samples.
 const AT_ONCE: usize = 5;
-/// A state decays, and its last bits need longer than a recording is: this number of digits must agree again.
+/// The last bits of a state need longer to decay than a recording lasts: this number of digits must agree again.
 const DIGITS: usize = 9;
 /// The part of the recording that must agree again.
 const AGREEING: usize = 4;
-/// More lost samples are not counted.
+/// The largest number of lost samples that is tried.
 const MOST_LOST: usize = 20;
-/// How many times smaller the error is with the lost samples put back.
+/// The factor by which the error decreases when the lost samples are restored.
 const SMALLER: f64 = 5.0;
 
 /// Whether the recording starts in the middle, or lacks samples at one place.
@@ -32,7 +32,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Explanation> {
     }
     let ranges = errors.iter().filter_map(|error| error.unexplained);
     let [first, last] = ranges.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])?;
-    // Enough must agree afterwards, while something moves.
+    // The remaining part must be long enough and contain motion.
     let agreeing = last + 1..samples;
     let moves = agreeing.clone().skip(1).any(|sample| recording.outputs.differs(sample - 1, sample));
     if !moves || AGREEING * agreeing.len() < samples || last - first < AT_ONCE {
@@ -50,7 +50,7 @@ pub(super) fn explain(case: &Case<'_>) -> Option<Explanation> {
     Some(Explanation { said, agreement: Agreement::InPart })
 }
 
-/// How many samples make the error much smaller once they are put back before the first difference.
+/// The number of samples that make the error much smaller when they are inserted before the first difference.
 fn lost(case: &Case<'_>, recording: &Recording, found: &Samples, [first, last]: [usize; 2]) -> Option<usize> {
     let window = |answers: &Samples| largest(&recording.outputs.between(first, last), &answers.between(first, last));
     let before = window(found);
@@ -64,7 +64,7 @@ fn lost(case: &Case<'_>, recording: &Recording, found: &Samples, [first, last]: 
     (error * SMALLER <= before).then_some(count)
 }
 
-/// With samples on straight lines before one of them; signals that are not reals stay.
+/// The inputs with interpolated samples inserted before one of them; signals that are not reals stay constant.
 fn inserted(inputs: &Samples, at: usize, count: usize) -> Samples {
     let mut longer = inputs.first(at);
     let (mut from, mut to) = (Vec::new(), Vec::new());

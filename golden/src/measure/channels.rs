@@ -1,4 +1,4 @@
-//! The columns of a table as channels: their values as numbers, and when they were taken. Nothing of an axis is computed.
+//! The columns of a table as channels: their values as numbers, and their sampling times. Nothing of an axis is computed.
 
 use super::unit::{Quantity, Unit};
 use crate::instants::Instants;
@@ -23,7 +23,7 @@ pub const SIGNALS: [(&str, Quantity); 10] = [
     ("following_error", Quantity::Position),
     ("a_load", Quantity::Acceleration),
 ];
-/// Signals of blocks that a recording may have too.
+/// Signals of blocks that a recording may contain, too.
 const OTHERS: [&str; 9] = [
     "mode",
     "position_controlled",
@@ -35,41 +35,41 @@ const OTHERS: [&str; 9] = [
     "error_id",
     "x_drive",
 ];
-/// A step of that many intervals is a gap.
+/// A step of more than this number of intervals is a gap.
 const GAP: f64 = 1.5;
 
 /// One channel.
 #[derive(Clone, Debug)]
 pub struct Channel {
-    /// the signal that it is
+    /// its signal
     pub signal: &'static str,
     pub quantity: Quantity,
-    /// none: it is not known
+    /// `None` if it is unknown
     pub unit: Option<Unit>,
-    /// whether the name of the column states it
+    /// whether the name of the column contains the unit
     pub is_stated: bool,
     pub values: Vec<f64>,
     pub timing: Timing,
 }
 
-/// When the samples of a channel were taken.
+/// The sampling times of a channel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timing {
-    /// the sampling interval [s]; none: nothing says it
+    /// the sampling interval [s]; `None` if it is unknown
     pub interval: Option<f64>,
-    /// how far a step is from it at most, gaps apart [s]
+    /// largest deviation of a step from it, except gaps [s]
     pub jitter: f64,
-    /// missing samples, and the line before which the first ones are missing
+    /// number of missing samples, and the line before which the first ones are missing
     pub missing: usize,
     pub first_gap: Option<usize>,
-    /// when the first sample was taken [ns]; none: only rows are known
+    /// time of the first sample [ns]; `None` if only rows are known
     pub begins: Option<i128>,
 }
 
-/// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` names the signal of a column with another name.
+/// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` assigns signals to columns with other names.
 ///
 /// # Errors
-/// All mistakes: unknown and repeated columns, short rows, cells that are not finite numbers.
+/// All errors: unknown and repeated columns, short rows, cells that are not finite numbers.
 pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> {
     let shape = Shape { real: RealKind::F64, signals: SIGNALS.iter().map(|(name, _)| real(name)).collect() };
     let found = signals::of_columns(table, &shape, &OTHERS, &with_units(table, map))?;
@@ -110,7 +110,7 @@ fn bracket(name: &str) -> Option<(&str, &str)> {
     Some((name.trim(), unit.trim_end_matches([']', ')']).trim()))
 }
 
-/// The map, and the columns whose names are those of signals but for a unit.
+/// The map, extended by the columns whose names are those of signals with a unit.
 fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
     let is_mapped = |name: &str| map.iter().any(|(mapped, _)| mapped == name);
     let of = |column: &Column<'_>| {
@@ -121,7 +121,7 @@ fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
     map.iter().cloned().chain(table.columns.iter().filter_map(of)).collect()
 }
 
-/// Reads all rows once; gives what is wrong, the first of each kind.
+/// Reads all rows once; returns the first error of each kind.
 fn rows<'t>(
     table: &Table<'t>,
     chosen: &[(&Column<'_>, usize)],
@@ -165,7 +165,7 @@ fn rows<'t>(
     wrong_row.into_iter().chain(wrong_cells.into_iter().flatten()).collect()
 }
 
-/// Of a column of times.
+/// The timing of a column of times.
 fn timing(times: &Instants<'_>) -> Timing {
     let Some(seconds) = times.seconds() else { return Timing::default() };
     let steps = || seconds.windows(2).map(|pair| pair[1] - pair[0]);
@@ -180,7 +180,7 @@ fn timing(times: &Instants<'_>) -> Timing {
         let cycles = if is_gap(&step) { libm::round(step / usual) } else { 1.0 };
         (sum, count, missing) = (sum + step, count + cycles, missing + cycles - 1.0);
     }
-    // Times are written with few digits: their mean step is more exact than any of them.
+    // Times are written with few digits: their mean step is more precise than any of them.
     let interval = libm::round(sum / count * 1e9) / 1e9;
     let jitter = steps().filter(|step| !is_gap(step)).fold(0.0, |jitter: f64, step| {
         let apart = libm::round(libm::fabs(step - interval) * 1e9) / 1e9;
@@ -192,7 +192,7 @@ fn timing(times: &Instants<'_>) -> Timing {
     Timing { interval: Some(interval), jitter, missing, first_gap, begins: times.first() }
 }
 
-/// Of a column without times: what the head of an export says.
+/// The timing of a column without times: from the head of an export.
 fn stated_timing(column: &Column<'_>) -> Timing {
     let stated = column.sample_time.and_then(|(text, _)| text.replace(',', ".").parse::<f64>().ok());
     let interval = stated.filter(|ms| ms.is_finite() && *ms > 0.0).map(|ms| ms / 1e3);

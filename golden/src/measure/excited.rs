@@ -1,4 +1,4 @@
-//! The response of a recording that was made with an excitation: where its periods are, its lines, its dead time. No vibration.
+//! The response in a recording with an excitation: its periods, its lines, its dead time. No vibration.
 
 use super::record::Record;
 use super::verdict::Verdict;
@@ -14,40 +14,40 @@ use std::ops::Range;
 /// Clocks [cycles] and bits of the sequences that are tried on `v_excite`.
 const CLOCKS: std::ops::RangeInclusive<u32> = 1..=40;
 const BITS: std::ops::RangeInclusive<u32> = 7..=15;
-/// A sequence is that of the recording where that part of its signs is the same.
+/// A sequence is that of the recording if this part of the signs agrees.
 const SAME_SIGNS: f64 = 0.99;
-/// Two periods of changes are equal above that correlation; of neighbours of one excitation it is that part of the largest.
+/// Two periods of changes are equal above this correlation; for neighbours of one excitation it is relative to the largest.
 const REPEATS: f64 = 0.5;
 const OF_LARGEST: f64 = 0.98;
-/// A relative error that large says nothing of a magnitude when the dead time is looked for: known only where at most such a
-/// part of the lines up to this part of half the sampling frequency is so vague.
+/// A larger relative error makes a line useless for the dead time, which is known only if at most this part of the lines up
+/// to this part of half the sampling frequency is useless.
 const VAGUE: f64 = 0.25;
 const MOST_VAGUE: f64 = 0.1;
 const NEEDED: f64 = 0.8;
 
-/// What an excitation shows.
+/// The result of an excitation.
 #[derive(Clone, Debug)]
 pub struct Excited {
     pub sequence: Sequence,
     /// the samples of the measured periods
     pub measured: Range<usize>,
-    /// as measured, and smoothed: up to half the frequency of the clocks
+    /// as measured and smoothed, up to half the frequency of the clocks
     pub raw: Lines,
     pub lines: Lines,
-    /// none: the lines do not show it
+    /// `None` if the lines do not show it
     pub dead_time: Option<Time>,
     /// `a_load`/`v_motor`, smoothed
     pub load: Option<Lines>,
 }
 
 impl Excited {
-    /// Measured periods M.
+    /// Number of measured periods M.
     #[must_use]
     pub fn periods(&self) -> usize {
         self.measured.len() / self.sequence.period()
     }
 
-    /// The load by the motor at a frequency [Hz].
+    /// The velocity ratio of load and motor at a frequency [Hz].
     pub(super) fn load_at(&self, hz: f64, cycle: f64) -> Option<Complex64> {
         let load = self.load.as_ref()?;
         let [from, to] = load.band()?;
@@ -56,7 +56,7 @@ impl Excited {
     }
 }
 
-/// Measures the response. A sequence that is not given is the one that `v_excite` shows, else the default one of the cycle.
+/// Measures the response. A sequence that is not given is taken from `v_excite`, else the default one of the cycle is used.
 pub(super) fn measure(
     record: &Record,
     given: Option<Sequence>,
@@ -100,7 +100,7 @@ pub(super) fn measure(
     (fits && is_of_task).then_some(excited)
 }
 
-/// Why there is no response.
+/// The reason why there is no response.
 fn said(refused: Refused, measured: &Range<usize>, cycle: f64) -> Verdict {
     match refused {
         Refused::Reverses(at) => Verdict::refusal(
@@ -121,11 +121,12 @@ fn too_few(periods: usize) -> Verdict {
     )
 }
 
-/// The sequence and its measured periods, by what was added. The excitation rises, and falls after its last period.
+/// The sequence and its measured periods, from the excitation. The excitation rises at its start, and falls after its last
+/// period.
 fn of_excitation(excite: &[f64], cycle: f64, given: Option<Sequence>) -> Option<(Sequence, Range<usize>)> {
     let start = excite.iter().position(|value| *value != 0.0)?;
     let end = excite.iter().rposition(|value| *value != 0.0)? + 1;
-    // Of a fade the first sample is 0.
+    // The first sample of a fade is 0.
     let start = start.saturating_sub(1);
     let signs = &excite[start..end];
     let is_it = |sequence: &Sequence| {
@@ -148,7 +149,8 @@ fn of_excitation(excite: &[f64], cycle: f64, given: Option<Sequence>) -> Option<
     Some((sequence, from..(from + periods * period).min(excite.len())))
 }
 
-/// The same by the command alone: where its changes repeat with the period, and are those of the sequence.
+/// The sequence and its measured periods from the command alone: the part where its changes repeat with the period, and are
+/// those of the sequence.
 fn of_command(v_cmd: &[f64], sequence: Sequence) -> Option<(Sequence, Range<usize>)> {
     let period = sequence.period();
     let changes: Vec<f64> = std::iter::once(0.0).chain(v_cmd.windows(2).map(|pair| pair[1] - pair[0])).collect();
@@ -176,7 +178,7 @@ fn of_command(v_cmd: &[f64], sequence: Sequence) -> Option<(Sequence, Range<usiz
     is_of(&changes[from..(from + period).min(changes.len())], &sequence).then_some((sequence, measured))
 }
 
-/// Whether a period of changes is one of the sequence, from any of its samples on.
+/// Whether a period of changes is that of the sequence, starting at any of its samples.
 fn is_of(changes: &[f64], sequence: &Sequence) -> bool {
     let period = sequence.period();
     let signs: Vec<f64> = sequence.signs().take(period + 1).collect();
@@ -188,8 +190,8 @@ fn is_of(changes: &[f64], sequence: &Sequence) -> bool {
     changes.len() == period && (0..period).any(|shift| at(shift) >= REPEATS * both.sqrt())
 }
 
-/// The dead time of lines. Those that are too uncertain, near half the sampling frequency where a clock holds, keep the last
-/// magnitude: there a magnitude turns the phases below by little.
+/// The dead time of lines. Lines that are too uncertain, near half the sampling frequency where a clock is constant, get the
+/// last certain magnitude: these magnitudes hardly affect the phases below.
 fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
     let mut lines = raw.smoothed(cycle);
     let is_vague = |k: &usize| lines.error[*k] > VAGUE * magnitude(lines.response[*k]);
@@ -209,7 +211,7 @@ fn dead_time_of(raw: &Lines, cycle: f64) -> Option<Time> {
     dead_time::of(&lines, cycle)
 }
 
-/// Whether the task of the block can have recorded both channels.
+/// Whether the task of the block may have recorded both channels.
 fn dead_time_is_possible(time: Option<Time>, cycle: f64, verdicts: &mut Vec<Verdict>) -> bool {
     let state =
         "state it: both channels are recorded by the task that runs the block, in the cycle in which it uses them";

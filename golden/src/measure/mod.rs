@@ -1,14 +1,14 @@
-//! What a recording shows of an axis: sampling, units, vibrations, the response of an excitation; and what it cannot show. The
-//! mathematics is that of the crate `identification`. No block, no file.
+//! The properties of an axis in a recording: sampling, units, vibrations, the response to an excitation; and what it cannot
+//! show. The mathematics is in the crate `identification`. No block, no file.
 //!
 //! ```text
-//! verdict     what a recording cannot show
+//! verdict     restrictions of a recording
 //! unit        units, stated or plausible
 //! channels    columns -> channels: values and times
-//! record      channels of one time; the command, segments, clipping
+//! record      channels with common times; the command, segments, clipping
 //! relations   offsets of channels; the gain of the position controller
-//! excited     the response of an excitation
-//! vibrations  lines, decays, poles; the side that they are from
+//! excited     the response to an excitation
+//! vibrations  lines, decays, poles; the side on which they enter
 //! text        the report, and the response as CSV; picture: both over time and frequency
 //! ```
 
@@ -35,12 +35,12 @@ use generator::codes;
 use identification::excitation::Sequence;
 use identification::segments::{self, Kind, Segment};
 
-/// Whether a recording holds an excitation.
+/// Whether a recording contains an excitation.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Excitation {
     /// if `v_excite` is not 0
     AsRecorded,
-    /// yes; bits and clock that are not stated are those of `v_excite`, else the default ones of the cycle
+    /// yes; bits and clock that are not stated are taken from `v_excite`, else the default ones of the cycle
     Stated { bits: Option<u32>, clock: Option<u32> },
 }
 
@@ -54,14 +54,14 @@ impl Excitation {
     }
 }
 
-/// What a recording shows.
+/// The results of a recording.
 #[derive(Clone, Debug)]
 pub struct Measured {
-    /// all that were recorded, as they were sampled
+    /// all recorded channels, as sampled
     pub channels: Vec<Channel>,
-    /// none: they cannot be put together
+    /// `None` if they cannot be combined
     pub record: Option<Record>,
-    /// of the command
+    /// segments of the command
     pub segments: Vec<Segment>,
     pub windows: Windows,
     pub offsets: Vec<Offset>,
@@ -71,7 +71,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Whether something that was asked for is not measured.
+    /// Whether a requested result is missing.
     #[must_use]
     pub fn refuses(&self) -> bool {
         self.verdicts.iter().any(|verdict| verdict.refuses)
@@ -91,8 +91,8 @@ impl Measured {
     }
 }
 
-/// Measures channels. A cycle time [s] is the interval where the file does not say it; `other` is what an excited recording of
-/// the same machine shows.
+/// Measures channels. A cycle time [s] is the interval if the file does not state one; `other` is the result of an excited
+/// recording of the same machine.
 #[must_use]
 pub fn measure(
     mut channels: Vec<Channel>,
@@ -162,7 +162,7 @@ fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
     without.is_empty() && lost.count() == 0 && !channels.is_empty()
 }
 
-/// What moves without an excitation show.
+/// The results of moves without an excitation.
 fn of_moves(measured: &mut Measured, record: &Record, excited: Option<&Excited>) {
     let verdicts = &mut measured.verdicts;
     let instead = "record x_command or v_command with a_load or v_motor, or name them with --map SCOPE=SIGNAL";

@@ -1,4 +1,4 @@
-//! The picture of what was measured: channels over time, spectra and the response over frequency. `svg` draws it.
+//! The picture of the results: channels over time, spectra and the response over frequency. `svg` draws it.
 
 use super::{Excited, Measured, Record};
 use crate::svg::{Across, Curve, Over, Panel, Part, Picture};
@@ -8,12 +8,12 @@ use std::ops::Range;
 
 /// Points of a curve, at most.
 const MOST: usize = 2500;
-/// The spectra begin there [Hz], and end there or at half the sampling frequency.
+/// Range of the spectra [Hz]; they end at half the sampling frequency at the latest.
 const BAND: [f64; 2] = [2.0, 250.0];
-/// A phase that changes by more between two points has passed 180 degrees.
+/// A larger change of the phase between two points means that it has passed 180 degrees.
 const JUMP: f64 = 180.0;
 
-/// The picture of a recording, with the response of this one or of another one; none: there is nothing over time.
+/// The picture of a recording, with the response of this one or of another one; `None` if there is no curve over time.
 #[must_use]
 pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
     let record = measured.record.as_ref()?;
@@ -41,7 +41,7 @@ pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
     Some(picture.svg())
 }
 
-/// A panel for each channel, velocities of one unit in one.
+/// A panel for each channel; velocities with one unit share a panel.
 fn over_time(record: &Record) -> Vec<Panel> {
     let step = record.samples().div_ceil(MOST).max(1);
     let mut panels: Vec<(String, Vec<Curve>)> = Vec::new();
@@ -62,7 +62,7 @@ fn over_time(record: &Record) -> Vec<Panel> {
     panels.into_iter().map(|(name, curves)| Panel::curves(name, curves)).collect()
 }
 
-/// Of the channel that shows most: the load's, else the motor's.
+/// The spectra of the most informative channel: of the load, else of the motor.
 fn spectra(measured: &Measured, record: &Record, band: [f64; 2]) -> Vec<Panel> {
     let channel = ["a_load", "v_direct", "v_motor"].into_iter().find_map(|name| record.channel(name));
     let Some(channel) = channel else { return Vec::new() };

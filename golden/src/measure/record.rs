@@ -1,4 +1,4 @@
-//! Channels as samples of one time, and what follows from them: the command, the following error, segments. No spectrum.
+//! Channels as samples with common times, and derived signals: the command, the following error, segments. No spectrum.
 
 use super::channels::{Channel, Timing};
 use super::unit::{Quantity, Unit, is_near};
@@ -7,20 +7,20 @@ use generator::codes;
 use portable::{Extreme, peak};
 use std::borrow::Cow;
 
-/// Times over which the command is smoothed twice [s]: of a planned position only its digits need it, of a controller's output
-/// the vibration that it feeds back.
+/// Times over which the command is smoothed twice [s]: for a planned position because of its digits, for a controller's
+/// output because of the vibration that it feeds back.
 const OF_POSITION: f64 = 0.01;
 const OF_VELOCITY: f64 = 0.1;
-/// Intervals that are equal, as a part; samples that are together, and uneven ones, as a part of an interval.
+/// Tolerances: for equal intervals, relative; for simultaneous samples and for jitter, relative to an interval.
 const SAME_INTERVAL: f64 = 1e-3;
 const TOGETHER: f64 = 0.25;
-/// A command below that many rms values of what smoothing takes from it does not move the axis.
+/// The axis moves if the command exceeds this multiple of the rms value that smoothing removes from it.
 const MOVES: f64 = 3.0;
-/// A clipped channel stays at its largest value for this number of samples, this often, and comes there by this part of its
-/// range in a sample.
+/// A clipped channel stays at its largest value for this number of samples, this number of times, after a change of this
+/// part of its range in one sample.
 const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
 
-/// All channels of one interval, from the latest first sample to the earliest last one.
+/// All channels with one interval, from the latest first sample to the earliest last one.
 #[derive(Clone, Debug)]
 pub struct Record {
     /// T [s]
@@ -29,7 +29,7 @@ pub struct Record {
 }
 
 impl Record {
-    /// Puts channels together; none of them has gaps. The verdicts are about those that are left out.
+    /// Combines channels without gaps. The verdicts are about channels that are left out.
     pub(super) fn new(mut channels: Vec<Channel>, verdicts: &mut Vec<Verdict>) -> Option<Self> {
         let of = |names: &[&str]| channels.iter().find(|channel| names.contains(&channel.signal));
         let cycle = of(&["v_motor"]).or(channels.first())?.timing.interval?;
@@ -77,7 +77,7 @@ impl Record {
         self.channels.first().map_or(0, |channel| channel.values.len())
     }
 
-    /// What is commanded to the drive: `v_cmd`, or the sum of what it is made of.
+    /// The command to the drive: `v_cmd`, or the sum of its parts.
     #[must_use]
     pub fn v_cmd(&self) -> Option<Cow<'_, [f64]>> {
         if let Some(v_cmd) = self.get("v_cmd") {
@@ -90,7 +90,7 @@ impl Record {
         Some(Cow::Owned(sum))
     }
 
-    /// Command less position of the motor.
+    /// The following error: command minus position of the motor.
     #[must_use]
     pub fn following_error(&self) -> Option<Cow<'_, [f64]>> {
         let difference = || {
@@ -100,7 +100,7 @@ impl Record {
         self.get("following_error").map(Cow::Borrowed).or_else(difference)
     }
 
-    /// The unit of a signal, and of the following error, which may be that of its parts.
+    /// The unit of a signal, or of the following error, which may be that of its parts.
     #[must_use]
     pub fn unit(&self, signal: &str) -> Option<Unit> {
         let known = self.channel(signal).and_then(|channel| channel.unit);
@@ -116,7 +116,7 @@ impl Record {
         }
     }
 
-    /// The commanded velocity, smooth, in the unit of its channel (of a position: by s); whether it moves the axis.
+    /// The commanded velocity, smoothed, in the unit of its channel (for a position per s); and whether it moves the axis.
     pub(super) fn command(&self) -> Option<(Vec<f64>, bool)> {
         let (raw, time) = match self.get("x_command") {
             Some(x) => (rate(x, self.cycle), OF_POSITION),
@@ -128,7 +128,8 @@ impl Record {
         Some((smooth, moves))
     }
 
-    /// The units that the columns do not state, and what does not fit: whether a response between both velocities is possible.
+    /// Infers the units that the columns do not state, and reports contradictions; returns whether a response between both
+    /// velocities is possible.
     pub(super) fn find_units(&mut self, verdicts: &mut Vec<Verdict>) -> bool {
         let velocity = ["v_motor", "v_cmd", "v_command"].into_iter().find_map(|name| self.channel(name));
         let of_velocity = velocity.and_then(|of| of.unit.or_else(|| Unit::of_velocity(peak(&of.values))));
@@ -165,14 +166,14 @@ impl Record {
         false
     }
 
-    /// The unit of `v_motor` by that of the command, where both are stated; else 1.
+    /// The unit of `v_motor` divided by that of the command, if both are stated; else 1.
     pub(super) fn velocity_ratio(&self) -> f64 {
         let stated = |name: &str| self.channel(name).filter(|channel| channel.is_stated)?.unit;
         let command = stated("v_cmd").or_else(|| stated("v_command"));
         stated("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.size / command.size)
     }
 
-    /// Sensors that are at their limit.
+    /// Reports sensors that are at their limit.
     pub(super) fn find_clipping(&self, verdicts: &mut Vec<Verdict>) {
         for name in ["v_motor", "v_direct", "a_load"] {
             let Some(at) = self.get(name).and_then(clipped) else { continue };
@@ -188,7 +189,7 @@ impl Record {
     }
 }
 
-/// Whether two intervals are equal, nearly.
+/// Whether two intervals are almost equal.
 pub(crate) fn is_same(a: f64, b: f64) -> bool {
     libm::fabs(a / b - 1.0) < SAME_INTERVAL
 }
@@ -197,7 +198,7 @@ fn shown(interval: Option<f64>) -> String {
     interval.map_or_else(|| "an unknown number of".to_owned(), |interval| (interval * 1e3).to_string())
 }
 
-/// The sample in which a signal first stays at an end of its range, if it does so suddenly and again.
+/// The sample in which a signal first stays at an end of its range, if it does so suddenly and repeatedly.
 fn clipped(values: &[f64]) -> Option<usize> {
     let (length, often, sudden) = CLIPPED;
     let low = values.iter().copied().fold(f64::INFINITY, f64::smaller);
@@ -217,18 +218,18 @@ fn clipped(values: &[f64]) -> Option<usize> {
     None
 }
 
-/// Changes by s.
+/// The change per second.
 pub(super) fn rate(x: &[f64], cycle: f64) -> Vec<f64> {
     std::iter::once(0.0).chain(x.windows(2).map(|pair| (pair[1] - pair[0]) / cycle)).collect()
 }
 
-/// The least squares factor from x to y; none: x is 0.
+/// The least squares factor from x to y; `None` if x is 0.
 fn slope(x: &[f64], y: &[f64]) -> Option<f64> {
     let (xy, xx) = x.iter().zip(y).fold((0.0, 0.0), |(xy, xx), (x, y)| (xy + x * y, xx + x * x));
     (xx > 0.0).then(|| xy / xx)
 }
 
-/// Means over that many samples, the middle one at its place.
+/// Moving averages over this number of samples, centred.
 fn smoothed(values: &[f64], samples: f64) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred samples")]
     let half = (libm::round(samples / 2.0)) as usize;

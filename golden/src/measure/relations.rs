@@ -1,4 +1,5 @@
-//! What channels with a known relation show: how much later one is, and the gain of the position controller. No response.
+//! Results from channels with a known relation: the delay of one of them, and the gain of the position controller. No
+//! response.
 
 use super::record::{Record, rate};
 use super::verdict::Verdict;
@@ -8,23 +9,23 @@ use portable::Extreme;
 use stability::Complex64;
 use std::f64::consts::TAU;
 
-/// An offset of that part of a cycle, and of that many standard errors, is one.
+/// An offset counts if it exceeds this part of a cycle, and this number of standard errors.
 const LATE: f64 = 0.25;
 const ERRORS: f64 = 3.0;
-/// Limits of Kv [1/s], and of what it leaves of `v_command`, as a part.
+/// Limits of Kv [1/s], and of its residual of `v_command`, as a part.
 const KV: [f64; 2] = [1.0, 500.0];
 const LEFT: f64 = 0.05;
 
-/// How much later one channel is than another one.
+/// The delay of one channel relative to another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Offset {
     pub of: &'static str,
     pub to: &'static str,
-    /// none: the recording does not determine it
+    /// `None` if the recording does not determine it
     pub time: Option<Time>,
 }
 
-/// The offsets of all pairs whose relation is known: a position and its velocity, a velocity twice.
+/// The offsets of all pairs with a known relation: a position and its velocity, or one velocity twice.
 pub(super) fn offsets(record: &Record, verdicts: &mut Vec<Verdict>) -> Vec<Offset> {
     let cycle = record.cycle;
     let mut found = Vec::new();
@@ -55,7 +56,8 @@ pub(super) fn offsets(record: &Record, verdicts: &mut Vec<Verdict>) -> Vec<Offse
     found
 }
 
-/// Kv [1/s] by `v_command = Kv e + k v_planned`, least squares; none: channels or units are not known, or do not show it.
+/// Kv [1/s] from `v_command = Kv e + k v_planned`, least squares; `None` if channels or units are unknown, or if the
+/// channels do not determine it.
 pub(super) fn position_gain(record: &Record) -> Option<f64> {
     let (command, x) = record.channel("v_command").zip(record.channel("x_command"))?;
     let (v_unit, x_unit, error_unit) = (command.unit?.size, x.unit?.size, record.unit("following_error")?.size);

@@ -1,4 +1,4 @@
-//! What was measured, for people, and the response as the file that `drive.response` reads.
+//! The results as text for readers, and the response as the file for `drive.response`.
 
 use super::{Channel, Excited, Measured, Offset, Vibration, When};
 use identification::response::in_db_and_degrees;
@@ -51,7 +51,7 @@ fn of_channel(channel: &Channel) -> String {
     format!("{}: {unit}, {} samples{every}{jitter}{missing}\n", channel.signal, channel.values.len())
 }
 
-/// A number without the digits that only its binary form has.
+/// A number without digits that only its binary form has.
 fn digits(value: f64) -> String {
     (libm::round(value * 1e6) / 1e6).to_string()
 }
@@ -74,7 +74,7 @@ fn of_segments(measured: &Measured) -> String {
     format!("segments: {all}; constant speed {} {unit}\n", speeds.join(", "))
 }
 
-/// As a machine-readable report calls it.
+/// Its name in a machine-readable report.
 #[must_use]
 pub fn word(kind: Kind) -> &'static str {
     match kind {
@@ -121,7 +121,7 @@ fn of_vibration(measured: &Measured, vibration: &Vibration) -> String {
     text + "\n"
 }
 
-/// As a machine-readable report calls it.
+/// Its name in a machine-readable report.
 #[must_use]
 pub fn side_word(side: Side) -> &'static str {
     match side {

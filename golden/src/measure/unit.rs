@@ -1,6 +1,6 @@
-//! Units of channels: as the name of a column states them, or by what is plausible for a machine. No file.
+//! Units of channels: as stated in the name of a column, or as plausible for a machine. No file.
 
-/// What a channel measures.
+/// The quantity of a channel.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Quantity {
     Velocity,
@@ -16,11 +16,11 @@ pub struct Unit {
     pub size: f64,
 }
 
-/// How far a ratio of two channels may be from the ratio of their units, as a factor.
+/// Largest deviation of the ratio of two channels from the ratio of their units, as a factor.
 const NEAR: f64 = 1.3;
-/// The peak velocity of a move [m/s], from and below. The ranges of m/s, mm/s and um/s meet.
+/// Range of the peak velocity of a move [m/s]. The ranges for m/s, mm/s and um/s are adjacent.
 const PEAK_VELOCITY: [f64; 2] = [5e-3, 5.0];
-/// The peak following error [m], and the peak acceleration [m/s^2].
+/// Ranges of the peak following error [m], and of the peak acceleration [m/s^2].
 const PEAK_ERROR: [f64; 2] = [2e-5, 2e-2];
 const PEAK_ACCELERATION: [f64; 2] = [0.05, 50.0];
 
@@ -37,7 +37,7 @@ impl Quantity {
         }
     }
 
-    /// The units of which one can be found by its numbers alone: neighbours are 1000 apart.
+    /// The units that can be inferred from the numbers alone: neighbours differ by a factor of 1000.
     fn by_numbers(self) -> impl Iterator<Item = Unit> {
         self.units().iter().copied().filter(|unit| !matches!(unit.name, "m/min" | "g"))
     }
@@ -48,35 +48,35 @@ const fn unit(name: &'static str, size: f64) -> Unit {
 }
 
 impl Unit {
-    /// The unit that a name states.
+    /// The unit in a name.
     pub(super) fn named(quantity: Quantity, name: &str) -> Option<Self> {
         let plain = name.replace(['\u{b5}', '\u{3bc}'], "u").replace('\u{b2}', "^2").replace("s2", "s^2");
         quantity.units().iter().find(|unit| unit.name == plain).copied()
     }
 
-    /// Of a velocity, by its peak.
+    /// The unit of a velocity, from its peak.
     pub(super) fn of_velocity(peak: f64) -> Option<Self> {
         plausible(Quantity::Velocity, peak, PEAK_VELOCITY)
     }
 
-    /// Of a following error, by its peak.
+    /// The unit of a following error, from its peak.
     pub(super) fn of_error(peak: f64) -> Option<Self> {
         plausible(Quantity::Position, peak, PEAK_ERROR)
     }
 
-    /// Of an acceleration, by its peak.
+    /// The unit of an acceleration, from its peak.
     pub(super) fn of_acceleration(peak: f64) -> Option<Self> {
         plausible(Quantity::Acceleration, peak, PEAK_ACCELERATION)
     }
 
-    /// Of a position, by its changes per second as a part of a velocity with a unit.
+    /// The unit of a position, from its change per second divided by a velocity with a known unit.
     pub(super) fn of_position(slope: f64, velocity: Self) -> Option<Self> {
         let size = velocity.size / slope;
         Quantity::Position.by_numbers().find(|unit| is_near(size / unit.size))
     }
 }
 
-/// Whether a ratio is 1, nearly.
+/// Whether a ratio is almost 1.
 pub(super) fn is_near(ratio: f64) -> bool {
     (1.0 / NEAR..=NEAR).contains(&ratio)
 }

@@ -1,11 +1,11 @@
-//! What a recording cannot show, and what to record instead. Nothing is found here.
+//! The restrictions of a recording, and what to record instead. Nothing is detected here.
 
 /// One sentence about a recording.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
     /// the code of its message
     pub code: &'static str,
-    /// whether something that was asked for is not measured because of it
+    /// whether it prevents a requested measurement
     pub refuses: bool,
     /// what was found
     pub found: String,
@@ -14,12 +14,12 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// Something is not measured.
+    /// A verdict that prevents a measurement.
     pub(crate) fn refusal(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: true, found: found.into(), instead }
     }
 
-    /// Something is measured, but its reader has to know or to state something.
+    /// A verdict on a measurement about which the reader has to know or to state something.
     pub(crate) fn note(code: &'static str, found: impl Into<String>, instead: &'static str) -> Self {
         Self { code, refuses: false, found: found.into(), instead }
     }

@@ -1,4 +1,5 @@
-//! Vibrations of a recording: lines while driving, decays after ramps, poles of a response; on which side they enter. No file.
+//! Vibrations of a recording: lines while driving, decays after ramps, poles of a response; and the side on which they
+//! enter. No file.
 
 use super::excited::Excited;
 use super::record::Record;
@@ -14,24 +15,25 @@ use stability::magnitude;
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// What vibrations are looked for in.
+/// The channels that are examined for vibrations.
 const LOOKED_AT: [&str; 4] = ["a_load", "v_direct", "v_motor", "following_error"];
-/// Peaks of a spectrum that count: how many, which part of the strongest one's amplitude, how exact in 1/(length of the window).
+/// Peaks of a spectrum that count: their number, their amplitude relative to the strongest one, their precision in 1/(length
+/// of the window).
 const MOST: usize = 3;
 const WEAKEST: f64 = 0.1;
 const LEAST_EXACT: f64 = 0.1;
-/// Ramps whose decays are taken, at most.
+/// The largest number of ramps whose decays are used.
 const RAMPS: usize = 8;
-/// Limits of a decay that is believed: damping; relative errors of frequency and damping; how far it may be from its peak.
+/// Limits of a valid decay: damping; relative errors of frequency and damping; distance from its peak.
 const DAMPING: [f64; 2] = [5e-4, 0.4];
 const ERRORS: [f64; 2] = [0.03, 0.5];
 const FROM_PEAK: f64 = 0.15;
-/// Speeds that are one, as a part.
+/// Relative tolerance for equal speeds.
 const SAME_SPEED: f64 = 0.05;
-/// A pole is looked for where a response is the largest within that part of its frequency.
+/// A pole is searched where a response is the largest within this part of its frequency.
 const ABOUT: f64 = 0.12;
 
-/// When a vibration is seen.
+/// The time in which a vibration is visible.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum When {
     Driving,
@@ -47,18 +49,18 @@ pub struct Vibration {
     /// [Hz], and its standard error
     pub hz: f64,
     pub hz_error: f64,
-    /// and its standard error; none: it is forced, or does not show it
+    /// damping and its standard error; `None` if it is forced, or if the channel does not show it
     pub damping: Option<[f64; 2]>,
     /// in the unit of the channel
     pub amplitude: f64,
     pub is_forced: bool,
     pub competes: bool,
     pub is_at_edge: bool,
-    /// frequency by speed, in the unit of the command, where two speeds show the same
+    /// frequency divided by speed, in the unit of the command, if it is equal at two speeds
     pub order: Option<f64>,
-    /// none: unknown
+    /// `None` if unknown
     pub source: Option<Side>,
-    /// the samples in which it is seen
+    /// the samples in which it is visible
     windows: Vec<Range<usize>>,
 }
 
@@ -87,7 +89,7 @@ impl Windows {
     }
 }
 
-/// A signal with what is known of its record.
+/// The examined signals of a record.
 pub(super) fn signals(record: &Record) -> Vec<(&'static str, Cow<'_, [f64]>)> {
     let of = |name: &'static str| match name {
         "following_error" => record.following_error().map(|error| (name, error)),
@@ -102,7 +104,8 @@ pub(super) fn of_moves(record: &Record, windows: &Windows, kv: Option<f64>) -> V
     for (channel, signal) in signals(record) {
         let mut found = driving(channel, &signal, windows, record.cycle);
         let forced: Vec<f64> = found.iter().map(|vibration| vibration.hz).collect();
-        // The position loop settles in what belongs to the motor; in the following error that hides all else without Kv.
+        // Signals of the motor contain the decay of the position loop; in the following error without Kv it hides everything
+        // else.
         let companions = Companions { position_gain: kv.filter(|_| channel != "a_load"), forced: &forced };
         if channel != "following_error" || kv.is_some() {
             found.extend(ramps(channel, &signal, &windows.ramps, record.cycle, companions));
@@ -112,7 +115,7 @@ pub(super) fn of_moves(record: &Record, windows: &Windows, kv: Option<f64>) -> V
     all
 }
 
-/// Those peaks of a spectrum that noise does not make.
+/// The peaks of a spectrum that are not noise.
 fn strong(spectrum: &Spectrum, least: f64) -> Vec<Peak> {
     let peaks = spectrum.peaks();
     let first = peaks.first().map_or(0.0, |peak| peak.amplitude);
@@ -122,7 +125,7 @@ fn strong(spectrum: &Spectrum, least: f64) -> Vec<Peak> {
     peaks.into_iter().filter(counts).take(MOST).collect()
 }
 
-/// Lines that stand at constant speed.
+/// Steady lines at constant speed.
 fn driving(channel: &'static str, signal: &[f64], windows: &Windows, cycle: f64) -> Vec<Vibration> {
     let mut found: Vec<(f64, Vibration)> = Vec::new();
     for (speed, of) in &windows.driving {
@@ -162,7 +165,7 @@ fn of_peak(channel: &'static str, peak: &Peak, windows: &[Range<usize>]) -> Vibr
     }
 }
 
-/// What decays after ramps.
+/// Vibrations that decay after ramps.
 fn ramps(
     channel: &'static str,
     signal: &[f64],
@@ -206,7 +209,7 @@ fn of_decay(line: Vibration, decay: &Decay, when: When) -> Vibration {
     }
 }
 
-/// The poles of the response that an excitation shows.
+/// The poles of the measured response.
 pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
     let lines = &excited.lines;
     let size: Vec<f64> = lines.response.iter().map(|p| magnitude(*p)).collect();
@@ -231,9 +234,9 @@ pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
     (0..size.len()).filter(is_largest).filter_map(of).collect()
 }
 
-/// On which side vibrations of a move enter; says for which it is not known. What decays after a ramp was excited by the
-/// command, at the motor; a decay has no ratio that the steady one of an excitation could be compared with. The others by
-/// the recording of an excitation.
+/// Determines the side on which vibrations of a move enter; reports vibrations for which it is unknown. A vibration that
+/// decays after a ramp was excited by the command, at the motor; its ratio cannot be compared with the steady one of an
+/// excitation. For the others the recording of an excitation decides.
 pub(super) fn find_sides(
     vibrations: &mut [Vibration],
     record: &Record,
@@ -261,7 +264,7 @@ pub(super) fn find_sides(
 fn side_of(vibration: &Vibration, record: &Record, excited: Option<&Excited>) -> Option<Side> {
     let (a_load, v_motor) = record.get("a_load").zip(record.get("v_motor"))?;
     let excited = excited?.load_at(vibration.hz, record.cycle)?;
-    // A line of the motor that noise hides says nothing.
+    // A line of the motor that is hidden by noise contains no information.
     let spectrum = Spectrum::of(v_motor, &vibration.windows, record.cycle)?;
     let near = 2.0 * spectrum.resolution;
     spectrum.strongest([vibration.hz - near, vibration.hz + near])?;
@@ -269,7 +272,7 @@ fn side_of(vibration: &Vibration, record: &Record, excited: Option<&Excited>) ->
     Some(side(moving, excited))
 }
 
-/// What is in doubt.
+/// Reports doubtful vibrations.
 pub(super) fn find_doubts(vibrations: &[Vibration], verdicts: &mut Vec<Verdict>) {
     for vibration in vibrations.iter().filter(|vibration| vibration.competes || vibration.is_at_edge) {
         let why = if vibration.competes { "a second peak is nearly as strong" } else { "it is at the edge" };

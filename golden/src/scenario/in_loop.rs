@@ -1,4 +1,4 @@
-//! The blocks of a program one after the other, on an axis in its loop: until the program or the scenario ends.
+//! Runs the blocks of a program one after the other, on an axis in its loop, until the program or the scenario ends.
 
 use super::notes::{Counted, Note};
 use super::{MOST, Scenario, Step, refused};
@@ -9,30 +9,30 @@ use generator::blocks::{Block, Designed};
 use generator::codes;
 use nc::{Command, Mistake, Program};
 
-/// Within which a limit is one in single precision.
+/// Tolerance for comparing limits in single precision.
 const ROUNDING: f64 = 1e-6;
 /// Cycles before the first block, and after the last one.
 const REST: usize = 20;
 
-/// The block of an axis in its loop, and what its cycles show.
+/// The block of an axis in its loop, and the record of its cycles.
 pub(super) struct Run<'d> {
     pub(super) designed: &'d Designed,
     pub(super) subject: Subject,
     /// feeds or speeds above vb_max
     pub(super) limited: Counted,
-    /// commands of another drive
+    /// commands to other drives
     pub(super) other: Counted,
     at_limit: AtLimit,
     is_stable: bool,
-    /// the scenario is full with this number of cycles
+    /// maximum number of cycles of the scenario
     most: usize,
 }
 
 impl<'d> Run<'d> {
-    /// Before the first cycle, with the drive that closes the loop.
+    /// The state before the first cycle, with the drive in the loop.
     pub(super) fn start(designed: &'d Designed, block: &Block, drive: &DriveModel, most: usize) -> Self {
         let subject = Subject::start(designed, block);
-        // `v_add` acts if the block starts ON, and puts it out.
+        // `v_add` acts if the block starts ON and has this output.
         let acts = designed.axis.ipc.enable == Enable::On && subject.output("v_add").is_some();
         Self {
             designed,
@@ -49,7 +49,7 @@ impl<'d> Run<'d> {
         self.subject.inputs.len() >= self.most
     }
 
-    /// One cycle with these inputs, which is part of a ramp or not.
+    /// One cycle with these inputs; `is_ramp` says whether it is part of a ramp.
     ///
     /// # Errors
     /// The block has an error.
@@ -74,21 +74,21 @@ impl<'d> Run<'d> {
 
 /// An axis in its loop.
 pub(super) trait InLoop<'d> {
-    /// Does what a command asks for; is back when that is done, or when the scenario is full.
+    /// Executes a command; returns when it is finished, or when the scenario is full.
     fn perform(&mut self, command: &Command, line: usize) -> Result<(), Mistake>;
 
     /// A cycle without a command.
     fn hold(&mut self, line: usize) -> Result<(), Mistake>;
 
-    /// What of the program does not act as it says.
+    /// Notes about parts of the program that do not act as written.
     fn notes(&self) -> Vec<Note>;
 
     fn run(&self) -> &Run<'d>;
 
-    /// The end of all cycles.
+    /// The run after all cycles.
     fn into_run(self) -> Run<'d>;
 
-    /// Cycles without a command, as many as a time [s] has.
+    /// Cycles without a command for a time [s].
     fn dwell(&mut self, seconds: f64, line: usize) -> Result<(), Mistake> {
         let end = seconds / self.run().designed.axis.cycle_time();
         let mut cycles = 0_u32;
@@ -100,7 +100,7 @@ pub(super) trait InLoop<'d> {
     }
 }
 
-/// Runs a program, between rests.
+/// Runs a program, with rests before and after it.
 pub(super) fn perform_all<'d>(mut closed: impl InLoop<'d>, program: &Program) -> Result<Scenario, Mistake> {
     let is_stable = closed.run().is_stable;
     let steps = steps(&mut closed, program).map_err(|mistake| if is_stable { mistake } else { oscillates(mistake) })?;
@@ -113,7 +113,7 @@ pub(super) fn perform_all<'d>(mut closed: impl InLoop<'d>, program: &Program) ->
     Ok(Scenario { inputs: run.subject.inputs, outputs: run.subject.outputs, steps, notes, oscillation })
 }
 
-/// When each block acted, until the scenario is full.
+/// The times of each block, until the scenario is full.
 fn steps<'d>(closed: &mut impl InLoop<'d>, program: &Program) -> Result<Vec<Step>, Mistake> {
     rest(closed, program.blocks.first().map_or(1, |block| block.line))?;
     let mut steps: Vec<Step> = Vec::with_capacity(program.blocks.len());
@@ -135,13 +135,13 @@ fn rest<'d>(closed: &mut impl InLoop<'d>, line: usize) -> Result<(), Mistake> {
     (0..REST).try_for_each(|_| closed.hold(line))
 }
 
-/// A mistake in a loop that oscillates, which may be why.
+/// An error in a loop that oscillates, which may be the cause.
 fn oscillates(mistake: Mistake) -> Mistake {
     let instead = "weights with which the loop is stable: it is not, and `axgen analyze` prints the largest ones";
     Mistake { instead: instead.to_owned(), ..mistake }
 }
 
-/// That the program is longer than its scenario.
+/// The note that the program is longer than its scenario.
 fn stopped(run: &Run<'_>, program: &Program, steps: &[Step]) -> Note {
     let line = steps.last().map_or(1, |step| step.line);
     let last = program.blocks.last().map_or(line, |block| block.line);

@@ -1,15 +1,15 @@
-//! Scenarios: an NC program and an axis make the inputs of a block, in a closed loop with the block's reference and a simple
-//! drive. No file, no engine but the reference.
+//! Scenarios: an NC program and an axis generate the inputs of a block, in a closed loop with the block's reference and a
+//! simple drive. No file, no engine other than the reference.
 //!
 //! ```text
 //! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive -> actual values -> ...
 //! ```
 //!
-//! A block of a program is over when what it asks for is done. What comes out are the samples that the block got. They are
-//! rounded as controllers have them: positions to 0.0001 deg or 0.1 um, velocities to 0.001 deg/s or um/s, so that decimal text
-//! holds them exactly. `docs/scenarios.md` describes the model.
+//! A block of a program ends when its commands are finished. The result is the samples that the block got. They are rounded
+//! as in controllers: positions to 0.0001 deg or 0.1 um, velocities to 0.001 deg/s or um/s, so that decimal text contains
+//! them exactly. `docs/scenarios.md` describes the model.
 //!
-//! The profiles come from a library, which may change. So the samples are what is kept; a program is how they were made.
+//! The profiles come from a library, which may change. Therefore the samples are stored, not the program alone.
 
 mod in_loop;
 mod notes;
@@ -25,26 +25,26 @@ use generator::blocks::{Block, Designed};
 pub use nc::Mistake;
 pub use notes::Note;
 
-/// A scenario that was run.
+/// The result of a scenario.
 #[derive(Clone, Debug)]
 pub struct Scenario {
-    /// what the block got, and what its reference gave
+    /// the inputs of the block, and the outputs of its reference
     pub inputs: Samples,
     pub outputs: Samples,
     /// the blocks of the program, in their order
     pub steps: Vec<Step>,
     /// whether the loop with `v_add` oscillates
     pub oscillation: Oscillation,
-    /// what of the program does not act as it says, in the order of its lines
+    /// parts of the program that do not act as written, in the order of its lines
     pub notes: Vec<Note>,
 }
 
-/// How a program is run.
+/// The options of a program.
 #[derive(Clone, Debug)]
 pub struct Options {
-    /// the program's axis that the axis of the set follows; none: that of its name
+    /// the program's axis that the axis of the set follows; `None` for the axis of its name
     pub program_axis: Option<String>,
-    /// the scenario stops after this number of cycles, and says so
+    /// the scenario stops after this number of cycles, with a note
     pub cycles: usize,
 }
 
@@ -54,24 +54,24 @@ impl Default for Options {
     }
 }
 
-/// A scenario has at most this number of cycles, unless another one is asked for.
+/// Default limit of the number of cycles.
 pub const CYCLES: usize = 200_000;
-/// The most that can be asked for: more does not fit into memory everywhere.
+/// The largest limit: more does not fit into every memory.
 pub const MOST: usize = 5_000_000;
 
-/// When a block of the program acted.
+/// The times of a block of the program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
     /// line of the file, from 1
     pub line: usize,
     /// the number after `N`
     pub number: Option<u32>,
-    /// its samples: the first one, and the first one after it
+    /// its samples: the first one, and the first one after the block
     pub from: usize,
     pub to: usize,
 }
 
-/// The block of an axis that a scenario is for, by its name: the changeover of a spindle, else the one with everything.
+/// The name of the block for a scenario: the changeover of a spindle, else the block with everything.
 #[must_use]
 pub fn usual_block(names: &[&'static str]) -> Option<&'static str> {
     let wanted = ["spindle", "axis", "position_control", "feedforward"];
@@ -81,7 +81,7 @@ pub fn usual_block(names: &[&'static str]) -> Option<&'static str> {
 /// Runs a program on an axis.
 ///
 /// # Errors
-/// What is wrong with the program, or with the program for this axis.
+/// All errors in the program, or in the program for this axis.
 pub fn run(text: &str, designed: &Designed, block: &Block, options: &Options) -> Result<Scenario, Vec<Mistake>> {
     let program = nc::read(text)?;
     let scenario = if ["spindle", "spindle_axis"].contains(&block.program.block) {
@@ -95,7 +95,7 @@ pub fn run(text: &str, designed: &Designed, block: &Block, options: &Options) ->
     Ok(scenario)
 }
 
-/// What is wrong with a block of a program on this axis.
+/// The error in a block of a program on this axis.
 fn refused(line: usize, found: impl Into<String>, allowed: impl Into<String>, instead: impl Into<String>) -> Mistake {
     Mistake { line, column: 1, found: found.into(), allowed: allowed.into(), instead: instead.into() }
 }

@@ -1,4 +1,4 @@
-//! What a scenario does otherwise than its program says: a note for each kind, with its first place and the number of them.
+//! Differences between a scenario and its program: a note for each kind, with its first place and the count.
 
 use generator::codes;
 use nc::{Passed, PassedKind};
@@ -6,13 +6,13 @@ use nc::{Passed, PassedKind};
 /// A warning about a program, or about a program on an axis.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// from the list of the generator
+    /// from the generator's list
     pub code: &'static str,
-    /// line of the file, from 1, and character of the line; 0: the whole
+    /// line of the file, from 1, and character in the line; 0 for the whole
     pub line: usize,
     pub column: usize,
     pub found: String,
-    /// what the user can do; empty: nothing has to be done
+    /// what the user can do; empty if nothing is necessary
     pub instead: String,
 }
 
@@ -22,7 +22,7 @@ impl Note {
     }
 }
 
-/// What the reader has passed over.
+/// The note about words that the reader has skipped.
 pub(super) fn of(passed: &Passed) -> Note {
     let Passed { kind, line, column, words, count } = passed;
     let listed = if words.is_empty() { String::new() } else { format!(" ({})", words.join(", ")) };
@@ -79,7 +79,7 @@ pub(super) fn of(passed: &Passed) -> Note {
     Note { code, line: *line, column: *column, found, instead: instead.to_owned() }
 }
 
-/// Things of one kind as they are found: the first one's line, and the number of them.
+/// Things of one kind as they are found: the line of the first one, and their number.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Counted {
     pub(super) line: usize,
@@ -94,7 +94,7 @@ impl Counted {
         self.count += 1;
     }
 
-    /// The note, if there is one to make.
+    /// The note, if anything was found.
     pub(super) fn note(self, code: &'static str, what: &str, rest: &str, instead: &str) -> Option<Note> {
         (self.count > 0).then(|| Note::new(code, self.line, counted(self.count, what) + rest, instead))
     }

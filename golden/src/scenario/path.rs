@@ -15,18 +15,18 @@ use std::collections::BTreeMap;
 
 /// um in 1 mm.
 const MM: f64 = 1000.0;
-/// How near the axis is to the end of a move, when the next block begins [um].
+/// Distance of the axis from the end of a move at which the next block begins [um].
 const POSITION_WINDOW: f64 = 10.0;
-/// Gain of the position controller of an axis that says none [1/s].
+/// Gain of the position controller of an axis without a stated one [1/s].
 const KV: f64 = 20.0;
-/// Within which the largest velocity, and the largest acceleration, are there [s].
+/// Times in which the largest velocity, and the largest acceleration, are reached [s].
 const RISE_TIME: f64 = 0.2;
 const JERK_TIME: f64 = 0.05;
-/// Homing is so much slower than the largest velocity.
+/// Velocity of homing, as a part of the largest velocity.
 const HOMING: f64 = 0.1;
-/// Shorter ways are nothing [um].
+/// Shorter distances are ignored [um].
 const SHORTEST: f64 = 1e-3;
-/// Within which an axis is at the end of a move [s].
+/// Time within which an axis must reach the end of a move [s].
 const LATEST: f64 = 60.0;
 
 /// Runs a program.
@@ -53,7 +53,7 @@ struct Closed<'d> {
     limits: Limits,
     cycle: f64,
     kv: f64,
-    /// end of the last move [um, 0.001 deg]; 0 of an axis that did not move
+    /// end of the last move [um, 0.001 deg]; 0 for an axis that has not moved
     place: BTreeMap<Axis, f64>,
     machine: Box<dyn Machine>,
     actual: Measured,
@@ -90,7 +90,7 @@ impl<'d> InLoop<'d> for Closed<'d> {
             }
             Command::Dwell { seconds } => self.dwell(*seconds, line),
             Command::Move { axes, feed_mm_min, .. } => {
-                // Without a feed it is G00.
+                // Without a feed it acts as G00.
                 let feed = feed_mm_min.map_or(self.limits.velocity, |feed| feed * MM / 60.0);
                 self.travel(axes, feed, line)
             }
@@ -101,7 +101,7 @@ impl<'d> InLoop<'d> for Closed<'d> {
                 self.run.other.push(line);
                 Ok(())
             }
-            // Of spindles, and of other axes.
+            // Commands to spindles, and to other axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => Ok(()),
             Command::Home { .. } | Command::Release { .. } | Command::End => Ok(()),
         }
@@ -131,8 +131,8 @@ impl<'d> InLoop<'d> for Closed<'d> {
 }
 
 impl Closed<'_> {
-    /// A straight line, on which the axis has its part. The feed is that of X, Y and Z, with which the other axes go; if none of these
-    /// three moves, that of the others.
+    /// A straight line, of which the axis has a component. The feed is that of X, Y and Z, and the other axes follow; if
+    /// none of these three moves, it is that of the others.
     fn travel(&mut self, axes: &[(Axis, f64)], feed: f64, line: usize) -> Result<(), Mistake> {
         let start = self.own();
         let mut ways = BTreeMap::new();
@@ -152,17 +152,17 @@ impl Closed<'_> {
         self.arrive(line)
     }
 
-    /// The way of a length, of which the axis has its part.
+    /// A path of a length, of which the axis has a component.
     fn along(&mut self, length: f64, part: f64, start: f64, feed: f64, line: usize) -> Result<(), Mistake> {
         let failed = |error: profile::Error| {
             let instead = "another feed, or another vb_max (P-AXIS-00212)";
             refused(line, error.to_string(), "what the interpolator can do", instead)
         };
-        // The axis that goes faster than the path has its own limits.
+        // An axis that is faster than the path has its own limits.
         let share = if part.abs() > 1.0 { 1.0 / part.abs() } else { 1.0 };
         let Limits { velocity, acceleration, jerk } = self.limits;
         let limits = Limits { velocity: velocity * share, acceleration: acceleration * share, jerk: jerk * share };
-        // G00 asks for vb_max, whatever the share is.
+        // G00 asks for vb_max, for any component.
         let is_rapid = (feed - velocity).abs() == 0.0;
         if feed > limits.velocity && !is_rapid {
             self.run.limited.push(line);
@@ -192,7 +192,7 @@ impl Closed<'_> {
         Ok(())
     }
 
-    /// Where the axis was sent.
+    /// The commanded end position of the axis.
     fn own(&self) -> f64 {
         self.place.get(&self.axis).copied().unwrap_or_default()
     }

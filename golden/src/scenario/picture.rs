@@ -1,4 +1,4 @@
-//! The picture of a scenario: which signals are drawn, in which units. How a picture is drawn is in `svg`.
+//! The picture of a scenario: the drawn signals and their units. Drawing is in `svg`.
 
 use super::Scenario;
 use crate::samples::Samples;
@@ -7,7 +7,7 @@ use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Rows};
 use generator::axis::Changeover;
 use generator::blocks::Designed;
 
-/// Points of a curve, at most.
+/// Maximum number of points of a curve.
 const MOST: usize = 600;
 /// 0.001 deg/s in 1 rpm, 0.001 deg in 1 deg, um in 1 mm, um/s in 1 mm/min.
 const RPM: f64 = 6000.0;
@@ -124,7 +124,7 @@ impl Run<'_> {
         sample as f64 * self.cycle
     }
 
-    /// All values of a signal; none: the block does not have it.
+    /// All values of a signal; empty if the block does not have it.
     fn values(&self, name: &str) -> Vec<f64> {
         let of = |run: &Samples| {
             let at = run.shape.place(name)?;
@@ -138,7 +138,7 @@ impl Run<'_> {
         of(&self.scenario.outputs).or_else(|| of(&self.scenario.inputs)).unwrap_or_default()
     }
 
-    /// Some of the values as a curve, broken where it jumps by more than that.
+    /// Some of the values as a curve, interrupted where it jumps by more than `jump`.
     fn curve(&self, name: &str, values: &[f64], unit: f64, jump: Option<f64>) -> Curve {
         let step = values.len().div_ceil(MOST).max(1);
         let points = values.iter().enumerate().step_by(step);
@@ -146,7 +146,7 @@ impl Run<'_> {
         Curve::broken(name, points, jump.unwrap_or(f64::INFINITY))
     }
 
-    /// When a signal has a value: from the first of its samples to the first one after them.
+    /// The times in which a signal has a value: from the first of its samples to the first one after them.
     fn when(&self, values: &[f64], wanted: f64) -> Vec<[f64; 2]> {
         let mut spans: Vec<[usize; 2]> = Vec::new();
         for (sample, _) in values.iter().enumerate().filter(|(_, value)| value.to_bits() == wanted.to_bits()) {

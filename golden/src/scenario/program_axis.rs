@@ -1,11 +1,11 @@
-//! Which axis of a program the axis of a set follows.
+//! The axis of a program that the axis of a set follows.
 
 use super::notes::Note;
 use super::{Options, refused};
 use generator::codes;
 use nc::{Axis, Command, Mistake, Program, Target};
 
-/// The axis of the program by the option, else by the name: `X`; `X1`, or `X` if the program has no `X1`; `X_left` is X.
+/// The axis of the program from the option, else from the name: `X`; `X1`, or `X` if the program has no `X1`; `X_left` is X.
 pub(super) fn of(program: &Program, name: &str, options: &Options, notes: &mut Vec<Note>) -> Result<Axis, Mistake> {
     let line = program.blocks.first().map_or(1, |block| block.line);
     const ALLOWED: &str = "a letter of an axis (X, Y, Z, A, B, C, U, V, W, E), or one with a number as in `X1=50`";

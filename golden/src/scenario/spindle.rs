@@ -1,4 +1,4 @@
-//! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is done. No path axis.
+//! Scenarios of the blocks `spindle` and `spindle_axis`: the commands of spindle 1, each until it is finished. No path axis.
 
 use super::in_loop::{InLoop, Run, perform_all};
 use super::notes::Note;
@@ -15,11 +15,11 @@ use portable::Extreme;
 
 /// 0.001 deg/s in 1 rpm.
 const RPM: f64 = 6000.0;
-/// Where the spindle stands at first [0.001 deg].
+/// The position of the spindle at the start [0.001 deg].
 const START: f64 = 10_000.0;
-/// How near the actual position is to the target, when a job is done [0.001 deg].
+/// Distance of the actual position from the target at which a job is done [0.001 deg].
 const POSITION_WINDOW: f64 = 100.0;
-/// How near the actual velocity is to the speed, when it is reached: a part of it, at least 1 rpm.
+/// Distance of the actual velocity from the speed at which it is reached: a part of the speed, at least 1 rpm.
 const SPEED_WINDOW: f64 = 0.01;
 /// Speed of M19 without an S word, if the velocity of position control is 0 [0.001 deg/s].
 const SLOW: f64 = 300_000.0;
@@ -101,7 +101,7 @@ impl<'a> InLoop<'a> for Closed<'a> {
             }
             Command::Dwell { seconds } => self.dwell(seconds, line)?,
             Command::Move { .. } | Command::Home { target: Target::Axis(_) } => self.run.other.push(line),
-            // Of other spindles, and of path axes.
+            // Commands to other spindles, and to path axes.
             Command::Feedforward { .. } | Command::Percentage { .. } => {}
             Command::Home { .. } | Command::Release { .. } | Command::End => {}
         }
@@ -159,7 +159,7 @@ impl Closed<'_> {
         self.until_done(line)
     }
 
-    /// A speed, no larger than the axis has it [0.001 deg/s].
+    /// A speed, limited to the largest one of the axis [0.001 deg/s].
     fn speed(&mut self, rpm: f64, line: usize) -> f64 {
         let (speed, largest) = (rpm * RPM, self.axis.ipc.v_max);
         if speed > largest {
@@ -169,7 +169,7 @@ impl Closed<'_> {
         speed
     }
 
-    /// Returns a request for one cycle, and waits until it is the job.
+    /// Sets a request for one cycle, and waits until it is the job.
     fn request(&mut self, inputs: &[&str], speed: f64, target: f64, job: Job, line: usize) -> Result<(), Mistake> {
         let number = self.run.subject.get("job_number");
         for input in inputs {
@@ -202,7 +202,7 @@ impl Closed<'_> {
         }
     }
 
-    /// Whether a speed is reached, and no other state is on the way to it.
+    /// Whether a speed is reached without a pending change of the state.
     fn turns(&self, v: f64) -> bool {
         let is_fast = v.abs() > f64::from(self.spindle.v_velocity_control_on);
         let is_there = match self.seen().state {

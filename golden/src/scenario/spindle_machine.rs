@@ -1,4 +1,4 @@
-//! The machine around a spindle's block: the interpolator, and the drive with what it gets. No program, no operator.
+//! The machine around a spindle's block: the interpolator, and the drive with its commands. No program, no operator.
 
 use generator::axis::{Axis, Changeover, DriveModel, Ratio, Spindle};
 use machine::drive::TIME_CONSTANT;
@@ -7,10 +7,10 @@ use machine::profile::{Error, Limits};
 use machine::spindle::drive::{Actual, Command, Drive, Setup};
 use machine::spindle::interpolator::{Commanded, Interpolator, Job, Seen, State};
 
-/// Within which the acceleration is there [s].
+/// Time in which the acceleration is reached [s].
 const JERK_TIME: f64 = 0.05;
 
-/// What the block put out in the previous cycle, by name; none: it has no such output.
+/// The outputs of the block in the previous cycle, by name; `None` if it has no such output.
 pub(crate) type Outputs<'o> = &'o dyn Fn(&str) -> Option<f64>;
 
 /// Interpolator and drive.
@@ -20,13 +20,13 @@ pub(crate) struct Machine<'a> {
     cycle: f64,
     interpolator: Interpolator,
     drive: Drive,
-    /// what arrived in this cycle, and what arrives in the next one
+    /// values that arrived in this cycle, and that arrive in the next one
     pub(crate) actual: Actual,
     arriving: Actual,
 }
 
 impl<'a> Machine<'a> {
-    /// At rest.
+    /// The machine at rest.
     pub(crate) fn start(axis: &Axis, spindle: &'a Spindle, x: f64) -> Result<Self, Error> {
         let (cycle, acceleration) = (axis.cycle_time(), spindle.deceleration);
         let limits = Limits { velocity: axis.ipc.v_max, acceleration, jerk: acceleration / JERK_TIME };
@@ -43,7 +43,7 @@ impl<'a> Machine<'a> {
         Ok(Self { spindle, limits, cycle, interpolator, drive, actual, arriving: actual })
     }
 
-    /// Its drive, as it is in the loop of improved position control: actual values arrive cycles late, after the velocity loop.
+    /// Its drive, for the loop of improved position control: actual values arrive cycles late, after the velocity loop.
     pub(crate) fn model(axis: &Axis, spindle: &Spindle) -> DriveModel {
         DriveModel {
             delay_cycles: Some(1.0 + f64::from(spindle.delay_cycles)),
@@ -68,7 +68,7 @@ impl<'a> Machine<'a> {
         Ok(())
     }
 
-    /// One cycle of the drive. With position control in the CNC it gets a velocity, from the CNC's controller where the loop is
+    /// One cycle of the drive. With position control in the CNC it gets a velocity, from the CNC's controller if the loop is
     /// closed: the block `spindle_axis` is that controller. `feedforward`: whether it is active, and its percentage.
     pub(crate) fn obey(&mut self, outputs: Outputs<'_>, feedforward: [f64; 2]) {
         let command = self.command(outputs, feedforward);
@@ -102,7 +102,7 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// What the interpolator sees of the outputs.
+/// The outputs that the interpolator reads.
 pub(crate) fn seen(outputs: Outputs<'_>) -> Seen {
     let get = |name| outputs(name).unwrap_or(0.0);
     let states = [State::Position, State::ToVelocity, State::Velocity, State::Brake];

@@ -5,11 +5,11 @@ use generator::parameters::words::{StageMode, Words};
 use portable::RealKind;
 use std::collections::BTreeSet;
 
-/// A low f0 * Ts that a case shows, in double precision: there it still keeps 98 dB.
+/// The low f0 * Ts for cases in double precision: the signal-to-noise ratio there is still 98 dB.
 const LOWEST_DOUBLE: f64 = 1e-6;
 /// A low f0 * Ts in single precision: 1 Hz at 62.5 us.
 const LOWEST_SINGLE: f64 = 6.25e-5;
-/// The highest f0 * Ts that the check lets through.
+/// The highest f0 * Ts that the check permits.
 const HIGHEST: f64 = 0.45;
 
 /// The constructs of an axis.

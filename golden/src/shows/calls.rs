@@ -1,18 +1,18 @@
-//! The events of a run of a block that counts its calls, in words. A block that does not has none.
+//! The events in a run of a block that counts its calls, in words. Other blocks have no such events.
 
 use crate::samples::Samples;
 use portable::Literal;
 use std::collections::BTreeSet;
 
-/// The error id of the rate of the calls.
+/// The error id of the call rate.
 const CALL_RATE: u32 = 9;
 
-/// One call, as far as it is looked at.
+/// The examined values of one call.
 #[derive(Clone, Copy, Default)]
 struct Call {
     counter: u32,
     error_id: u32,
-    /// whether something is added
+    /// whether v_add is not 0
     acts: bool,
 }
 
@@ -41,7 +41,7 @@ pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     shown
 }
 
-/// What a call shows, given the two calls before it.
+/// The event of a call, given the two previous calls.
 fn word(before: Call, last: Call, now: Call) -> Option<&'static str> {
     let is_fault = now.error_id == CALL_RATE;
     let goes_on = now.acts && !is_fault;

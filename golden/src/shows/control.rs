@@ -44,7 +44,7 @@ fn named(way: &str, quantities: Quantities, shown: &mut BTreeSet<String>) {
     }
 }
 
-/// The events of a run; of a block without feedforward and process data there are none but the faults.
+/// The events of a run; a block without feedforward and process data has only faults.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     let mut shown = BTreeSet::new();
     let (mut given, mut answers) = (Vec::new(), Vec::new());

@@ -1,9 +1,10 @@
-//! What a golden case has in it, in the words that its `shows` may use: constructs of the axis, events of the recorded
-//! samples. So that a case cannot silently cease to show what it is there for.
+//! The constructs of an axis and the events of recorded samples, in the words that the `shows` of a golden case may use.
+//! They ensure that a case cannot silently lose its purpose.
 
 mod axis;
 mod calls;
 mod control;
+mod excitation;
 mod run;
 mod sets;
 pub(crate) mod spindle;
@@ -12,7 +13,7 @@ use crate::samples::Samples;
 use generator::axis::Axis;
 use std::collections::BTreeSet;
 
-/// All that an axis and a run of its block have in them.
+/// All constructs and events of an axis and a run of its block.
 #[must_use]
 pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     let mut shown = axis::shown(axis);
@@ -21,6 +22,7 @@ pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<Strin
     shown.extend(control::constructs(axis));
     shown.extend(control::events(inputs, outputs));
     shown.extend(sets::events(outputs));
+    shown.extend(excitation::events(inputs, outputs));
     shown.extend(spindle::constructs(axis));
     shown.extend(spindle::events(inputs, outputs));
     shown

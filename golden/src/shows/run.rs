@@ -1,13 +1,13 @@
-//! The events of a run of improved position control, in words. A run of other signals has none.
+//! The events in a run of improved position control, in words. A run of other signals has none.
 
 use crate::samples::Samples;
 use portable::Literal;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Cycles at rest, up to the end of the run, in which the output has to be exactly 0.
+/// Cycles at rest, up to the end of the run, in which the output must be exactly 0.
 const REST: usize = 100;
 
-/// Velocities above are bad samples: the limit of single precision, which no axis of double precision reaches either.
+/// Larger velocities are bad samples: the limit of single precision, which no axis in double precision reaches either.
 const FASTEST: f64 = 1e9;
 
 const OFF: i32 = 0;
@@ -43,15 +43,15 @@ pub fn shown(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     watch.shown
 }
 
-/// What has been seen up to now.
+/// The state of the search for events.
 #[derive(Default)]
 struct Watch {
     shown: BTreeSet<String>,
     /// the previous cycle
     last: Cycle,
-    /// why the block stopped, until it acts again
+    /// reasons why the block stopped, until it acts again
     stops: BTreeSet<String>,
-    /// cycles at rest up to now
+    /// number of cycles at rest
     rest: usize,
 }
 
@@ -125,14 +125,14 @@ fn of_watch(now: &Cycle, last: &Cycle) -> Option<&'static str> {
     }
 }
 
-/// Why a block that has just acted does not act.
+/// The reasons why a block that has just acted does not act.
 fn of_stop(now: &Cycle, acted: bool) -> Vec<String> {
     let reasons = [(now.reset, "reset"), (!now.position_controlled, "loss of position control")];
     let reasons = reasons.into_iter().filter(|(holds, _)| *holds && acted).map(|(_, reason)| reason.to_owned());
     reasons.chain(now.fault.then(|| format!("fault {}", now.error_id))).collect()
 }
 
-/// Whether the block is on, stands still, and puts out exactly +0.
+/// Whether the block is on, the axis is at rest, and the output is exactly +0.
 fn at_rest(now: &Cycle) -> bool {
     let positive_zero = 0.0f64.to_bits();
     now.mode == ON
@@ -144,7 +144,7 @@ fn at_rest(now: &Cycle) -> bool {
         && now.v_add_calculated.to_bits() == positive_zero
 }
 
-/// The signals of a cycle; none: they are those of another block.
+/// The signals of a cycle; `None` if they belong to another block.
 fn cycle(sample: usize, inputs: &Samples, outputs: &Samples) -> Option<Cycle> {
     let mut signals = BTreeMap::new();
     let mut values = Vec::new();

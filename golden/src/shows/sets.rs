@@ -1,4 +1,4 @@
-//! What becomes of parameter sets in a run, in words. A run of a block without sets has none.
+//! The events of parameter sets in a run, in words. A run of a block without sets has none.
 
 use crate::samples::Samples;
 use portable::Literal;

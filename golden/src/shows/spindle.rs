@@ -12,7 +12,7 @@ pub(crate) const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BR
 const REQUESTS: [(&str, &str); 6] =
     [("m3", "M3"), ("m4", "M4"), ("m5", "M5"), ("m19", "M19"), ("putax", "S[PUTAX]"), ("g74", "G74")];
 
-/// Beyond it a velocity is none of rounding [0.001 deg/s].
+/// Smaller velocities count as rounding [0.001 deg/s].
 const MOVING: f64 = 1000.0;
 
 /// The constructs of an axis.
@@ -25,7 +25,7 @@ pub fn constructs(axis: &Axis) -> BTreeSet<String> {
     axis.control.spindle.iter().map(|of| word(&of.drive).to_owned()).collect()
 }
 
-/// The events of a run; none: it is of another block.
+/// The events of a run; empty if it is a run of another block.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     let place = |name| outputs.shape.place(name);
     let (Some(state), Some(v)) = (place("spindle_state"), place("v_spindle")) else {

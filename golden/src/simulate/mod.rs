@@ -1,10 +1,10 @@
-//! Improved position control in the loop of an axis: the reference of the block `ipc`, sample by sample, with moves forward and back; off,
-//! each stage alone, and all. No file.
+//! Improved position control in the loop of an axis: the reference of the block `ipc`, sample by sample, with moves forward
+//! and back; off, each stage alone, and all stages. No file.
 //!
 //! ```text
-//! row       what comes out of a run
+//! row       the results of a run
 //! setting   the loop of a run
-//! ripple    a vibration on a machine that has none
+//! ripple    adds a vibration to a machine without one
 //! of_plant  the loop of the demonstration plant
 //! recording what a recorder would save
 //! text      the table, and CSV; picture: off against on
@@ -23,7 +23,7 @@ use generator::blocks::Designed;
 pub use row::{Moved, Row, Simulation};
 use setting::{OFF, ON, Setting, only};
 
-/// Runs an axis; a dwell [s] takes the place of the usual one.
+/// Simulates an axis; `dwell` [s] replaces the default.
 ///
 /// # Errors
 /// The axis has no block `ipc`.

@@ -12,29 +12,29 @@ use stability::{Complex64, Response};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Cycles of the plant's impulse response: 16 s at 1 ms, in which every vibration of it is gone.
+/// Cycles of the plant's impulse response: 16 s at 1 ms, in which all its vibrations decay.
 const CYCLES: usize = 16_384;
 /// Lines of its response, and the lowest one [Hz].
 const LINES: u32 = 2_000;
 const LOWEST: f64 = 0.5;
-/// The plant is linear without its mesh: any impulse does [m/s].
+/// The plant without its mesh is linear: the size of the impulse does not matter [m/s].
 const IMPULSE: f64 = 1.0;
 
-/// A loop whose drive is a plant: its position is measured, not the sum of its measured velocities.
+/// A loop with a plant as drive: its position is measured, not the sum of its measured velocities.
 pub(super) struct OfPlant {
     /// its response from v_cmd to the measured v_motor, and the gain of its position controller
     pub model: DriveModel,
-    /// from v_cmd to the change of the measured position in a cycle, by the cycle
+    /// response from v_cmd to the change of the measured position in a cycle
     change: Response,
     cycle: f64,
 }
 
 impl OfPlant {
-    /// From its impulse response; the gain of the position controller is in 1/s.
+    /// From the plant's impulse response; the gain of the position controller is in 1/s.
     pub(super) fn new(plant: &Plant, position_gain: f64) -> Self {
         let mut running = plant.without_mesh().at_rest();
         let cycle = running.cycle();
-        // What is measured in a cycle is the answer to the commands before.
+        // The measurement in a cycle is the answer to the previous commands.
         let (mut v, mut change, mut x) = (vec![0.0], vec![0.0], 0.0);
         for n in 0..CYCLES {
             let measured = running.step(if n == 0 { IMPULSE } else { 0.0 });
@@ -54,7 +54,7 @@ impl OfPlant {
         Self { model, change: response(&change), cycle }
     }
 
-    /// Ms of the loop with the stages of an axis; none: unstable.
+    /// Ms of the loop with the stages of an axis; `None` if it is unstable.
     pub(super) fn ms(&self, designed: &Designed) -> Option<f64> {
         if !margins(designed, &self.model).stable {
             return None;
@@ -69,7 +69,7 @@ impl OfPlant {
         Some(1.0 / nearest.fold(f64::INFINITY, f64::smaller).sqrt())
     }
 
-    /// The part of the open loop that is the position loop.
+    /// The part of the open loop from the position loop.
     fn position(&self, hz: f64) -> Complex64 {
         let (sin, cos) = libm::sincos(TAU * hz * self.cycle);
         let gain = self.model.position_gain.unwrap_or(0.0) * self.cycle;
@@ -77,7 +77,7 @@ impl OfPlant {
     }
 }
 
-/// From the lowest line to the Nyquist frequency, evenly on a logarithmic scale [Hz].
+/// Frequencies from the lowest line to the Nyquist frequency, evenly on a logarithmic scale [Hz].
 fn frequencies(cycle: f64) -> Vec<f64> {
     let part = |k: u32| f64::from(k) / f64::from(LINES - 1);
     (0..LINES).map(|k| LOWEST * libm::pow(0.5 / cycle / LOWEST, part(k))).collect()

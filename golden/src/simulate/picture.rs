@@ -1,4 +1,4 @@
-//! The picture of a simulation: off against on, over time and as spectra, and what was added. How a picture is drawn is in `svg`.
+//! The picture of a simulation: off and on, over time and as spectra, and v_add. Drawing is in `svg`.
 
 use super::{Moved, Row, Simulation};
 use crate::analysis::f0_events;
@@ -7,9 +7,9 @@ use machine::closed_loop::Record;
 use machine::measure::{self, Window, spectrum};
 use portable::Extreme;
 
-/// Points of a curve, at most: the vibration must be seen.
+/// Maximum number of points of a curve: the vibration must be visible.
 const MOST: usize = 2500;
-/// The spectra begin there [Hz], and end at that factor of the highest f0, or at the Nyquist frequency.
+/// Start of the spectra [Hz]; they end at this factor of the highest f0, or at the Nyquist frequency.
 const LOWEST: f64 = 5.0;
 const HIGHEST: f64 = 2.5;
 
@@ -61,7 +61,7 @@ pub fn svg(simulation: &Simulation, axis: &str) -> String {
     .svg()
 }
 
-/// The numbers of a run, below the title.
+/// The figures of a run, below the title.
 fn numbers(row: &Row) -> String {
     let ms = row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("Ms {ms:.2}"));
     format!(

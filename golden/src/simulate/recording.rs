@@ -6,7 +6,7 @@ use super::setting::Setting;
 use crate::case::named_block;
 use crate::subject::Subject;
 use generator::blocks::Designed;
-use machine::closed_loop::{Record, Signals};
+use machine::closed_loop::{Record, Signals, UM};
 use machine::sequence::Sequence;
 use portable::peak;
 use std::fmt::Write;
@@ -33,8 +33,10 @@ pub fn moves(designed: &Designed, moved: Moved, dwell: Option<f64>, noise: f64) 
 pub fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, String> {
     let set = Setting::new(designed, moved, None, &[]);
     let mut subject = Subject::start(designed, &named_block(designed, "excitation")?);
-    let duration = 0.0 /*TODO*/;
-    let speed = speed.unwrap_or(SPEED * 0.002);
+    let excitation = designed.axis.excitation.as_ref().map(|excitation| excitation.at(designed.axis.cycle_time()));
+    let excitation = excitation.ok_or("the axis has no excitation")?;
+    let duration = excitation.duration();
+    let speed = speed.unwrap_or(SPEED * excitation.amplitude / UM);
     let sequence = Sequence { speed, dwell: duration + 2.0 * AROUND, ..Sequence::DEMONSTRATION };
     let planned = sequence.planned(set.cycle);
     let from = planned.ramps.first().map_or(0, |[_, end]| *end) + set.cycles(AROUND);

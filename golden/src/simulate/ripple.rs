@@ -1,4 +1,4 @@
-//! A velocity ripple of the motor that no command asked for, on any machine. Nothing of the control is here.
+//! A velocity ripple of the motor that is not commanded, on any machine. Nothing of the control is here.
 
 use machine::{Machine, Measured};
 use std::f64::consts::TAU;
@@ -12,13 +12,13 @@ pub struct Ripple<M> {
     /// [Hz]
     frequencies: Vec<f64>,
     cycles: f64,
-    /// what the ripple adds now
+    /// present velocity of the ripple
     v: f64,
     x: f64,
 }
 
 impl<M: Machine> Ripple<M> {
-    /// At rest but for the ripple.
+    /// At rest except for the ripple.
     pub fn new(machine: M, frequencies: Vec<f64>) -> Self {
         Self { machine, frequencies, cycles: 0.0, v: 0.0, x: 0.0 }
     }
@@ -45,7 +45,7 @@ impl<M: Machine> Machine for Ripple<M> {
         self.cycles += 1.0;
         let time = self.cycles * self.cycle();
         self.v = self.frequencies.iter().map(|hz| AMPLITUDE * libm::sin(TAU * hz * time)).sum();
-        // The position is that of the same velocity: the position controller sees the ripple too.
+        // The position includes the ripple's velocity: the position controller sees the ripple too.
         self.x += self.v * self.cycle();
         let measured = self.machine.step(v_cmd);
         self.on(measured)

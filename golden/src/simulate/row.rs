@@ -1,9 +1,9 @@
-//! What comes out of a simulation. Nothing is computed here.
+//! The results of a simulation. Nothing is computed here.
 
 use crate::drive::Oscillation;
 use machine::closed_loop::Record;
 
-/// What moves.
+/// The machine of a simulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moved {
     /// a drive without mechanics, with the numbers or the response of the axis, and a ripple at the f0 of each stage
@@ -21,24 +21,24 @@ pub struct Simulation {
     pub stages: Vec<(usize, f64)>,
     /// off, each stage alone, all
     pub rows: Vec<Row>,
-    /// how far the filter of a measured response is from it, and where [Hz]
+    /// deviation of the filter of a measured response, and its frequency [Hz]
     pub deviation: Option<[f64; 2]>,
 }
 
 /// A run.
 pub struct Row {
     pub name: String,
-    /// of the demonstration plant at 53 Hz, at 11 Hz, and the ring-down [m/s^2]; else of v_motor at each f0 [mm/s]
+    /// for the demonstration plant at 53 Hz, at 11 Hz, and the ring-down [m/s^2]; else of v_motor at each f0 [mm/s]
     pub amplitudes: Vec<f64>,
     /// [mm]
     pub following_error: f64,
     /// [um/s]
     pub peak_v_add: f64,
-    /// none: unstable, or perhaps so
+    /// `None` if the loop is unstable, or may be
     pub ms: Option<f64>,
-    /// how long v_add was at its limit where no ramp is [s]
+    /// time of v_add at its limit without a ramp [s]
     pub at_limit: f64,
-    /// what the block said of itself: its first error id
+    /// the first error id that the block reported
     pub error_id: Option<f64>,
     pub record: Record,
 }

@@ -1,4 +1,4 @@
-//! The loop of a run: machine, position controller, moves, and the block in it; what is measured.
+//! The loop of a run: machine, position controller, moves, and the block in it; and the measurements.
 
 use super::of_plant::OfPlant;
 use super::ripple::Ripple;
@@ -19,11 +19,11 @@ use portable::peak;
 /// Mode of the block (P-AXIS-00758).
 pub(super) const OFF: f64 = 0.0;
 pub(super) const ON: f64 = 1.0;
-/// Periods of a ripple at constant speed, at least, and the time before they count [s].
+/// Minimum number of periods of a ripple at constant speed, and the settling time before them [s].
 const PERIODS: f64 = 20.0;
 const BEFORE: f64 = 0.4;
 
-/// The axis with one of its stages, or with none.
+/// The axis with only one of its stages, or with none.
 pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
     let mut axis = designed.axis.clone();
     for (index, of) in axis.ipc.stage.iter_mut().enumerate() {
@@ -34,13 +34,13 @@ pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
     Designed::from(axis)
 }
 
-/// What moves in the loop.
+/// The machine in the loop.
 pub(super) enum Moving {
     Drive(AxisDrive),
     Plant(Box<OfPlant>),
 }
 
-/// What all runs share.
+/// The common data of all runs.
 pub(super) struct Setting {
     pub(super) moving: Moving,
     pub(super) position: Position,
@@ -68,14 +68,14 @@ impl Setting {
         };
         let speed = Sequence::DEMONSTRATION.speed.smaller(axis.ipc.v_max / UM);
         let sequence = Sequence { speed, dwell: dwell.unwrap_or(usual), ..Sequence::DEMONSTRATION };
-        // Tuned weights follow within a fade, and the block is on after another one.
+        // Tuned weights reach their values within a fade, and the block is on after another one.
         let fade = (2.0 * axis.ipc.fade_time() / cycle).ceil() as usize + 1;
         let frequencies = stages.iter().map(|(_, f0)| *f0).collect();
         let position = Position { kv, ..Position::DEMONSTRATION };
         Self { moving, position, sequence, cycle, frequencies, fade }
     }
 
-    /// How far the filter of a measured response is from it, and where [Hz].
+    /// The deviation of the filter of a measured response, and its frequency [Hz].
     pub(super) fn deviation(&self) -> Option<[f64; 2]> {
         match &self.moving {
             Moving::Drive(drive) => drive.deviation(),
@@ -155,7 +155,7 @@ fn plant(cycle: f64) -> Plant {
     Plant { cycle, ..DEMONSTRATION }
 }
 
-/// The amplitude of v_motor at a frequency at constant speed, mean of both ways [mm/s].
+/// The amplitude of v_motor at a frequency at constant speed, mean of both directions [mm/s].
 fn of_ripple(record: &Record, f0: f64) -> f64 {
     let (mut sum, mut ways) = (0.0, 0.0);
     for window in measure::dwells(record) {
@@ -166,7 +166,7 @@ fn of_ripple(record: &Record, f0: f64) -> f64 {
     sum / ways
 }
 
-/// How long v_add is at its limit where no ramp is the reason [s].
+/// The time of v_add at its limit without a ramp as the reason [s].
 fn at_limit(record: &Record, limited: &[bool]) -> f64 {
     let mut at_limit = AtLimit::new(record.cycle);
     for (n, is_limited) in limited.iter().enumerate() {

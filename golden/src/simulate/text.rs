@@ -1,4 +1,4 @@
-//! A simulation as a table, and off against on as CSV.
+//! A simulation as a table, and as CSV with off and on.
 
 use super::{Moved, Row, Simulation};
 use generator::blocks::Designed;
@@ -9,7 +9,7 @@ use std::fmt::Write;
 pub const HEAD: &str = "time [s],x_command [mm],x off [mm],x on [mm],v_motor off [mm/s],v_motor on [mm/s],v_add [mm/s],\
     a_load off [m/s^2],a_load on [m/s^2]";
 
-/// The table, and what is wrong with the loop.
+/// The table, and problems of the loop.
 #[must_use]
 pub fn table(simulation: &Simulation, designed: &Designed) -> String {
     let axis = &designed.axis;
@@ -47,7 +47,7 @@ fn line(name: &str, cells: &[String], columns: &[String]) -> String {
     format!("  {name:<13}{}\n", cells.collect::<String>())
 }
 
-/// Whether some run oscillates.
+/// Whether any run oscillates.
 #[must_use]
 pub fn is_unstable(simulation: &Simulation) -> bool {
     simulation.rows.iter().any(|row| row.ms.is_none())
@@ -64,7 +64,7 @@ fn verdict(row: &Row) -> Option<String> {
     Some(format!("{}: {said}\n", row.name))
 }
 
-/// Off against on, a line each cycle.
+/// Off and on, one line per cycle.
 #[must_use]
 pub fn csv(simulation: &Simulation) -> String {
     let mut text = format!("{HEAD}\n");

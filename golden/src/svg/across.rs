@@ -4,11 +4,11 @@ use super::scale::{decades, number, step};
 use super::style::{INK, LETTER, line, text};
 use super::{Across, LEFT, RIGHT};
 
-/// Numbers at a time axis, at most.
+/// Maximum number of labels of a time axis.
 const TIMES: f64 = 10.0;
 
 impl Across {
-    /// Where a time or a frequency lies.
+    /// The place of a time or a frequency.
     pub(super) fn place(self, at: f64) -> f64 {
         let part = match self {
             Self::Time { until } => at / until,
@@ -17,7 +17,7 @@ impl Across {
         LEFT + part * (RIGHT - LEFT)
     }
 
-    /// Draws it for panels between two places.
+    /// Draws the axis for panels between two places.
     pub(super) fn draw(self, events: &[(f64, String)], [top, bottom]: [f64; 2], lines: &mut Vec<String>) {
         for (at, name) in self.lines() {
             let x = self.place(at);
@@ -29,7 +29,7 @@ impl Across {
             Self::Frequency { .. } => "frequency [Hz]",
         };
         lines.push(text([(LEFT + RIGHT) / 2.0, bottom + 36.0], "middle", INK, name));
-        // Names that would lie on each other stand after each other.
+        // Names that would overlap are placed after each other.
         let mut names: Vec<(f64, String)> = Vec::new();
         for (at, name) in events {
             let x = self.place(*at);
@@ -42,7 +42,7 @@ impl Across {
         lines.extend(names.iter().map(|(x, name)| text([x + 3.0, top - 8.0], "start", INK, name)));
     }
 
-    /// Its lines, some with a number.
+    /// Its lines, some with a label.
     fn lines(self) -> Vec<(f64, Option<String>)> {
         match self {
             Self::Time { until } => {

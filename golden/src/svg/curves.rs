@@ -8,7 +8,7 @@ use super::{Across, Curves, LEFT, MARGIN, NAME, RIGHT};
 const HEIGHT: f64 = 150.0;
 
 impl Curves {
-    /// Draws it below a place; returns its lower edge.
+    /// Draws the panel below a place; returns its lower edge.
     pub(super) fn draw(&self, across: Across, top: f64, lines: &mut Vec<String>) -> f64 {
         let (top, bottom) = (top + NAME, top + NAME + HEIGHT);
         let [low, high, step] = self.scale.unwrap_or_else(|| around(self.values()));

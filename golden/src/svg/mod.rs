@@ -1,15 +1,15 @@
-//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Nothing of what they mean is
+//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Their meaning is not known
 //! here.
 //!
 //! ```text
-//! scale    where a value lies, linear or logarithmic, and the lines of a scale
+//! scale    the place of a value, linear or logarithmic, and the lines of a scale
 //! style    colours and dashes, lines, texts, curves as text
 //! curves   a panel with curves; rows: one with rows that are filled while something holds; plane: one with equal scales
 //! across   the axis below all panels, and the events through them
 //! ```
 //!
-//! No font is embedded, and no background: what is drawn reads on white and on dark. Each curve of a panel has its own dashes:
-//! a picture reads without colours. Coordinates have one decimal.
+//! No font is embedded, and no background: pictures are readable on white and on dark. Each curve of a panel has its own
+//! dashes, so that a picture is readable without colours. Coordinates have one decimal.
 
 mod across;
 mod curves;
@@ -22,10 +22,10 @@ pub use style::STYLES;
 
 use style::{INK, escaped, text};
 
-/// What lies on the axis below, and the value.
+/// A position on the axis below, and the value.
 pub type Point = (f64, f64);
 
-/// What is drawn.
+/// The contents of a picture.
 #[derive(Clone, Debug)]
 pub struct Picture {
     /// first line above
@@ -36,7 +36,7 @@ pub struct Picture {
     pub parts: Vec<Part>,
 }
 
-/// What has axes of its own.
+/// A part of a picture with its own axes.
 #[derive(Clone, Debug)]
 pub enum Part {
     Over(Over),
@@ -47,7 +47,7 @@ pub enum Part {
 #[derive(Clone, Debug)]
 pub struct Over {
     pub across: Across,
-    /// what begins when, or lies where: lines through these panels, with names above
+    /// events with their times or frequencies: lines through these panels, with names above
     pub events: Vec<(f64, String)>,
     pub panels: Vec<Panel>,
 }
@@ -55,7 +55,7 @@ pub struct Over {
 /// The axis of panels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Across {
-    /// from 0 to that [s]
+    /// from 0 to this time [s]
     Time { until: f64 },
     /// between two frequencies [Hz], logarithmic
     Frequency { from: f64, to: f64 },
@@ -71,11 +71,11 @@ pub enum Panel {
 /// Curves on one scale.
 #[derive(Clone, Debug, Default)]
 pub struct Curves {
-    /// what they are, with the unit
+    /// their quantity and unit
     pub name: String,
-    /// lowest and highest value, and the step between lines; none: as the curves need it
+    /// lowest and highest value, and the step between lines; `None` to fit the curves
     pub scale: Option<[f64; 3]>,
-    /// values with a name, as lines across
+    /// named values, drawn as horizontal lines
     pub marks: Vec<(f64, String)>,
     pub curves: Vec<Curve>,
 }
@@ -84,7 +84,7 @@ pub struct Curves {
 #[derive(Clone, Debug)]
 pub struct Curve {
     pub name: String,
-    /// pieces, between which the curve jumps
+    /// continuous pieces of the curve
     pub pieces: Vec<Vec<Point>>,
 }
 
@@ -94,10 +94,10 @@ pub struct Rows {
     pub rows: Vec<(String, Vec<[f64; 2]>)>,
 }
 
-/// Curves in a plane whose two axes have one scale.
+/// Curves in a plane with equal scales on both axes.
 #[derive(Clone, Debug)]
 pub struct Plane {
-    /// what it shows
+    /// its contents
     pub name: String,
     /// left and right end; the height follows, with 0 in the middle
     pub across: [f64; 2],
@@ -108,7 +108,7 @@ pub struct Plane {
     pub curves: Vec<Curve>,
 }
 
-/// What every picture begins with.
+/// The beginning of every picture.
 pub const HEAD: &str = r#"<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 "#;
 
 const WIDTH: f64 = 760.0;
@@ -126,7 +126,7 @@ const GAP: f64 = 16.0;
 const FOOT: f64 = 44.0;
 
 impl Panel {
-    /// Curves on a scale that they need.
+    /// Curves on a scale that fits them.
     #[must_use]
     pub fn curves(name: impl Into<String>, curves: Vec<Curve>) -> Self {
         Self::Curves(Curves { name: name.into(), curves, ..Curves::default() })
@@ -140,7 +140,7 @@ impl Curve {
         Self { name: name.into(), pieces: vec![points] }
     }
 
-    /// A curve that is broken where it jumps by more than that.
+    /// A curve that is interrupted where it jumps by more than `jump`.
     #[must_use]
     pub fn broken(name: impl Into<String>, points: impl Iterator<Item = Point>, jump: f64) -> Self {
         let mut pieces: Vec<Vec<Point>> = Vec::new();
@@ -187,7 +187,7 @@ impl Picture {
 }
 
 impl Over {
-    /// Draws them below a place; returns the lower end of the axis.
+    /// Draws the panels below a place; returns the lower end of the axis.
     fn draw(&self, top: f64, lines: &mut Vec<String>) -> f64 {
         let top = if self.events.is_empty() { top } else { top + EVENTS };
         let mut y = top;

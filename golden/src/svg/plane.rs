@@ -1,4 +1,4 @@
-//! A panel whose two axes have one scale: Nyquist curves.
+//! A panel with equal scales on both axes: Nyquist curves.
 
 use super::scale::{Scale, lines as lines_of, number, step};
 use super::style::{INK, framed, legend, line, polyline, text};
@@ -6,13 +6,13 @@ use super::{FOOT, LEFT, MARGIN, NAME, Plane, RIGHT};
 
 /// Height of the panel.
 const HEIGHT: f64 = 320.0;
-/// Lines of a scale, at most.
+/// Maximum number of lines of a scale.
 const STEPS: f64 = 10.0;
 /// Half a mark.
 const MARK: f64 = 4.0;
 
 impl Plane {
-    /// Draws it below a place; returns the lower end of its axis.
+    /// Draws the panel below a place; returns the lower end of its axis.
     pub(super) fn draw(&self, top: f64, lines: &mut Vec<String>) -> f64 {
         let (top, bottom) = (top + NAME, top + NAME + HEIGHT);
         let [left, right] = self.across;

@@ -1,12 +1,12 @@
-//! What is drawn with: colours and dashes, lines, texts, curves.
+//! The elements of a drawing: colours and dashes, lines, texts, curves.
 
 use std::fmt::Write;
 
-/// Of texts and scales.
+/// The colour of texts and scales.
 pub(super) const INK: &str = "#767676";
 
-/// The curves of a panel, four at most, in their order: colour and dashes. People who see two colours only can distinguish them, and so does a printer
-/// without colours.
+/// The curves of a panel, four at most, in their order: colour and dashes. They can be distinguished with two colours only,
+/// and without colours by their dashes.
 pub const STYLES: [(&str, &str); 4] = [
     ("#2f81d8", ""),
     ("#c0661a", r#" stroke-dasharray="5 3""#),
@@ -19,17 +19,17 @@ type Place = (f64, f64);
 
 /// Points on a line of the file.
 const POINTS: usize = 8;
-/// Width of a letter, about.
+/// Approximate width of a letter.
 pub(super) const LETTER: f64 = 7.2;
 /// Height of a line of text.
 pub(super) const LETTERS: f64 = 12.0;
-/// The piece of a line before its name.
+/// Length of the sample line before a name.
 const PIECE: f64 = 26.0;
 const BETWEEN: f64 = 18.0;
-/// Points that are nearer to each other than this are one.
+/// Points that are closer to each other than this are drawn as one.
 const NEAR: f64 = 0.8;
 
-/// Lines across and along: how visible, and further attributes.
+/// Horizontal and vertical lines: opacity, and further attributes.
 pub(super) fn line(ends: [f64; 4], opacity: &str, dashes: &str) -> String {
     let [x1, y1, x2, y2] = ends;
     format!(
@@ -42,7 +42,7 @@ pub(super) fn text(at: [f64; 2], anchor: &str, colour: &str, text: &str) -> Stri
     format!(r#"<text x="{x:.1}" y="{y:.1}" text-anchor="{anchor}" fill="{colour}">{}</text>"#, escaped(text))
 }
 
-/// The names of curves, each after a piece of its line, at the right end.
+/// The names of curves, each after a sample of its line, at the right end.
 pub(super) fn legend<'n>(
     names: impl DoubleEndedIterator<Item = &'n str> + ExactSizeIterator,
     right: f64,
@@ -73,7 +73,7 @@ pub(super) fn polyline(places: impl Iterator<Item = Place>, style: usize, lines:
     lines.push(r#""/>"#.to_owned());
 }
 
-/// What lies within a frame, from left and top to right and bottom; the rest is cut off.
+/// Contents clipped to a frame, from left and top to right and bottom.
 pub(super) fn framed(
     [left, top, right, bottom]: [f64; 4],
     lines: &mut Vec<String>,

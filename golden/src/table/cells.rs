@@ -1,8 +1,8 @@
-//! A line as cells, and a cell as the text of a number. What they mean is not known here.
+//! Splits a line into cells, and normalises the text of a number. Their meaning is not known here.
 
 use std::borrow::Cow;
 
-/// The cells of a line, without the blanks and the quotation marks around them. Between quotation marks nothing is separated.
+/// The cells of a line, without the blanks and the quotation marks around them. Text in quotation marks is not split.
 pub(crate) fn split<'t>(line: &'t str, separator: char, cells: &mut Vec<&'t str>) {
     cells.clear();
     if !line.contains('"') {
@@ -20,7 +20,7 @@ pub(crate) fn split<'t>(line: &'t str, separator: char, cells: &mut Vec<&'t str>
     }
 }
 
-/// The cells of a line of samples. A scope writes a blank if a channel has no sample, between blanks too.
+/// The cells of a line of samples. A scope writes a blank for a missing sample, even if blanks separate the cells.
 pub(crate) fn split_samples<'t>(line: &'t str, separator: char, cells: &mut Vec<&'t str>) {
     if separator != ' ' {
         return split(line, separator, cells);
@@ -38,7 +38,7 @@ pub(crate) fn split_samples<'t>(line: &'t str, separator: char, cells: &mut Vec<
     }
 }
 
-/// The first cell, and where the next one begins.
+/// The first cell, and the position of the next one.
 fn first_cell(text: &str, separator: char) -> (&str, Option<usize>) {
     let quoted = text.trim_start_matches(|letter| letter == ' ' && separator != ' ').strip_prefix('"');
     let quoted = quoted.and_then(|inner| Some((inner, inner.find('"')?)));
@@ -57,7 +57,7 @@ pub(crate) fn column_of(line: &str, cell: &str) -> usize {
     line.get(..offset).map_or(1, |before| before.chars().count() + 1)
 }
 
-/// A decimal comma as a point, where no comma separates cells.
+/// A decimal comma as a point, if commas do not separate cells.
 pub(crate) fn number(cell: &str, separator: char) -> Cow<'_, str> {
     let has_comma = separator != ',' && cell.contains(',') && !cell.contains('.');
     if has_comma { Cow::Owned(cell.replace(',', ".")) } else { Cow::Borrowed(cell) }

@@ -5,15 +5,15 @@ use std::collections::BTreeSet;
 /// A column that is not a time.
 #[derive(Clone, Debug)]
 pub struct Column<'t> {
-    /// its name, in an export the channel's; empty: it has none of its own
+    /// its name, in an export the channel's; may be empty
     pub name: &'t str,
-    /// in an export, the symbol that it shows; several channels can show the same
+    /// in an export, its symbol; several channels may have the same symbol
     pub symbol: &'t str,
-    /// where the name stands: line and column, both from 1
+    /// line and column of the name, both from 1
     pub place: [usize; 2],
-    /// what an export says of the time between two samples [ms], and where: line and column
+    /// in an export, the time between two samples [ms], with line and column
     pub sample_time: Option<(&'t str, [usize; 2])>,
-    /// which cell of a row is its value
+    /// index of its cell in a row
     pub(crate) cell: usize,
     /// its column of times
     pub(crate) time: Option<TimeColumn<'t>>,
@@ -28,26 +28,26 @@ pub(crate) struct TimeColumn<'t> {
     pub place: [usize; 2],
 }
 
-/// What a time counts.
+/// The unit of a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
     /// units of this number of nanoseconds
     Nanoseconds(i64),
-    /// an export's: milliseconds, or if they are large, 100 ns since 1601
+    /// of an export: milliseconds, or for large values 100 ns since 1601
     OfExport,
-    /// the name does not say it
+    /// not stated in the name
     Unsaid,
 }
 
 impl<'t> Column<'t> {
-    /// What the user calls it.
+    /// Its name for the user.
     #[must_use]
     pub fn called(&self) -> &'t str {
         if self.name.is_empty() { self.symbol } else { self.name }
     }
 }
 
-/// Whether a column is called a time: `time`, `Time [s]`, `t`, `Zeit(ms)`; then what it counts.
+/// The unit, if the column's name is that of a time: `time`, `Time [s]`, `t`, `Zeit(ms)`.
 pub(crate) fn time_unit(name: &str) -> Option<Unit> {
     let name = name.to_lowercase();
     let mut words = name.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty());

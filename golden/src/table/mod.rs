@@ -1,4 +1,4 @@
-//! What recorders write, as columns of cells: plain CSV, tables with `;` and a decimal comma, exports of TwinCAT Scope. No
+//! The files of recorders as columns of cells: plain CSV, tables with `;` and a decimal comma, exports of TwinCAT Scope. No
 //! signal and no value is known here.
 
 mod cells;
@@ -11,12 +11,12 @@ pub(crate) use column::{TimeColumn, Unit, listed};
 
 use std::borrow::Cow;
 
-/// A table whose cells have not been read as values yet.
+/// A table before its cells are read as values.
 #[derive(Clone, Debug)]
 pub struct Table<'t> {
     pub columns: Vec<Column<'t>>,
     pub rows: Vec<Row<'t>>,
-    /// whether it is an export, which has columns of signals that are not the block's, and rows that end early
+    /// whether it is an export, which may contain columns of other signals, and rows that end early
     pub is_export: bool,
     /// the columns of times of a plain table
     pub(crate) times: Vec<TimeColumn<'t>>,
@@ -44,7 +44,7 @@ impl<'t> Table<'t> {
         }
     }
 
-    /// Reads the head without the columns of times that the user leaves out.
+    /// Reads the head without the time columns that the user leaves out.
     #[must_use]
     pub fn without(mut self, map: &[(String, String)]) -> Self {
         let is_out = |time: &TimeColumn<'_>| map.iter().any(|(name, signal)| name == time.name && signal == "-");
@@ -57,14 +57,14 @@ impl<'t> Table<'t> {
     /// The cells of a row.
     ///
     /// # Errors
-    /// The number of cells that the row has, and the number that is right.
+    /// The number of cells of the row, and the correct number.
     pub(crate) fn cells(&self, row: &Row<'t>, cells: &mut Vec<&'t str>) -> Result<(), [usize; 2]> {
         match self.is_export {
             true => cells::split_samples(row.text, self.separator, cells),
             false => cells::split(row.text, self.separator, cells),
         }
         while cells.len() > self.cells && cells.last().is_some_and(|cell| cell.is_empty()) {
-            cells.pop(); // after a separator at the end
+            cells.pop(); // empty, after a separator at the end
         }
         let is_right = cells.len() == self.cells || self.is_export && cells.len() < self.cells;
         if is_right { Ok(()) } else { Err([cells.len(), self.cells]) }
@@ -89,7 +89,7 @@ impl<'t> Table<'t> {
 }
 
 impl Row<'_> {
-    /// Where a cell of the row stands.
+    /// The place of a cell of the row.
     pub(crate) fn place(&self, cell: &str) -> [usize; 2] {
         [self.line, cells::column_of(self.text, cell)]
     }

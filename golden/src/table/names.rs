@@ -1,14 +1,15 @@
-//! The names of channels in a row whose cells are separated by blanks, where names have blanks themselves and no quotation marks.
+//! The names of channels in a row whose cells are separated by blanks, although names may contain blanks, without quotation
+//! marks.
 
 use super::cells;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A name that stands there a second time has not more words.
+/// The largest number of words of a name that occurs twice.
 const LONGEST: usize = 8;
 
-/// The names of these numbers of channels, group by group, each between two keys. None: the row is ambiguous.
+/// The names of these numbers of channels, group by group, each between two keys. `None` if the row is ambiguous.
 ///
-/// Two things do: a channel that the user names, and that a scope calls a second channel of one name `NAME (1)`.
+/// Two hints help: names given by the user, and that a scope calls a second channel of one name `NAME (1)`.
 pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: &[&str]) -> Option<Vec<&'t str>> {
     let mut words = Vec::new();
     cells::split(line, ' ', &mut words);
@@ -38,7 +39,7 @@ pub(super) fn of_groups<'t>(line: &'t str, key: &str, counts: &[usize], wanted: 
     Some(names)
 }
 
-/// The names that stand there a second time, followed by `(1)`: both forms of each.
+/// The names that occur a second time, followed by `(1)`: both forms of each.
 fn repeated<'t>(words: &[&'t str]) -> Vec<Vec<&'t str>> {
     let is_number = |word: &str| {
         let digits = word.strip_prefix('(').and_then(|word| word.strip_suffix(')'));
@@ -58,7 +59,7 @@ fn repeated<'t>(words: &[&'t str]) -> Vec<Vec<&'t str>> {
     phrases
 }
 
-/// From the first of these words to the last one.
+/// The text from the first of these words to the last one.
 fn joined<'t>(line: &'t str, first: &str, last: &str) -> &'t str {
     let offset = |word: &str| word.as_ptr() as usize - line.as_ptr() as usize;
     &line[offset(first)..offset(last) + last.len()]

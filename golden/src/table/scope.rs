@@ -1,13 +1,13 @@
-//! The head of an export of TwinCAT Scope: where its channels stand, what they are called, where the samples begin.
+//! The head of an export of TwinCAT Scope: its channels, their names, the first line of samples.
 //!
-//! It begins with `Name` and lines about the recording. A block of rows about the channels follows, each a key and then a value
-//! for every channel. The key stands again before each channel that has a column of times of its own: what stands below a key
-//! is a time. The rows have as many cells as the samples, but for two kinds:
+//! It begins with `Name` and lines about the recording. A block of rows about the channels follows, each with a key and then
+//! a value for every channel. The key is repeated before each channel with its own column of times: the cell below a key is
+//! a time. The rows have the same number of cells as the samples, except two kinds:
 //!
 //! ```text
 //! Name func_a Name test space func_b        between blanks, of names with blanks
 //! SampleTime[ms],0,2,SampleTime[ms],1,1     between commas, with the decimal comma of the PC
-//! Data-Type REAL64 Data-Type REAL64 BIT     what they are measured by
+//! Data-Type REAL64 Data-Type REAL64 BIT     the row that determines the columns
 //! ```
 
 use super::cells;
@@ -20,16 +20,16 @@ const DATA_TYPE: &str = "Data-Type";
 const SAMPLE_TIME: &str = "SampleTime[ms]";
 const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
-/// What stands above the samples.
+/// The contents above the samples.
 pub(super) struct Head<'t> {
     pub columns: Vec<Column<'t>>,
-    /// how many cells a row has
+    /// number of cells in a row
     pub cells: usize,
     /// the index of the first line of samples
     pub start: usize,
 }
 
-/// What separates the cells, if the file is an export.
+/// The separator of the cells, if the file is an export.
 pub(super) fn separator(first_line: &str) -> Option<char> {
     let rest = first_line.strip_prefix(NAME).or_else(|| first_line.strip_prefix("\"Name\""))?;
     rest.chars().next().filter(|letter| SEPARATORS.contains(letter))
@@ -50,14 +50,14 @@ struct Rows<'t> {
     sample_times: Option<Row<'t>>,
 }
 
-/// The row that says which cell is a channel and which is a time.
+/// The row that distinguishes cells of channels from cells of times.
 struct Layout<'r, 't> {
     row: &'r Row<'t>,
     /// whether samples have times
     has_times: bool,
 }
 
-/// Reads the head; `wanted` are the channels that the user names.
+/// Reads the head; `wanted` are the channels named by the user.
 pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> Head<'t> {
     let mut cells = Vec::new();
     let is_sample = |line: &&'t str| {
@@ -83,7 +83,7 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
 }
 
 impl<'t> Rows<'t> {
-    /// The first line of samples decides: a row about the channels has as many cells, or one more if there are no times.
+    /// The first line of samples decides: a row about the channels has the same number of cells, or one more without times.
     fn layout(&self, samples: Option<usize>) -> Option<Layout<'_, 't>> {
         let rows: Vec<&Row<'_>> = [&self.symbols, &self.types, &self.names].into_iter().flatten().collect();
         let with = |more: usize| {
@@ -125,7 +125,7 @@ impl<'t> Rows<'t> {
         columns
     }
 
-    /// The names where their row has another number of cells, as far as they can be separated.
+    /// The names if their row has another number of cells, as far as they can be separated.
     fn split_names(&self, layout: &Row<'t>, wanted: &[&str]) -> Vec<&'t str> {
         let names = self.names.as_ref().filter(|row| row.cells.len() != layout.cells.len());
         let counts: Vec<usize> =
@@ -149,7 +149,7 @@ fn row<'t>(lines: &[&'t str], separator: char, key: &str) -> Option<Row<'t>> {
     Some(Row { line: index + 1, text, cells })
 }
 
-/// Where a cell stands.
+/// The place of a cell.
 fn place(row: &Row<'_>, cell: &str) -> [usize; 2] {
     [row.line, cells::column_of(row.text, cell)]
 }

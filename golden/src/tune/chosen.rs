@@ -1,4 +1,4 @@
-//! Which vibrations of a recording get a stage: those of the sensor that is nearest to the tool, the strongest first. No search.
+//! The vibrations of a recording that get a stage: those of the sensor nearest to the tool, the strongest first. No search.
 
 use crate::measure::{Measured, Verdict, Vibration, When};
 use generator::codes;
@@ -7,9 +7,9 @@ use identification::scenarios::MOST_STAGES;
 use identification::shape::Mode;
 use identification::source::Side;
 
-/// Channels by their nearness to the tool: the first group that shows a vibration counts.
+/// Channels by their distance from the tool: the first group that shows a vibration counts.
 const NEAREST: [&[&str]; 3] = [&["a_load"], &["v_direct"], &["v_motor", "following_error"]];
-/// Frequencies that are one, as a part: the same stage damps both.
+/// Relative tolerance for equal frequencies: one stage damps both.
 const SAME: f64 = 0.05;
 
 /// A vibration that gets a stage.
@@ -18,21 +18,21 @@ pub struct Chosen {
     /// [Hz]
     pub hz: f64,
     pub when: figures::When,
-    /// none: it is forced
+    /// `None` if it is forced
     pub damping: Option<f64>,
     pub channel: &'static str,
-    /// none: unknown
+    /// `None` if unknown
     pub source: Option<Side>,
-    /// DIRECT where the velocity of the motor shows it
+    /// DIRECT if the velocity of the motor shows it
     pub mode: Mode,
 }
 
-/// Chooses vibrations; says which ones get no stage.
+/// Chooses vibrations; reports those that get no stage.
 pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chosen> {
     let of = |group: &&[&str]| moves.vibrations.iter().any(|of| group.contains(&of.channel) && when(of).is_some());
     let Some(group) = NEAREST.iter().find(|group| of(group)) else { return Vec::new() };
     let mut found: Vec<&Vibration> = moves.vibrations.iter().filter(|of| group.contains(&of.channel)).collect();
-    // Amplitudes of one channel only can be compared.
+    // Only amplitudes of the same channel can be compared.
     found.sort_by(|a, b| a.channel.cmp(b.channel).reverse().then(b.amplitude.total_cmp(&a.amplitude)));
     let mut chosen: Vec<Chosen> = Vec::new();
     let (mut at_load, mut beyond) = (Vec::new(), Vec::new());
@@ -66,7 +66,7 @@ fn say(all: &[f64], what: &str, instead: &'static str, verdicts: &mut Vec<Verdic
     }
 }
 
-/// When it is judged; none: it was excited.
+/// The time for its evaluation; `None` if it was excited.
 fn when(of: &Vibration) -> Option<figures::When> {
     match of.when {
         When::Driving => Some(figures::When::Driving),

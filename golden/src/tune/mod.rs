@@ -1,11 +1,11 @@
-//! Stages that recordings ask for: recommended, strong, cautious, with what they would leave of each vibration; first ones
-//! where the response of the drive is not known. The search is that of the crate `identification`. No file, nothing is
-//! written into a set.
+//! Proposes stages from recordings: recommended, strong, cautious, with the remaining part of each vibration; first ones if
+//! the response of the drive is unknown. The search is in the crate `identification`. No file, nothing is written into a
+//! set.
 //!
 //! ```text
 //! chosen    the vibrations that get a stage
 //! stage     a stage as parameters
-//! proposal  what is proposed, and why not
+//! proposal  the proposals, or the reasons against them
 //! text      the report
 //! ```
 
@@ -29,21 +29,21 @@ use portable::peak;
 /// A motor that is slower than this part of its peak is at rest.
 const AT_REST: f64 = 0.05;
 
-/// Which response of the drive counts.
+/// The response of the drive to be used.
 #[derive(Clone, Copy, Debug, Eq, PartialEq)]
 pub enum Prefer {
-    /// that of the excited recording, where there is one
+    /// that of the excited recording, if there is one
     Excited,
-    /// that of the set, or of the option in its place
+    /// that of the set, or of the option that overrides it
     Set,
 }
 
-/// What is proposed for an axis.
+/// The proposals for an axis.
 #[derive(Clone, Debug)]
 pub struct Tuning {
     /// [s]
     pub cycle_time: f64,
-    /// Kv [1/s]; none: the set does not state it
+    /// Kv [1/s]; `None` if the set does not state it
     pub position_gain: Option<f64>,
     /// the vibrations, in the order of the stages
     pub chosen: Vec<Chosen>,
@@ -90,7 +90,7 @@ pub fn tune(designed: &Designed, moves: &Measured, excited: Option<&Measured>, p
     tuning
 }
 
-/// Whether what stages would do to the moves can be known.
+/// Whether the effect of stages on the moves can be predicted.
 fn is_usable(moves: &Measured, records: &[&Record], tuning: &mut Tuning) -> bool {
     let cycle = tuning.cycle_time;
     let mut refuse = |code, found: String, instead| tuning.verdicts.push(Verdict::refusal(code, found, instead));

@@ -1,4 +1,4 @@
-//! Proposals as data: stages, what they would leave, or why there are none.
+//! Proposals as data: stages and their effect, or the reason why there are none.
 
 use super::chosen::Chosen;
 use super::stage::{Stage, responses};
@@ -18,28 +18,28 @@ const UM: f64 = 1e6;
 pub struct Proposal {
     pub kind: Kind,
     pub stages: Vec<Stage>,
-    /// none: the response of the drive is not known
+    /// `None` if the response of the drive is unknown
     pub predicted: Option<Predicted>,
 }
 
-/// What the stages would do.
+/// The predicted effect of the stages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Predicted {
-    /// what is left of each vibration, as a part
+    /// the remaining part of each vibration
     pub residuals: Vec<f64>,
-    /// of the largest ring-down after ramps; none: no vibration is of ramps
+    /// the remaining part of the largest ring-down after ramps; `None` if no vibration belongs to ramps
     pub ring_down: Option<f64>,
-    /// the peak of the following error, as a part of that without stages; none: it is not recorded
+    /// the peak of the following error, relative to that without stages; `None` if it is not recorded
     pub following_error: Option<f64>,
     /// the largest |v_add| [um/s or 0.001 deg/s]
     pub peak_v_add: f64,
     /// the largest |S|: as measured, half a cycle later, with 15 % less load, with 15 % more
     pub ms: [f64; 4],
-    /// more than 0.8 is left of every vibration
+    /// more than 0.8 of every vibration remains
     pub is_useless: bool,
 }
 
-/// What proposals are made from.
+/// The data for proposals.
 pub(super) struct Task<'a> {
     pub axis: &'a Axis,
     pub record: &'a Record,
@@ -48,7 +48,7 @@ pub(super) struct Task<'a> {
 }
 
 impl Task<'_> {
-    /// Recommended, strong, cautious.
+    /// The proposals: recommended, strong, cautious.
     pub(super) fn proposals(&self, lines: &Lines, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
         let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
         let of_error = self.record.following_error();
@@ -86,7 +86,7 @@ impl Task<'_> {
         all
     }
 
-    /// Without a response; says what to measure next.
+    /// The first stages without a response; reports what to measure next.
     pub(super) fn first(&self, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
         let (cycle, stages) = (self.axis.cycle_time(), responses(self.axis.cycle_time()));
         let vibrations: Vec<_> = self.chosen.iter().map(|chosen| (chosen.mode, chosen.hz)).collect();
@@ -101,7 +101,8 @@ impl Task<'_> {
         vec![Proposal { kind: Kind::First, stages: found, predicted: None }]
     }
 
-    /// In the unit of a way that `v_motor` covers in 1 s; none: it is not recorded, or a unit is not known.
+    /// The following error in the unit of the distance that `v_motor` covers in 1 s; `None` if it is not recorded, or if a
+    /// unit is unknown.
     fn following_error(&self) -> Option<Vec<f64>> {
         let (error, unit) = (self.record.following_error()?, self.record.unit("following_error")?);
         let factor = unit.size / self.record.unit("v_motor")?.size;

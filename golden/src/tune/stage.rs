@@ -1,11 +1,12 @@
-//! A proposed stage as the parameters of a set: numbers with few digits, weights rounded down. Its response is that of the block.
+//! A proposed stage as the parameters of a set: numbers with few digits, weights rounded down. Its response is that of the
+//! block.
 
 use generator::analysis;
 use generator::axis::{self, Filter};
 use generator::parameters::words::{DirectSource, Prototype, StageMode, Words};
 use identification::shape::{Allpass, Mode, Shape, Stages};
 
-/// Parts of 1 in which frequencies, quality factors and dampings are given, and the denominator of weights (P-AXIS-00755).
+/// Resolution of frequencies, quality factors and dampings in parts of 1, and the denominator of weights (P-AXIS-00755).
 const DIGITS: f64 = 1e4;
 pub(super) const DENOMINATOR: u32 = 1000;
 
@@ -18,7 +19,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// Of a shape and a weight.
+    /// A stage from a shape and a weight.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a weight is from 0 to 7")]
     pub(super) fn rounded(shape: &Shape, weight: f64) -> Self {
         let round = |value: f64| libm::round(value * DIGITS) / DIGITS;
@@ -43,14 +44,14 @@ impl Stage {
     }
 }
 
-/// The parameters of a stage that are words, or follow from its mode.
+/// The parameters of a stage that are words, or depend on its mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
     /// P-AXIS-00753
     pub mode: &'static str,
-    /// none: it has no effect in the mode
+    /// `None` if it has no effect in the mode
     pub direct_source: Option<&'static str>,
-    /// P-AXIS-00850; none: it has no effect in the mode
+    /// P-AXIS-00850; `None` if it has no effect in the mode
     pub damping: Option<f64>,
     /// P-AXIS-00848
     pub prototype: &'static str,
@@ -58,10 +59,10 @@ pub struct Parameters {
     pub order: u32,
 }
 
-/// The prototype that is stated: of order 1 all of them are equal.
+/// The stated prototype: for order 1 all of them are equal.
 const PROTOTYPE: Prototype = Prototype::CritDamping;
 
-/// The response of a shape with weight 1 as a block has it.
+/// The response of a shape with weight 1, as in a block.
 pub(super) fn responses(cycle_time: f64) -> Box<Stages<'static>> {
     Box::new(move |shape| Box::new(analysis::of_stage(&with_weight_1(shape), cycle_time)))
 }

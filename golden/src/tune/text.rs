@@ -1,4 +1,4 @@
-//! Proposals for people.
+//! Proposals as text for readers.
 
 use super::{Chosen, Kind, Predicted, Proposal, Stage, Tuning};
 use crate::measure::text::side_word;
@@ -73,7 +73,8 @@ fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
     )
 }
 
-/// What to measure where no response is known. The lines are near enough for the narrowest vibration whose damping is known.
+/// The next measurement if no response is known. Its lines are close enough for the narrowest vibration with a known
+/// damping.
 fn next(tuning: &Tuning) -> String {
     let damped = tuning.chosen.iter().filter_map(|chosen| Some((chosen.hz, chosen.damping?)));
     let narrowest = damped.min_by(|a, b| (a.0 * a.1).total_cmp(&(b.0 * b.1)));

@@ -1,4 +1,4 @@
-//! Operators between two operands -> operations: which there are for which types.
+//! Operators with two operands -> operations: the valid operators for each type.
 
 use super::constant::{SMALLEST_DINT, operator};
 use super::kind::Kind;
@@ -35,7 +35,8 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     }
     let kind = match (a, b) {
         (Operand::Slot { kind, .. }, _) | (_, Operand::Slot { kind, .. }) => kind,
-        // Of the smallest DINT this is the only form that every compiler reads alike: no smaller type holds its left side.
+        // For the smallest DINT this is the only form that every compiler reads in the same way: no smaller type holds its
+        // left side.
         (Operand::Integer(left), Operand::Integer(1)) if operator == "-" && left == SMALLEST_DINT + 1 => {
             return Some(Operand::Integer(SMALLEST_DINT));
         }
@@ -55,7 +56,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             return None;
         }
     }
-    // By 0, and the smallest DINT by -1, every controller does something else.
+    // Controllers behave differently for a division by 0, and of the smallest DINT by -1.
     if matches!(code, Code::DivideDint | Code::RemainderDint | Code::DivideUdint | Code::RemainderUdint)
         && !is_positive_literal(right, lowering.text)
     {
@@ -65,7 +66,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     Some(lowering.emit(code, result, &if swapped { [b, a] } else { [a, b] }))
 }
 
-/// The operation on two types, as [`code`] has it; `None`: it does not exist, which was reported.
+/// The operation on two types, from [`code`]; `None` if it does not exist, which was reported.
 fn operation(
     lowering: &mut Lowering<'_, '_>,
     place: Node<'_>,
@@ -102,7 +103,7 @@ fn is_positive_literal(node: Node<'_>, text: &str) -> bool {
     node.kind() == "integer_literal" && number::integer(said(node, text)).is_some_and(|value| value > 0)
 }
 
-/// The operation, the type of its result, and whether its operands change places.
+/// The operation, the type of its result, and whether its operands are swapped.
 fn code(operator: &str, kind: Kind) -> Option<(Code, Kind, bool)> {
     use Kind::{Bool, Dint, Real, Udint};
     let code = match (operator, kind) {

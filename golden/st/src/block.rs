@@ -1,4 +1,4 @@
-//! A function block, checked and lowered: plain data. What reads, runs or changes it is elsewhere.
+//! A function block, checked and lowered: plain data. Reading, running and changing it is elsewhere.
 
 use super::op::Op;
 use super::structure::Structure;
@@ -14,10 +14,10 @@ pub struct Block {
     pub(crate) variables: Variables,
     /// the types of its structures
     pub(crate) structures: Vec<Structure>,
-    /// a cycle
+    /// the operations of a cycle
     pub(crate) ops: Vec<Op>,
-    /// which of them are those of each assignment, in the order of the text
+    /// the operations of each assignment, in the order of the text
     pub(crate) assignments: Vec<Range<usize>>,
-    /// where it begins, for mistakes of a run
+    /// its place, for errors of a run
     pub(crate) place: (usize, usize),
 }

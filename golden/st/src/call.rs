@@ -1,4 +1,4 @@
-//! Calls of functions: the conversions on which all compilers agree, and the function that the emitted files bring along.
+//! Calls of functions: the conversions on which all compilers agree, and the function in the emitted files.
 
 use super::Dialect;
 use super::kind::Kind;
@@ -9,7 +9,7 @@ use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
-    /// Lowers a call; `None`: a mistake was reported.
+    /// Lowers a call; `None` after a reported error.
     pub(crate) fn call(&mut self, node: Node<'_>) -> Option<Operand> {
         lower(self, node)
     }
@@ -92,7 +92,7 @@ fn conversion(
     }
 }
 
-/// `TRUNC` of a real, alone right of `:=`: some compilers take its type from the variable that gets it.
+/// `TRUNC` of a real, alone to the right of `:=`: some compilers take its type from the assigned variable.
 fn truncation(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'_>]) -> Option<Operand> {
     let [argument] = arguments else {
         lowering.say(node, format!("TRUNC of {} values", arguments.len()), "one value in the parentheses");
@@ -127,7 +127,7 @@ fn in_range(lowering: &mut Lowering<'_, '_>, node: Node<'_>, arguments: &[Node<'
     Some(lowering.emit(Code::InRange, Kind::Bool, &[a?, b?]))
 }
 
-/// A real that goes into a parameter of a function.
+/// A real that is passed to a parameter of a function.
 fn parameter(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Typed> {
     let typed = real(lowering, node)?;
     if let Some(last) = lowering.ops.last_mut().filter(|_| typed.2) {

@@ -1,4 +1,4 @@
-//! Changed blocks: evaluated as a compiler may do it, or with a planted fault. The caller decides what they are used for.
+//! Changed blocks: evaluated as a compiler is allowed to, or with a planted fault. The caller decides on their use.
 
 use super::block::Block;
 use super::op::{Code, Op};
@@ -7,8 +7,9 @@ use portable::{Real, RealKind};
 use std::collections::HashMap;
 
 impl Block {
-    /// The block with every intermediate result inside a statement in double precision, where its reals are REAL: a value is
-    /// rounded when a variable, an input of an instance or a parameter of a function gets it. A block of LREAL is not changed.
+    /// The block with every intermediate result of a statement in double precision, if its reals are REAL: a value is
+    /// rounded when it is assigned to a variable, an input of an instance or a parameter of a function. A block of LREAL is
+    /// unchanged.
     #[must_use]
     pub fn wide(mut self) -> Self {
         if self.variables.real == RealKind::F32 {
@@ -18,8 +19,8 @@ impl Block {
     }
 
     /// The block with fused operations: a product that is an operand of a sum or a difference in the same statement is not
-    /// rounded before it. Of two such products of one sum it is the left one. `which` is one of these places, or all of them;
-    /// `None`: such a place does not exist.
+    /// rounded. If both operands of a sum are products, the left one is fused. `which` is one of these places, or all of
+    /// them; `None` if such a place does not exist.
     #[must_use]
     pub fn contracted(&self, which: Option<usize>) -> Option<Self> {
         let places = fusible(&self.ops);
@@ -35,7 +36,7 @@ impl Block {
         (!chosen.is_empty()).then_some(block)
     }
 
-    /// The block without one of its assignments, in the order of the text; `None`: the block has fewer.
+    /// The block without one of its assignments, in the order of the text; `None` if the block has fewer.
     #[must_use]
     pub fn without(&self, which: usize) -> Option<Self> {
         let mut block = self.clone();
@@ -45,8 +46,8 @@ impl Block {
         Some(block)
     }
 
-    /// The block with one of the real numbers of its text, in its order, larger by a thousandth of it.
-    /// Numbers that are 0, and start values, do not count. `None`: the block has fewer.
+    /// The block with one of the real numbers of its text, in its order, increased by a thousandth. Numbers that are 0, and
+    /// start values, do not count. `None` if the block has fewer.
     #[must_use]
     pub fn with_other_constant(&self, which: usize) -> Option<Self> {
         let mut block = self.clone();
@@ -65,7 +66,7 @@ fn fusible(ops: &[Op]) -> Vec<(usize, usize)> {
     let mut places = Vec::new();
     for (at, op) in ops.iter().enumerate() {
         match op.code {
-            // Each part has a slot of its own.
+            // Each part of an expression has a separate slot.
             Code::MultiplyReal if op.part => {
                 products.insert(op.to, at);
             }
@@ -90,7 +91,7 @@ fn fused(product: Op, sum: Op) -> Op {
     Op { code, a: product.a, b: product.b, c, ..sum }
 }
 
-/// Replaces an operation by nothing; the others keep their numbers.
+/// Replaces an operation by one without effect; the others keep their numbers.
 fn skip(ops: &mut [Op], at: usize) {
     ops[at] = Op::new(Code::Jump, number(at + 1), [0, 0]);
 }

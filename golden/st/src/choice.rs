@@ -1,4 +1,4 @@
-//! Statements that choose among others -> jumps over operations.
+//! Conditional statements -> jumps over operations.
 
 use super::constant::SMALLEST_DINT;
 use super::kind::Kind;
@@ -34,10 +34,11 @@ impl Lowering<'_, '_> {
         });
     }
 
-    /// Lowers statements of which one list is executed at most. `test` appends the jump over an arm; without one it is the last.
+    /// Lowers alternatives, of which at most one is executed. `test` appends the jump over an arm; an arm without a test is
+    /// the last.
     fn arms(&mut self, arms: &[Node<'_>], mut test: impl FnMut(&mut Self, Node<'_>) -> Option<usize>) {
         let mut ends = Vec::new();
-        // A variable is assigned after the statement if it is assigned in each of its arms and, without an ELSE, before it.
+        // A variable has a value after the statement if it is assigned in each of its arms and, without an ELSE, before it.
         let mut after: Option<BTreeSet<(usize, u32)>> = None;
         for (at, &arm) in arms.iter().enumerate() {
             let what = match arm.kind() {
@@ -81,7 +82,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The slot of the value of a `CASE`; `None`: a mistake was reported.
+    /// The slot of the value of a `CASE`; `None` after a reported error.
     fn subject(&mut self, node: Node<'_>) -> Option<u32> {
         match self.expression(node)? {
             Operand::Slot { kind: Kind::Dint, slot, .. } => Some(slot),
@@ -93,7 +94,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The slot of the condition that the value is one of a branch's labels; `before` has the labels up to here.
+    /// The slot of the condition that the value is one of a branch's labels; `before` has the previous labels.
     fn labels(&mut self, clause: Node<'_>, subject: Option<u32>, before: &mut BTreeSet<i64>) -> u32 {
         let mut any = None;
         for (node, _) in children(clause).into_iter().filter(|(part, _)| part.kind() == "case_value") {
@@ -110,7 +111,7 @@ impl Lowering<'_, '_> {
         any.map_or(0, |(_, slot, _)| slot)
     }
 
-    /// The number of a label; `None`: a mistake was reported.
+    /// The number of a label; `None` after a reported error.
     fn label(&mut self, node: Node<'_>, before: &mut BTreeSet<i64>) -> Option<i64> {
         let (part, _) = children(node).into_iter().next()?;
         let label = shown(node, self.text);
@@ -124,7 +125,7 @@ impl Lowering<'_, '_> {
             return None;
         };
         if value == SMALLEST_DINT {
-            // As in an expression: to some compilers 2147483648 is a LINT, and so is minus it.
+            // As in an expression: for some compilers 2147483648 is a LINT, and so is its negative.
             self.say(node, format!("the label {label}"), "another label");
             return None;
         }
@@ -140,7 +141,7 @@ impl Lowering<'_, '_> {
         self.ops.len() - 1
     }
 
-    /// The jump goes to the next operation.
+    /// Sets the target of the jump to the next operation.
     fn land(&mut self, jump: usize) {
         self.ops[jump].to = variables::number(self.ops.len());
     }

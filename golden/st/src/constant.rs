@@ -1,4 +1,4 @@
-//! Values that are known from the text: initial values, and what a REAL variable is assigned from literals.
+//! Values that are known from the text: initial values, and literals that are assigned to a REAL variable.
 
 use super::Dialect;
 use super::kind::{Kind, Value};
@@ -11,7 +11,7 @@ use tree_sitter::Node;
 /// -2^31.
 pub(crate) const SMALLEST_DINT: i64 = -2_147_483_648;
 
-/// A real literal, `-`, `*` and parentheses of such, in SCL a literal and its sign and -0.0; `None`: it is something else.
+/// A real literal, or `-`, `*` and parentheses of such; in SCL a literal with its sign and -0.0. `None` for anything else.
 pub(crate) fn product(dialect: Dialect, node: Node<'_>, text: &str, depth: usize) -> Option<Constant> {
     let depth = depth.checked_sub(1)?;
     match node.kind() {
@@ -45,7 +45,7 @@ pub(crate) fn operator<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     node.child_by_field_name("operator").map_or("", |operator| said(operator, text))
 }
 
-/// The value of a product in a block's real type; reports it if compilers do not agree on it.
+/// The value of a product in a block's real type; reports it if compilers disagree about it.
 pub(crate) fn value(
     constant: Constant,
     node: Node<'_>,
@@ -96,7 +96,7 @@ pub(crate) fn initial(
     found
 }
 
-/// An integer literal, or the one form of -2^31 that every compiler reads alike.
+/// An integer literal, or the only form of -2^31 that every compiler reads in the same way.
 fn integer(node: Node<'_>, text: &str) -> Option<i64> {
     let literal = |node: Node<'_>| {
         let value = number::integer(said(node, text)).filter(|_| node.kind() == "integer_literal");
@@ -109,7 +109,7 @@ fn integer(node: Node<'_>, text: &str) -> Option<i64> {
     literal(node)
 }
 
-/// The bits of an integer, if it is one of the type.
+/// The bits of an integer, if it is in the range of the type.
 pub(crate) fn word(value: i64, kind: Kind) -> Option<u32> {
     match kind {
         Kind::Dint => i32::try_from(value).ok().map(i32::cast_unsigned),

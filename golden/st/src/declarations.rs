@@ -10,26 +10,26 @@ use super::variables::{Role, Variable, Variables, Whole};
 use super::{Dialect, names};
 use tree_sitter::Node;
 
-/// The declarations of a block while they are read.
+/// The declarations of a block while they are being read.
 pub(crate) struct Declarations<'a, 't> {
     /// the text
     pub(crate) text: &'a str,
-    /// which file form
+    /// the form of the file
     pub(crate) dialect: Dialect,
-    /// what other files declare
+    /// declarations of other files
     pub(crate) known: Known<'a>,
-    /// what stands before each name: that of a list of global variables, and a dot
+    /// the prefix of each name: the name of a list of global variables, and a dot
     pub(crate) prefix: &'a str,
     /// process data of this file
     pub(crate) addresses: &'a [Address],
     /// the variables so far
     pub(crate) all: &'a mut Variables,
-    /// what is wrong
+    /// the errors
     pub(crate) mistakes: &'a mut Mistakes<'t>,
 }
 
 impl Declarations<'_, '_> {
-    /// Declares what a `VAR` block holds.
+    /// Declares the variables of a `VAR` block.
     pub(crate) fn declare(&mut self, node: Node<'_>) {
         let parts = children(node);
         let Some(role) = self.role(node) else { return };
@@ -84,7 +84,7 @@ impl Declarations<'_, '_> {
         let Some(ty) = node.child_by_field_name("type") else { return };
         let address = self.addresses.iter().find(|address| node.byte_range().contains(&address.at));
         let role = address.map_or(role, |address| address.role);
-        // A type of one's own is an identifier too.
+        // The name of a user-defined type is an identifier too.
         let is_name = |part: &Node<'_>| part.kind() == "identifier" && *part != ty;
         let names: Vec<Node<'_>> = children(node).into_iter().map(|(part, _)| part).filter(is_name).collect();
         if let [_, second, ..] = names[..] {
@@ -170,7 +170,7 @@ impl Declarations<'_, '_> {
         }
     }
 
-    /// A structure: its parts, each a variable by its path.
+    /// A structure: each of its parts is a variable with its path.
     fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
         if matches!(role, Role::Constant | Role::Temporary | Role::Output) {
             self.say(node, "a structure that is not a variable", "the structure in `VAR` or `VAR_IN_OUT`");
@@ -190,12 +190,12 @@ impl Declarations<'_, '_> {
         }
     }
 
-    /// By which name the text refers to a variable.
+    /// The name of a variable in the text.
     fn path(&self, name: Node<'_>) -> String {
         format!("{}{}", self.prefix, said(name, self.text))
     }
 
-    /// Reports what is wrong with a name by itself.
+    /// Reports errors in a name by itself.
     fn name(&mut self, node: Node<'_>) {
         let name = said(node, self.text);
         let allowed = self.known.is_program && names::of_library(name);
@@ -204,7 +204,7 @@ impl Declarations<'_, '_> {
         }
     }
 
-    /// Whether a name is not declared yet; reports it if it is.
+    /// Whether a name is not declared yet; reports it if it is declared.
     fn is_new(&mut self, node: Node<'_>) -> bool {
         let (name, path) = (said(node, self.text), self.path(node));
         let all = &self.all;

@@ -11,11 +11,11 @@ use super::variables::Role;
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// What the names of variables of TwinCAT's runtime begin with, which a block may read; each is a UDINT.
+/// The prefix of variables of TwinCAT's runtime, which a block may read; each is a UDINT.
 const RUNTIME: &str = "TwinCAT_SystemInfoVarList.";
 
 impl Lowering<'_, '_> {
-    /// Lowers an expression; `None`: a mistake was reported.
+    /// Lowers an expression; `None` after a reported error.
     pub(crate) fn expression(&mut self, node: Node<'_>) -> Option<Operand> {
         if node.has_error() {
             return None;
@@ -47,7 +47,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         "integer_literal" => {
             let value = number::integer(said(node, text));
-            // An underscore was reported already.
+            // An underscore has already been reported.
             if value.is_none() && !said(node, text).contains('_') {
                 lowering.say(node, shown(node, text), "an integer that fits a DINT or UDINT");
             }
@@ -59,13 +59,13 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             lowering.expression(inside)
         }
         "unary_expression" => unary(lowering, node),
-        // A number of the text, and no arithmetic that could be changed.
+        // A number of the text, not an operation that could be changed.
         "binary_expression" if said(node, text) == MINUS_ZERO && !lowering.has_named_reals() => {
             Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
         }
         "binary_expression" => lowering.binary(node),
         "member_access_expression" => match lowering.variables.find(said(node, text)) {
-            // Without a task here, a block that reads its task uses its inputs only.
+            // A block that reads its task uses only its inputs here, because there is no task.
             None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
                 Some(lowering.literal(Kind::Udint, Value::Word(0)))
             }
@@ -73,7 +73,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             None => lowering.output(node),
         },
         "call_expression" => lowering.call(node),
-        // A string and a number with a type were reported already.
+        // A string and a number with a type have already been reported.
         "string_literal"
         | "typed_literal"
         | "time_literal"
@@ -89,7 +89,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
 
 fn integer(lowering: &mut Lowering<'_, '_>, node: Node<'_>, value: i64) -> Option<Operand> {
     if value == SMALLEST_DINT {
-        // To some compilers 2147483648 is a LINT, and so is minus it.
+        // For some compilers 2147483648 is a LINT, and so is its negative.
         lowering.say(node, "`-2147483648` in an expression", "`-2147483647 - 1`");
         return None;
     }
@@ -136,7 +136,7 @@ fn unary(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         }
         ("-", Operand::Slot { kind: Kind::Dint, .. }) => Code::NegateWord,
         ("NOT", Operand::Slot { kind: Kind::Bool, .. }) => Code::Not,
-        // The plus was reported already.
+        // The plus has already been reported.
         ("+", _) => return Some(operand),
         _ => {
             let found = format!("`{operator}` of {}", lowering.kind_name(operand));

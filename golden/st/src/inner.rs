@@ -18,7 +18,7 @@ struct Pair {
 }
 
 impl Lowering<'_, '_> {
-    /// Lowers a call: its arguments are assigned, then the instance has its cycle; `None`: a mistake was reported.
+    /// Lowers a call: its arguments are assigned, then the instance executes a cycle; `None` after a reported error.
     pub(crate) fn invocation(&mut self, node: Node<'_>) -> Option<()> {
         if node.has_error() {
             return None;
@@ -52,8 +52,9 @@ impl Lowering<'_, '_> {
         Some(())
     }
 
-    /// The structures that a call gives to an instance: the slots of their parts here and there. Each is given once: then a copy
-    /// before the call and one after it have the effect of a reference, because no part has a second name.
+    /// The structures that a call passes to an instance: the slots of their parts in the block and in the instance. Each is
+    /// passed only once: then a copy before the call and one after it are equivalent to a reference, because no part has a
+    /// second name.
     fn shared(&mut self, function: Node<'_>, given: &[Node<'_>], (inner, block): (Inner, &Block)) -> Vec<Pair> {
         let (mut pairs, mut own) = (Vec::new(), BTreeSet::new());
         let mut missing: BTreeSet<String> = block.variables.shared().map(|(name, _)| name.to_owned()).collect();
@@ -81,7 +82,7 @@ impl Lowering<'_, '_> {
         pairs
     }
 
-    /// The parts of two variables of a type: the first one here, the second one in an instance.
+    /// The parts of two variables of a type: the first one in the block, the second one in an instance.
     fn pairs(&self, [here, there]: [&str; 2], ty: &Structure, (inner, block): (Inner, &Block)) -> Vec<Pair> {
         let pair = |path: &str| {
             let here = self.variables.find(&format!("{here}.{path}"))?;
@@ -91,7 +92,7 @@ impl Lowering<'_, '_> {
         ty.parts.iter().filter_map(|part| pair(&part.path)).collect()
     }
 
-    /// Copies what is shared to an instance, or back.
+    /// Copies shared structures to an instance, or back.
     fn copy(&mut self, shared: &[Pair], back: bool) {
         for &Pair { kind, here, there } in shared {
             let (to, from) = if back { (here, there) } else { (there, here) };
@@ -99,7 +100,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Lowers an argument; `before` has the inputs of those before it.
+    /// Lowers an argument; `before` has the inputs of the previous arguments.
     fn argument(
         &mut self,
         node: Node<'_>,
@@ -129,7 +130,7 @@ impl Lowering<'_, '_> {
         self.assign(target, node.child_by_field_name("value")?)
     }
 
-    /// Lowers a structure that an input takes over part by part.
+    /// Lowers a structure that is copied to an input part by part.
     fn whole_argument(
         &mut self,
         node: Node<'_>,
@@ -153,7 +154,7 @@ impl Lowering<'_, '_> {
         Some(())
     }
 
-    /// Lowers an output of an instance; `None`: a mistake was reported.
+    /// Lowers an output of an instance; `None` after a reported error.
     pub(crate) fn output(&mut self, node: Node<'_>) -> Option<Operand> {
         let (object, member) = (node.child_by_field_name("object")?, node.child_by_field_name("member")?);
         let Some(inner) = self.instance(object) else {
@@ -181,7 +182,7 @@ impl Lowering<'_, '_> {
         self.variables.inner(said(node, self.text)).filter(|_| node.kind() == "identifier")
     }
 
-    /// Whether a node names what was declared with a type that was refused: it may have been meant as an instance.
+    /// Whether a node names a variable with a rejected type: it may have been meant as an instance.
     fn has_unknown_type(&self, node: Node<'_>) -> bool {
         self.variables.find(said(node, self.text)).is_some_and(|variable| !variable.known)
     }

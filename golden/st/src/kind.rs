@@ -1,4 +1,4 @@
-//! The types of the portable subset, and the values that they have.
+//! The types of the portable subset, and their values.
 
 use portable::RealKind;
 
@@ -39,7 +39,7 @@ impl Kind {
             .find(|kind| kind.name(real).eq_ignore_ascii_case(name))
     }
 
-    /// All types, including those of process data only: they are assigned and converted, and no more, because implementations
+    /// All types, including those of process data only: these are only assigned and converted, because implementations
     /// compute with them in different widths.
     pub(crate) fn of_program(name: &str, real: RealKind) -> Option<Self> {
         let narrow = [Self::Int, Self::Uint].into_iter().find(|kind| kind.name(real).eq_ignore_ascii_case(name));
@@ -47,7 +47,7 @@ impl Kind {
     }
 }
 
-/// A value at the start.
+/// A start value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Value {
     /// REAL or LREAL

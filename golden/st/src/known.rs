@@ -1,19 +1,21 @@
-//! What a file may refer to that stands in others, and what of it no grammar takes: addresses of process data. No file is read here.
+//! Declarations in other files that a file may use, and the part of them that no grammar accepts: addresses of process data.
+//! No file is read here.
 
 use super::block::Block;
 use super::structure::Structure;
 use super::variables::{Role, Variables};
 
-/// What other files declare.
+/// The declarations of other files.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Known<'a> {
-    /// the blocks of which there may be instances
+    /// the blocks that may have instances
     pub(crate) blocks: &'a [Block],
-    /// the structures of which there may be variables
+    /// the structures that may have variables
     pub(crate) structures: &'a [Structure],
-    /// the variables that every file of a program sees; only the program itself uses them
+    /// the variables that are visible in every file of a program; only the program itself uses them
     pub(crate) globals: Option<&'a Variables>,
-    /// whether it is a program with its blocks; what is emitted for every compiler has no process data, and structures as inputs only
+    /// whether it is a program with its blocks; files emitted for every compiler have no process data, and structures as
+    /// inputs only
     pub(crate) is_program: bool,
 }
 
@@ -22,11 +24,11 @@ pub(crate) struct Known<'a> {
 pub(crate) struct Address {
     /// its first byte
     pub(crate) at: usize,
-    /// who writes the variable: of `%I*` the inputs' bus, of `%Q*` the program
+    /// the writer of the variable: the bus of the inputs for `%I*`, the program for `%Q*`
     pub(crate) role: Role,
 }
 
-/// Takes the addresses out of a text: blanks stand in their place, so that every other place stays where it is.
+/// Removes the addresses from a text and replaces them by blanks, so that every other position stays the same.
 pub(crate) fn addresses(text: &mut String) -> Vec<Address> {
     let mut found = Vec::new();
     for (word, role) in [("AT %I*", Role::Input), ("AT %Q*", Role::Output)] {

@@ -1,17 +1,18 @@
-//! The text character by character: what a file form may hold of comments, pragmas and letters, and how numbers are written.
+//! The text character by character: the comments, pragmas and letters that a file form may contain, and the notation of
+//! numbers.
 
 use super::mistake::Mistakes;
 use super::{Dialect, number};
 
-/// What the parser has to know.
+/// The result for the parser.
 pub(crate) struct Letters {
-    /// where a mistake was reported that may put the parser off
+    /// positions of reported errors that may confuse the parser
     pub(crate) places: Vec<usize>,
-    /// where the text ends: before a comment that does not end, for whose end the parser would look again and again
+    /// the end of the text: before an unclosed comment, whose end the parser would search again and again
     pub(crate) end: usize,
 }
 
-/// Reports what is wrong.
+/// Reports lexical errors.
 pub(crate) fn check(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) -> Letters {
     letters(dialect, text, mistakes);
     let mut scan = Scan { dialect, text, at: 0, mistakes, places: Vec::new(), end: text.len() };
@@ -21,7 +22,7 @@ pub(crate) fn check(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) -
     Letters { places: scan.places, end: scan.end }
 }
 
-/// One mistake for each run of letters that some compiler does not take.
+/// Reports one error for each run of letters that some compiler rejects.
 fn letters(dialect: Dialect, text: &str, mistakes: &mut Mistakes<'_>) {
     let foreign = |letter: char| match dialect {
         Dialect::Plain => !letter.is_ascii() || control(letter),
@@ -82,7 +83,7 @@ impl Scan<'_, '_> {
         }
     }
 
-    /// Reports what is wrong here; the parser may stumble at it too.
+    /// Reports an error at this position; it may confuse the parser too.
     fn say(&mut self, found: impl Into<String>, instead: impl Into<String>) {
         self.mistakes.push(self.at, found, instead);
         self.places.push(self.at);

@@ -1,18 +1,20 @@
-//! Structured Text, read, held against the portable subset, and run bit by bit as a controller would: the crate's parts and what
-//! other crates see of them. It knows no generator, no axis, and no file but the one that it reads.
+//! Structured Text: read, checked against the portable subset, and run bit by bit as by a controller; the crate's parts and
+//! its public interface. It knows no generator, no axis, and only the file that it reads.
 //!
 //! ```text
-//! source         file -> text, and where each part of it comes from; twincat, plcopen, scl: the forms around it; xml: for two of them
+//! source         file -> text, and the origin of each part; twincat, plcopen, scl: the forms around it; xml: for two of
+//! them
 //! lexical        letters, comments, pragmas, numbers; number: the forms and values of numbers; names: those to avoid
-//! syntax         text -> tree, by a grammar that is not ours
-//! declarations   VAR blocks -> variables; constant: values that the text has
+//! syntax         text -> tree, with an independent grammar
+//! declarations   VAR blocks -> variables; constant: values in the text
 //! variables      the variables and their slots; kind: the types and their values
-//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary, call:
-//!                their parts; single: how much of them a statement of REAL may hold; lowering: what they share
-//! known          what stands in other files; program: the files of a program with its blocks, read one after another
-//! block          what a block is; read: a file -> a block; changed: a block that differs from its text
-//! op             the operations; machine: what they do; run: an instance of a block, cycle by cycle
-//! mistake        what is wrong, and where
+//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary,
+//! call:
+//!                their parts; single: how much of them a statement of REAL may hold; lowering: their common data
+//! known          declarations in other files; program: the files of a program with its blocks, read one after another
+//! block          the data of a block; read: a file -> a block; changed: a block that differs from its text
+//! op             the operations; machine: their execution; run: an instance of a block, cycle by cycle
+//! mistake        errors with their places
 //! ```
 #![forbid(unsafe_code)]
 
@@ -58,10 +60,10 @@ pub use mistake::Mistake;
 pub use program::Program;
 pub use run::{Instance, Signal};
 
-/// Expressions and statements inside each other, at most: more would be no emitted text, but the end of the stack.
+/// Maximum nesting of expressions and statements: emitted text never reaches it, and deeper text would overflow the stack.
 const DEPTH: usize = 500;
 
-/// Which form a file has, and which compilers have to take it.
+/// The form of a file, and the compilers that must accept it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Dialect {
     /// the text itself, for every compiler

@@ -1,4 +1,4 @@
-//! Statements -> operations, apart from those that choose.
+//! Statements -> operations, except conditional statements.
 
 use super::constant;
 use super::kind::{Kind, Value};
@@ -10,7 +10,7 @@ use super::{DEPTH, Dialect};
 use tree_sitter::Node;
 
 impl Lowering<'_, '_> {
-    /// Lowers a list of statements, of which there has to be one.
+    /// Lowers a list of statements, which must not be empty.
     pub(crate) fn statements(&mut self, list: &[Node<'_>], place: Node<'_>, what: &str) {
         let (mut real, mut taken) = (0, false);
         for (at, &node) in list.iter().enumerate() {
@@ -26,7 +26,7 @@ impl Lowering<'_, '_> {
                 "case_statement" if !node.has_error() => Some("END_CASE"),
                 _ => None,
             };
-            // What is refused already may have its semicolon.
+            // A rejected statement may have its semicolon.
             taken = !matches!(node.kind(), "assignment_statement" | "invocation_statement" | "pragma");
             if let Some(end) = end
                 && list.get(at + 1).is_none_or(|next| next.kind() != "empty_statement")
@@ -53,9 +53,9 @@ impl Lowering<'_, '_> {
             }
             "if_statement" => self.choice(node),
             "case_statement" => self.case(node),
-            // A pragma was reported already, where it may not stand.
+            // A pragma in a wrong place has already been reported.
             "pragma" => {}
-            // So was what the grammar does not take.
+            // An error of the grammar has already been reported.
             "ERROR" => {}
             other => {
                 let (found, instead) = match other {
@@ -82,10 +82,10 @@ impl Lowering<'_, '_> {
         self.assign(target, right)
     }
 
-    /// Lowers a value that goes into a variable; `None`: a mistake was reported, of the variable maybe.
+    /// Lowers a value that is assigned to a variable; `None` after a reported error, which may concern the variable.
     pub(crate) fn assign(&mut self, target: Option<(Kind, u32)>, right: Node<'_>) -> Option<()> {
         let done = self.value_into(target, right);
-        // A refused value must not cause a second mistake where the variable is read.
+        // A rejected value must not cause a second error where the variable is read.
         if let Some((kind, slot)) = target.filter(|_| self.dialect == Dialect::Scl) {
             self.assigned.insert((kind as usize, slot));
         }

@@ -1,4 +1,4 @@
-//! What is known of a block while it is lowered, and where the values of its expressions are.
+//! The data of a block while it is lowered, and the places of its expressions' values.
 
 use super::constant::word;
 use super::kind::{Kind, Value};
@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use tree_sitter::Node;
 
-/// Where the value of an expression is.
+/// The place of an expression's value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Operand {
     /// in a slot
@@ -25,46 +25,46 @@ pub(crate) enum Operand {
         /// whether it is the result of the last operation, which nothing else uses
         part: bool,
     },
-    /// an integer literal, whose type is that of what it meets
+    /// an integer literal, whose type is that of the other operand
     Integer(i64),
 }
 
-/// An operand of a known type: its type, its slot, and whether it is the result of the last operation.
+/// An operand with a known type: its type, its slot, and whether it is the result of the last operation.
 pub(crate) type Typed = (Kind, u32, bool);
 
-/// A block while it is lowered.
+/// A block while it is being lowered.
 pub(crate) struct Lowering<'a, 't> {
     /// the text
     pub(crate) text: &'a str,
-    /// which file form
+    /// the form of the file
     pub(crate) dialect: Dialect,
-    /// what other files declare
+    /// declarations of other files
     pub(crate) known: Known<'a>,
     /// the variables, and the slots of numbers and of parts of expressions
     pub(crate) variables: &'a mut Variables,
-    /// what is wrong
+    /// the errors
     pub(crate) mistakes: &'a mut Mistakes<'t>,
     /// the operations so far
     pub(crate) ops: Vec<Op>,
-    /// those of each assignment so far
+    /// the operations of each assignment so far
     pub(crate) assignments: Vec<Range<usize>>,
-    /// the temporaries that have a value here on every way, by type and slot
+    /// the temporaries that have a value here on every path, by type and slot
     pub(crate) assigned: BTreeSet<(usize, u32)>,
-    /// how many levels this place is inside others
+    /// nesting depth of this place
     pub(crate) depth: usize,
-    /// whether too many were said of
+    /// whether too deep nesting has been reported
     pub(crate) too_deep: bool,
     /// whether all declarations can be read
     pub(crate) all_declared: bool,
 }
 
 impl Lowering<'_, '_> {
-    /// A mistake at a node.
+    /// Reports an error at a node.
     pub(crate) fn say(&mut self, node: Node<'_>, found: impl Into<String>, instead: impl Into<String>) {
         self.mistakes.push(node.start_byte(), found, instead);
     }
 
-    /// A name that is not a variable; it may be declared in a declaration that cannot be read.
+    /// Reports a name that is not a variable; it may be declared in an unreadable declaration.
     pub(crate) fn no_variable(&mut self, node: Node<'_>) {
         let name = shown(node, self.text);
         if self.variables.inner(said(node, self.text)).is_some() {
@@ -76,7 +76,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Goes on one level deeper; `None`: that is too deep.
+    /// Lowers one level deeper; `None` if the nesting is too deep.
     pub(crate) fn deeper<T>(&mut self, node: Node<'_>, inside: impl FnOnce(&mut Self) -> T) -> Option<T> {
         if self.depth == DEPTH {
             if !self.too_deep {
@@ -91,7 +91,8 @@ impl Lowering<'_, '_> {
         Some(result)
     }
 
-    /// Whether a real that is not alone right of `:=` needs a name: digits are LREAL to some compilers, and REAL to none.
+    /// Whether a real that is not alone to the right of `:=` needs a name: digits are LREAL for some compilers, and never
+    /// REAL.
     pub(crate) fn has_named_reals(&self) -> bool {
         self.variables.real == RealKind::F32 || self.dialect == Dialect::Scl
     }
@@ -118,7 +119,7 @@ impl Lowering<'_, '_> {
         Operand::Slot { kind, slot, part: false }
     }
 
-    /// An operand, of which a literal takes the wanted type if it fits.
+    /// An operand; a literal takes the wanted type if it fits.
     pub(crate) fn typed(&mut self, operand: Operand, wanted: Kind, node: Node<'_>) -> Option<Typed> {
         match (operand, wanted) {
             (Operand::Slot { kind, slot, part }, _) => Some((kind, slot, part)),
@@ -140,7 +141,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// Appends an operation whose result goes into a slot of its own.
+    /// Appends an operation whose result is stored in a new slot.
     pub(crate) fn emit(&mut self, code: Code, result: Kind, operands: &[Typed]) -> Operand {
         let slot = self.variables.slot(result, None);
         let of = |at: usize| operands.get(at).map_or(0, |&(_, slot, _)| slot);

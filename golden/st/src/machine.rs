@@ -1,9 +1,9 @@
-//! The numbered, typed slots of a lowered block, and what runs its operations on them.
+//! The numbered, typed slots of a lowered block, and the execution of its operations.
 
 use super::op::{Code, Op};
 use portable::{Real, RealKind};
 
-/// What the slots hold: variables, numbers of the text, and parts of expressions.
+/// The contents of the slots: variables, numbers of the text, and parts of expressions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Slots<R> {
     /// REAL or LREAL
@@ -21,8 +21,8 @@ impl<R: Real> Slots<R> {
         Self { reals, bools: from.bools.clone(), words: from.words.clone() }
     }
 
-    /// One cycle. Every jump goes forward. Where `MIXED`, doubles hold the reals of a block of REAL: an operation that is not wide
-    /// rounds its result to REAL, and so does one that writes a variable.
+    /// One cycle. Every jump goes forward. If `MIXED`, doubles hold the reals of a block of REAL: an operation that is not
+    /// wide rounds its result to REAL, and so does one that writes a variable.
     pub(crate) fn cycle<const MIXED: bool>(&mut self, ops: &[Op]) {
         let Self { reals, bools, words } = self;
         let kept = |op: &Op, value: R| if MIXED && !(op.wide && op.part) { in_single(value) } else { value };
@@ -71,7 +71,7 @@ impl<R: Real> Slots<R> {
                 Code::AtMostDint => bools[to] = words[a].cast_signed() <= words[b].cast_signed(),
                 Code::LessUdint => bools[to] = words[a] < words[b],
                 Code::AtMostUdint => bools[to] = words[a] <= words[b],
-                // Every DINT is a double: the only rounding is the one to the real type.
+                // Every DINT is exact as a double: the only rounding is the one to the real type.
                 Code::RealOfDint => reals[to] = kept(op, R::lit(f64::from(words[a].cast_signed()))),
                 Code::RealOfUdint => reals[to] = kept(op, R::from_u32(words[a])),
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
@@ -93,7 +93,7 @@ fn in_single<R: Real>(value: R) -> R {
     R::lit(f64::from(f32::lit(value.to_f64())))
 }
 
-/// `x * y + z`, rounded once to the precision that the operation has.
+/// `x * y + z`, rounded once to the precision of the operation.
 fn fused<R: Real, const MIXED: bool>(op: &Op, values: [R; 3]) -> R {
     let [x, y, z] = values.map(R::to_f64);
     if R::KIND == RealKind::F32 || MIXED && !op.wide {
@@ -103,17 +103,19 @@ fn fused<R: Real, const MIXED: bool>(op: &Op, values: [R; 3]) -> R {
     }
 }
 
-/// What the function `F_axgen_in_range` of the emitted files says.
+/// The result of the function `F_axgen_in_range` in the emitted files.
 fn in_range<R: Real>(x: R, limit: R) -> bool {
     x.to_f64().is_finite() && -limit <= x && x <= limit
 }
 
-/// `DINT_TO_INT`. Beyond the range of an INT implementations disagree: then it is what a reference never has by chance.
+/// `DINT_TO_INT`. Out of the range of an INT implementations disagree: then the result is a value that a reference does not
+/// have by chance.
 fn narrowed(value: i32) -> i32 {
     i32::from(i16::try_from(value).unwrap_or(0x5555))
 }
 
-/// `TRUNC`. Beyond the range of a DINT implementations disagree: then it is what a reference never has by chance.
+/// `TRUNC`. Out of the range of a DINT implementations disagree: then the result is a value that a reference does not have
+/// by chance.
 fn truncated<R: Real>(x: R) -> i32 {
     if portable::is_within_i32(x.to_f64()) { x.truncated() } else { 0x5555_5555 }
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a text, and where: one message for each place, with what to write instead.
+//! Errors in a text with their places: one message for each place, with what to write instead.
 
 use super::source::Source;
 use std::fmt;
@@ -10,7 +10,7 @@ pub struct Mistake {
     pub line: usize,
     /// character of the line, from 1
     pub column: usize,
-    /// what stands there
+    /// the text there
     pub found: String,
     /// what to write instead
     pub instead: String,
@@ -24,14 +24,14 @@ impl fmt::Display for Mistake {
 
 impl std::error::Error for Mistake {}
 
-/// Where each line of a file begins.
+/// The start of each line of a file.
 pub(crate) struct Lines<'t> {
     file: &'t str,
     starts: Vec<usize>,
 }
 
 impl<'t> Lines<'t> {
-    /// Finds them.
+    /// Finds the starts of all lines.
     pub(crate) fn new(file: &'t str) -> Self {
         let after = file.bytes().enumerate().filter(|&(_, byte)| byte == b'\n').map(|(at, _)| at + 1);
         Self { file, starts: std::iter::once(0).chain(after).collect() }
@@ -45,17 +45,17 @@ impl<'t> Lines<'t> {
         (line, before.trim_start_matches('\u{feff}').chars().count() + 1)
     }
 
-    /// A mistake at a byte of the file.
+    /// An error at a byte of the file.
     pub(crate) fn mistake(&self, at: usize, found: impl Into<String>, instead: impl Into<String>) -> Mistake {
         let (line, column) = self.place(at);
         Mistake { line, column, found: found.into(), instead: instead.into() }
     }
 }
 
-/// So many are said of a file, at most.
+/// At most this number is reported for a file.
 const MOST: usize = 1000;
 
-/// The mistakes of a text as they are found.
+/// The errors of a text as they are found.
 pub(crate) struct Mistakes<'t> {
     source: &'t Source,
     lines: Lines<'t>,
@@ -68,7 +68,7 @@ impl<'t> Mistakes<'t> {
         Self { source, lines: Lines::new(file), list: Vec::new() }
     }
 
-    /// One at a byte of the source.
+    /// Reports an error at a byte of the source.
     pub(crate) fn push(&mut self, at: usize, found: impl Into<String>, instead: impl Into<String>) {
         if self.list.len() < MOST {
             self.list.push(self.lines.mistake(self.source.origin(at), found, instead));
@@ -80,7 +80,7 @@ impl<'t> Mistakes<'t> {
         self.list.is_empty()
     }
 
-    /// All, in the order of the file, each once.
+    /// All errors, in the order of the file, each once.
     pub(crate) fn sorted(mut self) -> Vec<Mistake> {
         self.list.sort();
         self.list.dedup();

@@ -1,4 +1,4 @@
-//! Names that some compiler takes for something of its own.
+//! Names that are reserved or already used by some compiler.
 
 use super::Dialect;
 
@@ -22,7 +22,7 @@ const FUNCTIONS: &str = "
     r_trig ramp replace right rol ror round rs rtc sel sema shl shr sin sizeof split_date split_dt split_tod sqrt sr sub tan
     tof ton tp trunc upper_bound";
 
-/// What only SCL keeps for itself: keywords and instructions.
+/// Words reserved only in SCL: keywords and instructions.
 const SCL: &str = "
     attach author begin blkmov block_db block_fb block_fc block_sdb const counter data_block db_any deco demux dis_airt dtl
     en_airt enco end_const end_data_block end_label end_organization_block end_region extern external family fill fill_blk
@@ -32,13 +32,14 @@ const SCL: &str = "
     typeofelements uble ufill_blk umove umove_blk unlinked val_strg var_static variant variantget variantput version void
     wait wr_sys_t";
 
-/// Names of inputs in TwinCAT's motion library: its compiler takes them, and no other one reads a program with that library.
+/// Names of inputs in TwinCAT's motion library: its compiler accepts them, and no other one reads a program with that
+/// library.
 const LIBRARY: &str = "override";
 
-/// The longest name that TIA takes.
+/// The longest name that TIA accepts.
 const LONGEST: usize = 125;
 
-/// Whether a name is one of them, in whatever case.
+/// Whether a name is one of them, in any case.
 pub(crate) fn taken(name: &str) -> bool {
     let lower = name.to_ascii_lowercase();
     let is = |list: &str| list.split_ascii_whitespace().any(|word| word == lower);
@@ -51,7 +52,7 @@ pub(crate) fn function(name: &str) -> bool {
     FUNCTIONS.split_ascii_whitespace().any(|word| word == lower) || conversion(&lower)
 }
 
-/// `dint_to_lreal` and its like
+/// Whether it is `dint_to_lreal` or a similar conversion.
 fn conversion(lower: &str) -> bool {
     let ty = |name: &str| {
         let types = "bool byte char date dint dt dword int ldate ldt lint lreal ltime ltod lword real sint string time tod udint uint
@@ -66,7 +67,7 @@ pub(crate) fn of_library(name: &str) -> bool {
     LIBRARY.eq_ignore_ascii_case(name)
 }
 
-/// What is wrong with a name, and what to write instead.
+/// The error in a name, and what to write instead.
 pub(crate) fn mistake(dialect: Dialect, name: &str) -> Option<(String, String)> {
     let found = format!("the name `{name}`");
     let is_of_scl = |word: &str| word.eq_ignore_ascii_case(name);

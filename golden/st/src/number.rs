@@ -1,15 +1,15 @@
-//! Numbers as they are written: which forms every compiler takes, and what they are.
+//! The forms of numbers that every compiler accepts, and their values.
 
 use portable::{Real, RealKind};
 
-/// Magnitudes that some compiler takes for a literal, although its LREAL is a double.
+/// Magnitudes that some compiler accepts as a literal, although its LREAL is a double.
 const SMALLEST: f64 = 1.18e-38;
 const LARGEST: f64 = 3.4e38;
 
-/// How -0.0 is written: some compilers drop the sign of the literal.
+/// The notation of -0.0: some compilers drop the sign of the literal.
 pub(crate) const MINUS_ZERO: &str = "-1.0 * 0.0";
 
-/// What is wrong with an unsigned number, and what to write instead.
+/// The error in an unsigned number, and what to write instead.
 pub(crate) fn mistake(text: &str) -> Option<(String, String)> {
     let found = format!("`{text}`");
     if let Some((base, digits)) = text.split_once('#') {
@@ -36,7 +36,7 @@ fn real_form(text: &str) -> bool {
     whole && exponent.is_none_or(|text| text.strip_prefix(['+', '-']).is_some_and(digits))
 }
 
-/// The integer that a literal is, if it is small enough to be one of any type.
+/// The integer of a literal, if it fits into any integer type.
 pub(crate) fn integer(text: &str) -> Option<i64> {
     let (negative, digits) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
     let value = match digits.split_once('#') {
@@ -46,12 +46,12 @@ pub(crate) fn integer(text: &str) -> Option<i64> {
     value.ok().map(|value: i64| if negative { -value } else { value })
 }
 
-/// A real number that stands alone, in both ways in which a compiler may take it where it goes into a REAL.
+/// A real number that stands alone, as read by a compiler in either of two ways if it is assigned to a REAL.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Constant {
     double: f64,
     single: f32,
-    /// whether every part of it is the same in both ways
+    /// whether every part of it is equal in both ways
     same: bool,
 }
 

@@ -1,8 +1,8 @@
-//! The operations of a lowered block. What they do is elsewhere.
+//! The operations of a lowered block. Their execution is elsewhere.
 
 use super::kind::Kind;
 
-/// What is done.
+/// The kind of an operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Code {
     /// real := real
@@ -83,14 +83,14 @@ pub(crate) enum Code {
     Narrow,
     /// bool := real is finite, and between -real and real
     InRange,
-    /// on to operation `to`
+    /// continue at operation `to`
     Jump,
-    /// on to operation `to`, unless bool `a`
+    /// continue at operation `to`, unless bool `a`
     JumpUnless,
 }
 
 impl Code {
-    /// What moves a value of a type.
+    /// The operation that moves a value of a type.
     pub(crate) fn moving(kind: Kind) -> Self {
         match kind {
             Kind::Real => Self::MoveReal,
@@ -100,7 +100,7 @@ impl Code {
     }
 }
 
-/// Where the slots of a block begin that was copied into another one.
+/// The first slots of a block that was copied into another one.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Base {
     /// REAL or LREAL
@@ -111,12 +111,12 @@ pub(crate) struct Base {
     pub(crate) words: u32,
 }
 
-/// An operation. `to`, `a`, `b` and `c` are slots of the types that its code has; `b` and `c` are 0 where there are none.
+/// An operation. `to`, `a`, `b` and `c` are slots of the types of its code; unused ones are 0.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Op {
-    /// what is done
+    /// its kind
     pub(crate) code: Code,
-    /// where the result goes
+    /// slot of the result
     pub(crate) to: u32,
     /// the first operand
     pub(crate) a: u32,
@@ -124,7 +124,7 @@ pub(crate) struct Op {
     pub(crate) b: u32,
     /// the third operand
     pub(crate) c: u32,
-    /// whether the result is a part of an expression: no variable, and used once
+    /// whether the result is part of an expression: not a variable, and used once
     pub(crate) part: bool,
     /// whether a real result is computed in double precision in a block of REAL; the final result is then rounded
     pub(crate) wide: bool,
@@ -137,7 +137,7 @@ impl Op {
     }
 }
 
-/// What the number of an operand or of a result counts.
+/// The meaning of the number of an operand or a result.
 #[derive(Clone, Copy)]
 enum Place {
     Real,
@@ -146,7 +146,7 @@ enum Place {
     Op,
 }
 
-/// An operation of a block that was copied into another one, in which its first operation is number `first`.
+/// An operation of a block that was copied into another one, where its first operation has the number `first`.
 pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
     let start = |place| match place {
         Place::Real => base.reals,
@@ -159,7 +159,7 @@ pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
     Op { to: op.to + start(to), a: operand(op.a), b: operand(op.b), c: operand(op.c), ..op }
 }
 
-/// Where the result of an operation is, and where its operands are.
+/// The places of the result and of the operands of an operation.
 fn places(code: Code) -> (Place, Place) {
     match code {
         Code::MoveReal

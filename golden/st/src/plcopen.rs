@@ -1,4 +1,4 @@
-//! PLCopen XML -> its text: each function block as a declaration would say it.
+//! PLCopen XML -> its text: each function block in the form of a declaration.
 
 use super::Mistake;
 use super::mistake::Lines;
@@ -22,7 +22,7 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
         structure(of_type, &mut source, &lines, &mut mistakes);
     }
     for pou in root.descendants().filter(|node| node.tag_name().name() == "pou") {
-        // A function that comes along is known by its name, and not read.
+        // An included function is known by its name, and not read.
         if pou.attribute("pouType") != Some("function") {
             block(pou, &mut source, &lines, &mut mistakes);
         }
@@ -116,7 +116,7 @@ fn declaration(variable: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, m
     source.make(";\n", variable.range().start);
 }
 
-/// A word that may stand in the text; anything else would be more than a word there.
+/// A word that may be in the text; anything else would be more than one word there.
 fn word<'e>(at: Node<'_, '_>, word: Option<&'e str>, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) -> &'e str {
     let good = |word: &&str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
     word.filter(good).unwrap_or_else(|| {

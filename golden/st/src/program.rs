@@ -1,6 +1,6 @@
-//! A program of TwinCAT with what it consists of: structures, global variables, blocks. Its files are read one after another,
-//! each before those that use it. What a program has and an emitted block has not is allowed here only: structures,
-//! `VAR_IN_OUT`, process data, and variables of the runtime.
+//! A program of TwinCAT with its parts: structures, global variables, blocks. Its files are read one after another, each
+//! before those that use it. Constructs that occur in a program and not in an emitted block are allowed only here:
+//! structures, `VAR_IN_OUT`, process data, and variables of the runtime.
 
 use super::block::Block;
 use super::declarations::Declarations;
@@ -16,7 +16,7 @@ use super::{Dialect, Mistake, lexical, syntax, twincat};
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// What was read of a program so far.
+/// The parts of a program that have been read.
 #[derive(Clone, Debug)]
 pub struct Program {
     real: RealKind,
@@ -26,22 +26,22 @@ pub struct Program {
 }
 
 impl Program {
-    /// Nothing yet; its reals are of one type.
+    /// An empty program; its reals have one type.
     #[must_use]
     pub fn new(real: RealKind) -> Self {
         Self { real, structures: Vec::new(), globals: Variables::new(real), blocks: Vec::new() }
     }
 
-    /// A variable of type UDINT that the controller's runtime has: the text of its uses.
+    /// Declares a variable of type UDINT of the controller's runtime, by the text of its uses.
     pub fn runtime(&mut self, text: &str) {
         let slot = self.globals.slot(Kind::Udint, None);
         self.globals.add(text, Variable { kind: Kind::Udint, role: Role::Input, slot, known: true });
     }
 
-    /// A `.TcDUT` with structures.
+    /// Reads a `.TcDUT` with structures.
     ///
     /// # Errors
-    /// It holds something else, or what implementations could disagree on.
+    /// It contains something else, or constructs that implementations may interpret differently.
     pub fn structure(&mut self, file: &str) -> Result<(), Vec<Mistake>> {
         let mut found = Vec::new();
         self.declaration(file, "DUT", |program, node, text, _, mistakes| {
@@ -52,10 +52,10 @@ impl Program {
         Ok(())
     }
 
-    /// A `.TcGVL`: the program has its variables by the name of the list, a dot and their own.
+    /// Reads a `.TcGVL`: the names of its variables are the name of the list, a dot and their own.
     ///
     /// # Errors
-    /// It holds something else, or what implementations could disagree on.
+    /// It contains something else, or constructs that implementations may interpret differently.
     pub fn globals(&mut self, file: &str) -> Result<(), Vec<Mistake>> {
         let mut all = self.globals.clone();
         self.declaration(file, "GVL", |program, node, text, (prefix, addresses), mistakes| {
@@ -69,25 +69,26 @@ impl Program {
         Ok(())
     }
 
-    /// The `.TcPOU` of a block.
+    /// Reads the `.TcPOU` of a block.
     ///
     /// # Errors
-    /// It holds what implementations could disagree on.
+    /// It contains constructs that implementations may interpret differently.
     pub fn block(&mut self, file: &str, name: &str) -> Result<(), Vec<Mistake>> {
         let block = self.read(file, name)?;
         self.add(block);
         Ok(())
     }
 
-    /// A block that was read already.
+    /// Adds a block that has been read already.
     pub fn add(&mut self, block: Block) {
         self.blocks.push(block);
     }
 
-    /// The `.TcPOU` of the program itself: it runs like a block whose variables are those of the program and the global ones.
+    /// Reads the `.TcPOU` of the program itself: it runs like a block whose variables are those of the program and the
+    /// global ones.
     ///
     /// # Errors
-    /// It holds what implementations could disagree on.
+    /// It contains constructs that implementations may interpret differently.
     pub fn read(&self, file: &str, name: &str) -> Result<Block, Vec<Mistake>> {
         let mut source = twincat::read(file)?;
         let addresses = addresses(&mut source.text);
@@ -107,7 +108,7 @@ impl Program {
         mut each: impl FnMut(&Self, Node<'_>, &str, (&str, &[Address]), &mut Mistakes<'_>),
     ) -> Result<(), Vec<Mistake>> {
         let (mut source, name) = twincat::declaration(file, element)?;
-        // The grammar wants a semicolon there; TwinCAT's own files have none.
+        // The grammar requires a semicolon there; TwinCAT's own files have none.
         source.text = source.text.replace("END_STRUCT\n", "END_STRUCT;");
         let addresses = addresses(&mut source.text);
         let mut mistakes = Mistakes::new(&source, file);
@@ -133,10 +134,10 @@ impl Program {
 }
 
 impl Block {
-    /// Reads the block of a `.TcPOU` that has an input of a type which a `.TcDUT` declares.
+    /// Reads the block of a `.TcPOU` with an input whose type is declared in a `.TcDUT`.
     ///
     /// # Errors
-    /// A file holds what is outside the portable subset, or there is no such block.
+    /// A file contains constructs outside the portable subset, or there is no such block.
     pub fn read_typed(text: &str, types: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
         let mut program = Program::new(real);
         program.structure(types)?;

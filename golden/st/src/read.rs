@@ -1,4 +1,4 @@
-//! A file -> a function block that can run, or all its mistakes.
+//! A file -> a function block that can run, or all its errors.
 
 use super::block::Block;
 use super::declarations::Declarations;
@@ -16,14 +16,14 @@ use portable::RealKind;
 use std::collections::BTreeSet;
 use tree_sitter::{Node, Tree};
 
-/// A text above this length is none of ours; the parser counts bytes in 32 bits.
+/// A longer text is not one of axgen's; the parser counts bytes in 32 bits.
 const LONGEST: usize = 1 << 28;
 
 impl Block {
-    /// Reads the block `name` of a file, which holds reals of one type. All blocks of the file are checked.
+    /// Reads the block `name` of a file with reals of one type. All blocks of the file are checked.
     ///
     /// # Errors
-    /// The file holds what is outside the portable subset, or no such block.
+    /// The file contains constructs outside the portable subset, or there is no such block.
     pub fn read(dialect: Dialect, text: &str, name: &str, real: RealKind) -> Result<Self, Vec<Mistake>> {
         Self::read_with(dialect, text, name, real, &[])
     }
@@ -31,7 +31,7 @@ impl Block {
     /// Reads the block `name` of a file whose blocks may have instances of `others`, which come from other files.
     ///
     /// # Errors
-    /// The file holds what is outside the portable subset, or no such block.
+    /// The file contains constructs outside the portable subset, or there is no such block.
     pub fn read_with(
         dialect: Dialect,
         text: &str,
@@ -48,7 +48,7 @@ impl Block {
             Dialect::Codesys => plcopen::read(text)?,
             Dialect::Scl => scl::read(text)?,
         };
-        // An instance gets structures of the types that its own file declares.
+        // Structures passed to an instance have the types that its own file declares.
         let structures: Vec<Structure> = others.iter().flat_map(|other| other.structures.clone()).collect();
         let known = Known { blocks: others, structures: &structures, ..Known::default() };
         Self::of_source(text, &File { source: &source, dialect, real, known, addresses: &[] }, name)
@@ -84,7 +84,7 @@ impl Block {
     }
 }
 
-/// What is known before the text is read.
+/// The data for reading a text.
 pub(crate) struct File<'a> {
     /// its text
     pub(crate) source: &'a Source,
@@ -92,13 +92,13 @@ pub(crate) struct File<'a> {
     pub(crate) dialect: Dialect,
     /// the type of its reals
     pub(crate) real: RealKind,
-    /// what other files declare
+    /// declarations of other files
     pub(crate) known: Known<'a>,
     /// its process data
     pub(crate) addresses: &'a [Address],
 }
 
-/// All blocks of a text; their places are bytes of the text yet.
+/// All blocks of a text; their places are still bytes of the text.
 fn blocks(tree: &Tree, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Vec<Block> {
     let mut blocks: Vec<Block> = Vec::new();
     let mut structures = file.known.structures.to_vec();
@@ -139,11 +139,11 @@ fn validate_name(name: &str, at: usize, file: &File<'_>, mistakes: &mut Mistakes
 fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block {
     let &File { source, dialect, real, known, addresses } = file;
     let text = source.text.as_str();
-    // Only the program uses what is global: so a block and its caller never mean the same variable by two names.
+    // Only the program uses global variables: a block and its caller never have two names for one variable.
     let globals = known.globals.filter(|_| node.kind() == "program_declaration").cloned();
     let (mut variables, mut body) = (globals.unwrap_or_else(|| Variables::new(real)), Vec::new());
     let mut name = String::new();
-    // So that a condition that is wrong has a slot too.
+    // Ensures that a wrong condition has a slot too.
     variables.slot(Kind::Bool, None);
     let (mut place, mut all_declared) = (node, true);
     for (part, field) in children(node) {

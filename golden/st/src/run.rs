@@ -7,10 +7,10 @@ use super::mistake::Mistake;
 use super::variables::{Role, Variable};
 use portable::{Literal, Real, RealKind};
 
-/// A signal: its name, in whatever case, and a value of its type.
+/// A signal: its name, in any case, and a value of its type.
 pub type Signal<'n> = (&'n str, Literal);
 
-/// A block that runs.
+/// A block in operation.
 #[derive(Clone, Debug)]
 pub struct Instance<'b> {
     block: &'b Block,
@@ -24,13 +24,13 @@ pub struct Instance<'b> {
 enum Memory {
     Double(Slots<f64>),
     Single(Slots<f32>),
-    /// of a block of REAL that has wide operations
+    /// for a block of REAL with wide operations
     Mixed(Slots<f64>),
 }
 
 impl Block {
-    /// A fresh instance. `set` gives further inputs of type BOOL a value for all cycles. Every other input keeps its value at
-    /// the start.
+    /// A fresh instance. `set` gives further inputs of type BOOL a value for all cycles. Every other input keeps its start
+    /// value.
     ///
     /// # Errors
     /// A name is not that of an input or output of the signal's type.
@@ -95,7 +95,7 @@ impl Instance<'_> {
         })
     }
 
-    /// Writes a variable by its path, as a bus or a visualisation does; false: there is none of this type.
+    /// Writes a variable by its path, as a bus or a visualisation does; returns false if there is none of this type.
     #[must_use]
     pub fn set(&mut self, path: &str, value: Literal) -> bool {
         let Some(variable) = self.block.variables.find(path) else { return false };
@@ -158,19 +158,19 @@ fn read<R: Real>(slots: &Slots<R>, variable: Variable) -> Literal {
     }
 }
 
-/// The value with all its bits, a NaN's too.
+/// The value with all its bits, including those of a NaN.
 fn literal<R: Real>(value: R) -> Literal {
     let mut literal = Literal::F64(0.0);
     value.visit(&mut |own| literal = own);
     literal
 }
 
-/// A REAL as the slots of a mixed block hold it.
+/// A REAL as stored in the slots of a mixed block.
 fn in_double(value: Literal) -> Literal {
     if let Literal::F32(value) = value { Literal::F64(f64::from(value)) } else { value }
 }
 
-/// What a slot of a mixed block holds, as a REAL.
+/// The value in a slot of a mixed block, as a REAL.
 fn in_single(value: Literal) -> Literal {
     if let Literal::F64(value) = value { Literal::F32(f32::lit(value)) } else { value }
 }

@@ -1,14 +1,14 @@
-//! An external source of SCL -> the text that the grammar takes: the header of a block, the quotes around its name, `BEGIN` and
-//! each `#` become blanks, so that every place stays where it is. What only SCL asks for is asked for here.
+//! An external source of SCL -> the text for the grammar: the header of a block, the quotes around its name, `BEGIN` and
+//! each `#` become blanks, so that every position stays the same. Requirements of SCL only are checked here.
 
 use super::mistake::{Lines, Mistake};
 use super::names;
 use super::source::Source;
 
-/// What stands between the name of a block and its sections.
+/// The tokens between the name of a block and its sections.
 const HEADER: [&str; 9] = ["{", "S7_Optimized_Access", ":", "=", "'TRUE'", "}", "VERSION", ":", "0.1"];
 
-/// The sections in the order in which TIA writes them; each is there once at most.
+/// The sections in the order of TIA; each occurs at most once.
 const SECTIONS: [&str; 5] = ["VAR_INPUT", "VAR_OUTPUT", "VAR", "VAR_TEMP", "VAR CONSTANT"];
 
 /// Reads the file.
@@ -31,7 +31,7 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     Ok(Source::plain(&text))
 }
 
-/// A word with its `#`, a text in quotes with them, or a mark; and its first byte. Comments are none.
+/// A word with its `#`, a quoted text, or a mark; with its first byte. Comments are not tokens.
 fn tokens(file: &str) -> Vec<(usize, &str)> {
     let (mut tokens, mut at) = (Vec::new(), 0);
     while let Some(first) = file[at..].chars().next() {
@@ -57,7 +57,7 @@ fn tokens(file: &str) -> Vec<(usize, &str)> {
     tokens
 }
 
-/// What is between quotes.
+/// The text between quotes.
 fn in_quotes(token: &str) -> Option<&str> {
     let inside = token.strip_prefix('"').and_then(|rest| rest.strip_suffix('"'));
     inside.filter(|inside| !inside.contains(['"', '\n']))
@@ -67,7 +67,7 @@ fn is_word(token: &str) -> bool {
     token.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
 }
 
-/// A mistake: its place, what was found, what to write instead.
+/// An error: its place, what was found, what to write instead.
 type Found = (usize, String, String);
 
 struct Reading<'f, 'b> {
@@ -98,7 +98,7 @@ impl<'f> Reading<'f, '_> {
         (at, shown, format!("`{wanted}`"))
     }
 
-    /// The name of what is declared, in quotes.
+    /// The declared name, in quotes.
     fn name(&mut self) -> Result<(), Found> {
         let (at, name) = self.peek();
         if in_quotes(name).is_none() {
@@ -109,7 +109,7 @@ impl<'f> Reading<'f, '_> {
         Ok(())
     }
 
-    /// The type of a structure. The colon of its version stands where the grammar has one.
+    /// The type of a structure. The colon of its version is used as the one that the grammar requires.
     fn structure(&mut self) -> Result<(), Found> {
         self.take("TYPE")?;
         self.name()?;
@@ -148,7 +148,7 @@ impl<'f> Reading<'f, '_> {
         self.body()
     }
 
-    /// A section after another one; returns which it is.
+    /// A section after another one; returns its index.
     fn section(&mut self, last: Option<usize>) -> Result<usize, Found> {
         let (_, first) = self.peek();
         let is_constant = first == "VAR" && self.tokens.get(self.next + 1).is_some_and(|(_, word)| *word == "CONSTANT");
@@ -201,7 +201,7 @@ impl<'f> Reading<'f, '_> {
         self.take("END_FUNCTION_BLOCK").map(|_| ())
     }
 
-    /// Whether the next token is the name of an argument: an instance's variable, and none of the block.
+    /// Whether the next token is the name of an argument: a variable of an instance, not of the block.
     fn is_argument(&self, before: &str) -> bool {
         let mark = |at: usize| self.tokens.get(self.next + at).map_or("", |(_, mark)| *mark);
         matches!(before, "(" | ",") && matches!((mark(1), mark(2)), (":", "=") | ("=", ">"))

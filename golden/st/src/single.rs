@@ -1,5 +1,5 @@
-//! What a statement may hold where reals are REAL: one operation, so that no compiler has an intermediate result that it could
-//! keep in another precision. No operation is lowered here.
+//! The permitted contents of a statement if reals are REAL: one operation, so that no compiler has an intermediate result
+//! that it could keep in another precision. No operation is lowered here.
 
 use super::lowering::{Lowering, Operand};
 use super::op::{Code, Op};
@@ -7,12 +7,12 @@ use super::syntax::{children, shown};
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// What is to be written instead.
+/// What to write instead.
 const INSTEAD: &str = "one operation a statement";
 
 impl Lowering<'_, '_> {
-    /// Lowers what stands right of `:=`; `None`: a mistake was reported. A condition has comparisons at most, whose operands are
-    /// looked at one by one.
+    /// Lowers the right side of `:=`; `None` after a reported error. A condition contains at most comparisons, whose
+    /// operands are checked one by one.
     pub(crate) fn value(&mut self, node: Node<'_>) -> Option<Operand> {
         let first = self.ops.len();
         let operand = self.expression(node)?;
@@ -24,8 +24,8 @@ impl Lowering<'_, '_> {
         Some(operand)
     }
 
-    /// Whether a real may be an operand of an operation that is not arithmetic: as REAL it has to be a variable, or minus one
-    /// if that is `signed`; reports it if not.
+    /// Whether a real may be an operand of an operation that is not arithmetic: as REAL it must be a variable, or the
+    /// negative of one if `signed`; reports it if not.
     pub(crate) fn may_be(&mut self, node: Node<'_>, signed: bool, place: &str) -> bool {
         let good = self.variables.real == RealKind::F64 || is_variable(node) || signed && is_minus_variable(node);
         if !good {
@@ -57,7 +57,7 @@ fn is_minus_variable(node: Node<'_>) -> bool {
     node.kind() == "unary_expression" && node.child_by_field_name("operand").is_some_and(is_variable)
 }
 
-/// What parentheses enclose.
+/// The expression inside parentheses.
 fn inside(mut node: Node<'_>) -> Node<'_> {
     while node.kind() == "parenthesized_expression" {
         let Some((inner, _)) = children(node).into_iter().find(|(part, _)| part.is_named()) else { break };

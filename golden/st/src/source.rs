@@ -1,15 +1,15 @@
-//! The Structured Text that a file holds, and from where in the file each part of it comes.
+//! The Structured Text in a file, and the origin of each part of it in the file.
 
-/// A text put together from parts of a file.
+/// A text composed of parts of a file.
 #[derive(Default)]
 pub(crate) struct Source {
-    /// the whole
+    /// the whole text
     pub(crate) text: String,
     /// the parts, in their order
     pieces: Vec<Piece>,
-    /// from here on the text is the body; `None`: one text holds both
+    /// position of the body in the text; `None` if one text contains both
     pub(crate) body: Option<usize>,
-    /// the name that the file gives to the block around its text
+    /// the name of the block in the file around its text
     pub(crate) name: Option<String>,
 }
 
@@ -19,19 +19,19 @@ struct Piece {
     at: usize,
     /// its first byte in the file
     from: usize,
-    /// whether it stands in the file byte by byte
+    /// whether it is a byte-for-byte copy
     copied: bool,
 }
 
 impl Source {
-    /// The file is the text.
+    /// The source of a file without a surrounding form.
     pub(crate) fn plain(file: &str) -> Self {
         let mut source = Self::default();
         source.copy(file, 0);
         source
     }
 
-    /// Appends what stands in the file.
+    /// Appends text from the file.
     pub(crate) fn copy(&mut self, text: &str, from: usize) {
         let goes_on = |last: &Piece| last.copied && last.from + (self.text.len() - last.at) == from;
         if !self.pieces.last().is_some_and(goes_on) {
@@ -40,13 +40,13 @@ impl Source {
         self.text.push_str(text);
     }
 
-    /// Appends what something else in the file stands for.
+    /// Appends text that represents another part of the file.
     pub(crate) fn make(&mut self, text: &str, from: usize) {
         self.pieces.push(Piece { at: self.text.len(), from, copied: false });
         self.text.push_str(text);
     }
 
-    /// The byte of the file that a byte of the text comes from.
+    /// The byte of the file for a byte of the text.
     pub(crate) fn origin(&self, at: usize) -> usize {
         let after = self.pieces.partition_point(|piece| piece.at <= at);
         let Some(piece) = self.pieces[..after].last() else { return 0 };

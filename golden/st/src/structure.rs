@@ -1,8 +1,8 @@
-//! A structure: plain data. What reads it is elsewhere.
+//! A structure: plain data. Reading it is elsewhere.
 
 use super::kind::{Kind, Value};
 
-/// A structure: its parts, those of structures inside it too.
+/// A structure: its parts, including those of nested structures.
 #[derive(Clone, Debug)]
 pub(crate) struct Structure {
     /// its name
@@ -18,6 +18,6 @@ pub(crate) struct Part {
     pub(crate) path: String,
     /// its type
     pub(crate) kind: Kind,
-    /// what it is at the start, if the text says it
+    /// its start value, if the text states one
     pub(crate) start: Option<Value>,
 }

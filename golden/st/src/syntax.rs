@@ -1,4 +1,4 @@
-//! The text as a tree, by a third party's grammar; what the grammar does not take.
+//! The text as a tree, with a third party's grammar; and the errors of the grammar.
 
 use super::lexical::Letters;
 use super::mistake::Mistakes;
@@ -6,11 +6,11 @@ use super::number::MINUS_ZERO;
 use std::ops::ControlFlow;
 use tree_sitter::{Node, ParseOptions, ParseState, Parser, Tree};
 
-/// Calls of the parser's progress function, for each byte and at least, after which a text is given up: one that parses
-/// takes far fewer, and looking for the end of every mistake in a heap of them would take minutes.
+/// Calls of the parser's progress function, per byte and at least, after which parsing is aborted: a valid text takes far
+/// fewer, and error recovery in a text full of errors would take minutes.
 const PATIENCE: (usize, usize) = (1, 10_000);
 
-/// Parses a text; `None`: it was given up.
+/// Parses a text; `None` if parsing was aborted.
 pub(crate) fn parse(text: &str) -> Option<Tree> {
     let mut parser = Parser::new();
     parser.set_language(&tree_sitter_iec61131_3_st::LANGUAGE.into()).expect("engine: grammar and parser fit");
@@ -24,7 +24,7 @@ pub(crate) fn parse(text: &str) -> Option<Tree> {
     parser.parse_with_options(&mut |at, _| bytes.get(at..).unwrap_or_default(), None, Some(options))
 }
 
-/// Reports what the grammar does not take. A place where the letters are wrong already is not named twice.
+/// Reports errors of the grammar. A place with a reported lexical error is not reported twice.
 pub(crate) fn check(tree: &Tree, text: &str, letters: &Letters, mistakes: &mut Mistakes<'_>) {
     let broken_off = if letters.end < text.len() { text[..letters.end].trim_end().len() } else { usize::MAX };
     let mut cursor = tree.walk();
@@ -46,7 +46,7 @@ pub(crate) fn check(tree: &Tree, text: &str, letters: &Letters, mistakes: &mut M
     }
 }
 
-/// Whether one of the places, which are in the order of the text, is in the node or in the line where it begins.
+/// Whether one of the positions, which are in ascending order, is in the node or in its first line.
 fn near(text: &str, node: &Node<'_>, places: &[usize]) -> bool {
     let (start, end) = (node.start_byte(), node.end_byte());
     let line = start - node.start_position().column;
@@ -67,7 +67,7 @@ fn say(node: Node<'_>, text: &str, mistakes: &mut Mistakes<'_>) {
     }
 }
 
-/// What a node says, shortened to a part of a line.
+/// The text of a node, shortened to a part of a line.
 pub(crate) fn shown(node: Node<'_>, text: &str) -> String {
     let whole = text.get(node.byte_range()).unwrap_or_default();
     let line = whole.lines().next().unwrap_or_default();
@@ -75,7 +75,7 @@ pub(crate) fn shown(node: Node<'_>, text: &str) -> String {
     if part.len() == whole.len() { format!("`{part}`") } else { format!("`{part}...`") }
 }
 
-/// What a node says.
+/// The text of a node.
 pub(crate) fn said<'t>(node: Node<'_>, text: &'t str) -> &'t str {
     text.get(node.byte_range()).unwrap_or_default()
 }
@@ -93,8 +93,8 @@ pub(crate) fn children<'n>(node: Node<'n>) -> Vec<(Node<'n>, Option<&'n str>)> {
     list
 }
 
-/// Reports where a plus stands before an operand, or a minus before 0.0, whose sign some compilers drop. The grammar puts the
-/// sign of a number into the number.
+/// Reports a plus before an operand, and a minus before 0.0, whose sign some compilers drop. The grammar includes the sign
+/// of a number in the number.
 pub(crate) fn signs(tree: &Tree, text: &str, mistakes: &mut Mistakes<'_>) {
     let mut cursor = tree.walk();
     loop {
@@ -126,6 +126,6 @@ fn is_minus_zero(node: Node<'_>, text: &str) -> bool {
     while let Some(inside) = operand.filter(|operand| operand.kind() == "parenthesized_expression") {
         operand = children(inside).into_iter().map(|(part, _)| part).find(Node::is_named);
     }
-    // A zero that has a sign was said of by itself.
+    // A zero with a sign has been reported separately.
     said(node, text).starts_with('-') && operand.is_some_and(|zero| is_zero(zero) && !said(zero, text).starts_with('-'))
 }

@@ -1,4 +1,4 @@
-//! A `.TcPOU` -> its text: the declaration, the body, and the end that the form leaves out.
+//! A `.TcPOU` -> its text: the declaration, the body, and the end that the form omits.
 
 use super::Mistake;
 use super::mistake::Lines;
@@ -43,7 +43,7 @@ pub(crate) fn read(file: &str) -> Result<Source, Vec<Mistake>> {
     Ok(source)
 }
 
-/// Reads the declaration of a `.TcDUT` or a `.TcGVL`, and the name that the file gives to it.
+/// Reads the declaration of a `.TcDUT` or a `.TcGVL`, and its name in the file.
 pub(crate) fn declaration(file: &str, element: &str) -> Result<(Source, String), Vec<Mistake>> {
     let lines = Lines::new(file);
     let document = xml::read(file)?;
@@ -58,7 +58,7 @@ pub(crate) fn declaration(file: &str, element: &str) -> Result<(Source, String),
     Ok((source, name.to_owned()))
 }
 
-/// Whether the first word of a declaration says so.
+/// Whether the first word of a declaration is `PROGRAM`.
 fn is_program(text: &str) -> bool {
     let mut rest = text.trim_start();
     loop {

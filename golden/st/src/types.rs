@@ -9,20 +9,20 @@ use super::{Dialect, constant, names};
 use portable::RealKind;
 use tree_sitter::Node;
 
-/// What is known where a structure is declared.
+/// The data for the declaration of a structure.
 pub(crate) struct Place<'a> {
     /// the text
     pub(crate) text: &'a str,
-    /// which file form
+    /// the form of the file
     pub(crate) dialect: Dialect,
     /// the type of its reals
     pub(crate) real: RealKind,
-    /// what stands before it
+    /// previous declarations
     pub(crate) known: Known<'a>,
 }
 
 impl Place<'_> {
-    /// The structure that a node declares; `None`: a mistake was reported.
+    /// The structure that a node declares; `None` after a reported error.
     pub(crate) fn structure(&self, node: Node<'_>, mistakes: &mut Mistakes<'_>) -> Option<Structure> {
         let definition = children(node).into_iter().find(|(part, _)| part.kind() == "type_definition");
         let structure = definition.and_then(|(definition, _)| {
@@ -60,7 +60,7 @@ impl Place<'_> {
                     let start = field.child_by_field_name("initial_value");
                     let place = (self.dialect, self.real);
                     let start = start.and_then(|start| constant::initial(place, start, self.text, kind, mistakes));
-                    // Some compilers of the plain form drop it.
+                    // Some compilers of the plain form ignore it.
                     let start = start.filter(|_| self.dialect != Dialect::Plain);
                     parts.push(Part { path: own.to_owned(), kind, start });
                 }

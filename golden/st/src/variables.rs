@@ -6,7 +6,7 @@ use super::op::Base;
 use portable::RealKind;
 use std::collections::{BTreeMap, HashMap};
 
-/// Who writes a variable.
+/// The writer of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// the caller
@@ -15,11 +15,11 @@ pub(crate) enum Role {
     Output,
     /// the block
     Local,
-    /// the block and its caller, who gives a variable of its own: `VAR_IN_OUT`
+    /// the block and its caller, who passes one of its own variables: `VAR_IN_OUT`
     Shared,
     /// the block; the value does not outlive the cycle
     Temporary,
-    /// nobody
+    /// never written
     Constant,
 }
 
@@ -28,36 +28,36 @@ pub(crate) enum Role {
 pub(crate) struct Variable {
     /// its type
     pub(crate) kind: Kind,
-    /// who writes it
+    /// its writer
     pub(crate) role: Role,
     /// its slot, among those of its type
     pub(crate) slot: u32,
-    /// whether its type is one of ours; if not, its uses are no further mistakes by themselves
+    /// whether its type is known; if not, its uses are not reported as further errors
     pub(crate) known: bool,
 }
 
 /// An instance of another block.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Inner {
-    /// which one of the other blocks
+    /// index of the other block
     pub(crate) of: usize,
-    /// where its slots begin
+    /// its first slots
     pub(crate) base: Base,
 }
 
 /// A variable that is a structure.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Whole {
-    /// which one of the structures
+    /// index of the structure
     pub(crate) of: usize,
-    /// who writes its parts
+    /// the writer of its parts
     pub(crate) role: Role,
 }
 
 /// The variables of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Variables {
-    /// what a real is
+    /// the real type
     pub(crate) real: RealKind,
     /// by their names in lower case
     by_name: HashMap<String, Variable>,
@@ -67,12 +67,12 @@ pub(crate) struct Variables {
     whole: BTreeMap<String, Whole>,
     /// the slots of the real numbers of the text, apart from start values, in its order
     pub(crate) numbers: Vec<u32>,
-    /// what the slots hold at the start
+    /// start values of the slots
     pub(crate) slots: Slots<f64>,
 }
 
 impl Variables {
-    /// Empty.
+    /// No variables.
     pub(crate) fn new(real: RealKind) -> Self {
         let (by_name, inner, whole) = (HashMap::new(), HashMap::new(), BTreeMap::new());
         Self { real, by_name, inner, whole, numbers: Vec::new(), slots: Slots::default() }
@@ -93,23 +93,23 @@ impl Variables {
         self.whole.get(&name.to_ascii_lowercase()).copied()
     }
 
-    /// The structures that the caller gives, by their names.
+    /// The structures that the caller passes, by their names.
     pub(crate) fn shared(&self) -> impl Iterator<Item = (&str, Whole)> {
         let is_shared = |(_, whole): &(&String, &Whole)| whole.role == Role::Shared;
         self.whole.iter().filter(is_shared).map(|(name, whole)| (name.as_str(), *whole))
     }
 
-    /// Another structure.
+    /// Adds a structure.
     pub(crate) fn add_whole(&mut self, name: &str, whole: Whole) {
         self.whole.insert(name.to_ascii_lowercase(), whole);
     }
 
-    /// Another variable.
+    /// Adds a variable.
     pub(crate) fn add(&mut self, name: &str, variable: Variable) {
         self.by_name.insert(name.to_ascii_lowercase(), variable);
     }
 
-    /// Another instance, with slots of its own that hold at the start what its block's do.
+    /// Adds an instance with its own slots, whose start values are those of its block.
     pub(crate) fn add_inner(&mut self, name: &str, of: usize, start: &Slots<f64>) {
         let slots = &mut self.slots;
         let base = Base {
@@ -123,7 +123,7 @@ impl Variables {
         self.inner.insert(name.to_ascii_lowercase(), Inner { of, base });
     }
 
-    /// Another slot.
+    /// Adds a slot.
     pub(crate) fn slot(&mut self, kind: Kind, value: Option<Value>) -> u32 {
         let slots = &mut self.slots;
         let slot = match kind {

@@ -1,4 +1,5 @@
-//! XML as a kept library reads it, and the text of an element with its places in the file. No rule of a file form.
+//! Reads XML with an existing library, and provides the text of an element with its positions in the file. No rule of a file
+//! form.
 
 use super::Mistake;
 use super::source::Source;
@@ -17,13 +18,13 @@ pub(crate) fn read(file: &str) -> Result<Document<'_>, Vec<Mistake>> {
     })
 }
 
-/// The first element of a name inside another.
+/// The first child element with a name.
 pub(crate) fn child<'n, 'f>(element: Node<'n, 'f>, name: &str) -> Option<Node<'n, 'f>> {
     element.children().find(|child| child.tag_name().name() == name)
 }
 
-/// Appends the text of an element to a source. The library decodes the text; the file is read along with it, so that every
-/// letter has its place.
+/// Appends the text of an element to a source. The library decodes the text; the file is read in parallel, so that every
+/// letter has its position.
 pub(crate) fn append_text(element: Node<'_, '_>, source: &mut Source) {
     let file = element.document().input_text();
     for part in element.children().filter(Node::is_text) {

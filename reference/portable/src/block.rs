@@ -1,4 +1,4 @@
-//! What every block offers: the types around its `step`, and the IR of its two functions. No algorithm.
+//! The interface of every block: the types around its `step`, and the IR of its two functions. No algorithm.
 
 use crate::{Fn, Portable, Real};
 
@@ -11,13 +11,16 @@ pub struct Enable {
     pub off: Off,
 }
 
-/// What turns a block off.
+/// The kind of an input that turns a block off.
 #[derive(Clone, Copy, Debug)]
 pub enum Off {
-    /// a mode: the function that gives its number OFF, and the part of the state that is true until the block has faded out
+    /// a mode: the function that returns its number for OFF, and the part of the state that is true until the block has
+    /// faded out
     Mode(&'static Fn, &'static str),
     /// false, at once
     False,
+    /// false: the block fades out; the part of the state that is true until it has
+    Fade(&'static str),
     /// true: the block brakes
     Brake(Brake),
 }
@@ -46,7 +49,7 @@ pub trait Block<R: Real> {
 
     /// The name in files and on the command line.
     const NAME: &'static str;
-    /// The input that turns the block off; `None`: none.
+    /// The input that turns the block off; `None` if there is no such input.
     const ENABLE: Option<Enable>;
     /// The real inputs that are fractions from 0 to 1, not samples of a signal.
     const FRACTIONS: &'static [&'static str] = &[];
@@ -57,19 +60,19 @@ pub trait Block<R: Real> {
     /// `step(state, coeffs, inputs, outputs)`: one cycle.
     const STEP: Fn;
 
-    /// Whether `step` begins with the fast path, and its last `else` is any other cycle. C calls that as a separate function,
-    /// so that the fast path does not save registers.
+    /// Whether `step` begins with the fast path, and its last `else` handles any other cycle. C calls that part as a
+    /// separate function, so that the fast path does not save registers.
     fn is_usual_first(_: &Self::Coeffs) -> bool {
         false
     }
 
-    /// Memory in which nothing has been written yet.
+    /// Uninitialised memory.
     fn memory() -> Self::State;
 
     /// Runs `INIT`.
     fn init(state: &mut Self::State);
 
-    /// The state before the first cycle: what `init` makes of memory, in every language.
+    /// The state before the first cycle, as `init` sets it in every language.
     fn state() -> Self::State {
         let mut state = Self::memory();
         Self::init(&mut state);
@@ -79,7 +82,7 @@ pub trait Block<R: Real> {
     /// The values that inputs have until the caller writes them.
     fn inputs(coeffs: &Self::Coeffs) -> Self::Inputs;
 
-    /// Sets the switches among the inputs so that the block does all that it can; what a self-test runs with.
+    /// Sets the switches among the inputs so that the block does everything it can, for a self-test.
     fn exercise(inputs: &mut Self::Inputs, coeffs: &Self::Coeffs);
 
     /// The values of the outputs before the first cycle.

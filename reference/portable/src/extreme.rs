@@ -22,7 +22,7 @@ impl Extreme for f64 {
     }
 }
 
-/// The largest magnitude of some samples; 0 of none, and of those that are all NaN.
+/// The largest magnitude of the samples; 0 if there are none or all are NaN.
 #[must_use]
 pub fn peak(samples: &[f64]) -> f64 {
     samples.iter().fold(0.0, |peak, sample| sample.abs().larger(peak))

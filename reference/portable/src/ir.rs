@@ -1,7 +1,7 @@
 //! Functions of portable Rust as data: what `#[portable]` writes and the specialiser reads. No behaviour here.
 //!
 //! Everything is `'static` and borrowed, so that a function's IR is one constant. Variants with a reference inside have
-//! named fields: rustc extends the life of what such a field borrows, which it does not do for a constructor's argument.
+//! named fields: rustc extends the lifetime of what such a field borrows, but not of a constructor's argument.
 
 use crate::{Literal, Ty};
 
@@ -22,7 +22,7 @@ pub struct Fn {
     pub body: Body,
 }
 
-/// What a function does: an operation that each target knows, or a block.
+/// The body of a function: an operation that each target knows, or a block.
 #[derive(Debug)]
 pub struct Body {
     /// set where each target prints the function in its own way
@@ -102,7 +102,7 @@ pub enum Statement {
     },
     /// `note("...");`
     Note {
-        /// what is to be said
+        /// the text of the comment
         text: &'static str,
     },
     /// `place = value;`
@@ -125,12 +125,12 @@ pub enum Statement {
     },
     /// a call, an `if` or a `match` whose value is not used
     Expr {
-        /// which
+        /// the expression
         value: &'static Expr,
     },
 }
 
-/// An expression. A call with a mutable argument, an `if` and a `match` stand only where a whole value stands.
+/// An expression. A call with a mutable argument, an `if` and a `match` occur only where a whole value is expected.
 #[derive(Debug)]
 pub enum Expr {
     /// a value that rustc evaluates
@@ -145,39 +145,39 @@ pub enum Expr {
     },
     /// an operator with one operand
     Unary {
-        /// which
+        /// the operator
         operator: Unary,
         /// the operand
         operand: &'static Expr,
     },
     /// an operator with two operands
     Binary {
-        /// which
+        /// the operator
         operator: Binary,
-        /// left of it
+        /// left operand
         left: &'static Expr,
-        /// right of it
+        /// right operand
         right: &'static Expr,
     },
     /// a call
     Call {
-        /// what is called
+        /// the called function
         function: &'static Fn,
-        /// with what
+        /// its arguments
         arguments: &'static [Argument],
     },
     /// `if condition { then } else { otherwise }`
     If {
-        /// decides
+        /// the condition
         condition: &'static Expr,
-        /// if it holds
+        /// the block if the condition holds
         then: CodeBlock,
-        /// if not
+        /// the block if it does not
         otherwise: CodeBlock,
     },
     /// `match scrutinee { arms }`
     Match {
-        /// the value that is looked at: an enum, an integer or a bool
+        /// the value that is compared: an enum, an integer or a bool
         scrutinee: &'static Expr,
         /// the arms in order
         arms: &'static [Arm],
@@ -191,7 +191,7 @@ pub enum Expr {
     Repeat {
         /// each element
         value: &'static Expr,
-        /// how many there are
+        /// the number of elements
         len: usize,
     },
 }
@@ -199,9 +199,9 @@ pub enum Expr {
 /// An arm of a `match`.
 #[derive(Debug)]
 pub struct Arm {
-    /// the values that choose it; none: the wildcard
+    /// the values that choose it; empty for the wildcard
     pub patterns: &'static [fn() -> Literal],
-    /// what it does
+    /// its body
     pub body: CodeBlock,
 }
 
@@ -218,7 +218,8 @@ pub enum Argument {
         /// the place
         place: Place,
     },
-    /// `&with_numbers(&structure, &numbers)`: a struct, with everything that another one has, too, taken from there
+    /// `&with_numbers(&structure, &numbers)`: a struct whose scalars are replaced by those that another struct has at the
+    /// same paths
     Numbers {
         /// the struct
         structure: Place,
@@ -269,9 +270,9 @@ pub enum Binary {
     Subtract,
     /// `*`
     Multiply,
-    /// `/`; of integers towards 0, by a number from 1 on
+    /// `/`; of integers, rounded towards 0, with a divisor of at least 1
     Divide,
-    /// `%` of integers, by a number from 1 on: with the sign of the first one
+    /// `%` of integers with a divisor of at least 1; the result has the sign of the dividend
     Remainder,
     /// `<`
     Less,

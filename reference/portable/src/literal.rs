@@ -1,4 +1,4 @@
-//! Values and types of portable Rust as data, and the trait that carries a Rust value across. No expressions here.
+//! Values and types of portable Rust as data, and the trait that converts Rust values to them. No expressions here.
 
 use crate::RealKind;
 
@@ -22,7 +22,7 @@ pub enum Literal {
 }
 
 impl Literal {
-    /// The value as a program has it at run time: a variant is its number.
+    /// The value at run time: a variant is its number.
     #[must_use]
     pub fn at_run_time(self) -> Self {
         match self {
@@ -65,7 +65,7 @@ pub enum Ty {
     Array {
         /// the type of each element
         element: &'static Ty,
-        /// how many there are
+        /// the number of elements
         len: usize,
     },
     /// a portable struct
@@ -87,7 +87,7 @@ pub struct StructDef {
     pub name: &'static str,
     /// the fields
     pub fields: &'static [Field],
-    /// how many scalars they have together
+    /// the number of their scalars
     pub leaves: usize,
 }
 
@@ -100,12 +100,12 @@ pub struct Field {
     pub doc: &'static str,
     /// the type
     pub ty: Ty,
-    /// how many scalars of the struct stand before it
+    /// the number of scalars of the struct before it
     pub first: usize,
 }
 
 impl Ty {
-    /// How many scalars a value of the type has.
+    /// The number of scalars in a value of the type.
     #[must_use]
     pub const fn leaves(&self) -> usize {
         match self {
@@ -146,7 +146,7 @@ pub struct Variant {
 }
 
 impl Variant {
-    /// What its type says of it.
+    /// The doc comment of the variant.
     #[must_use]
     pub fn def(&self) -> &'static VariantDef {
         &self.of.variants[self.index as usize]
@@ -163,7 +163,7 @@ impl core::fmt::Debug for Variant {
     }
 }
 
-/// In the order of the types' names, then of the variants.
+/// Ordered by the names of the types, then by variant.
 impl Ord for Variant {
     fn cmp(&self, other: &Self) -> core::cmp::Ordering {
         self.key().cmp(&other.key())
@@ -190,7 +190,7 @@ impl core::hash::Hash for Variant {
     }
 }
 
-/// A type that the generator can describe, take apart into scalars and put together again.
+/// A type that the generator can describe, split into scalars and put together again.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a type of portable Rust",
     label = "put #[portable] on it, or use R, bool, i32, u32, or an array of these"
@@ -205,11 +205,11 @@ pub trait Portable: Sized {
     /// The inverse of [`Portable::visit`]: takes each scalar from `next`, in the same order.
     ///
     /// # Panics
-    /// If `next` yields a literal of another type than the one that is due.
+    /// If `next` yields a literal of another type than the expected one.
     fn build(next: &mut dyn FnMut() -> Literal) -> Self;
 }
 
-/// The one literal of a scalar.
+/// The literal of a scalar.
 #[doc(hidden)]
 pub fn scalar<T: Portable>(value: &T) -> Literal {
     let mut found = None;

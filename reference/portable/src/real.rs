@@ -1,4 +1,4 @@
-//! The real type that an algorithm is generic over: `f64` or `f32`, nothing but arithmetic and comparison.
+//! The real type that an algorithm is generic over: `f64` or `f32`, with arithmetic and comparison only.
 
 use crate::{Literal, Portable};
 use core::fmt::{Debug, Display};
@@ -43,7 +43,7 @@ pub trait Real:
     /// `value` rounded to this type. Coefficients are computed in f64 and rounded here, once.
     fn lit(value: f64) -> Self;
 
-    /// A constant that has a value of its own in each real type.
+    /// A constant with a separate value in each real type.
     fn per_kind(double: f64, single: f32) -> Self;
 
     /// The integer as a real, rounded to nearest.
@@ -52,10 +52,10 @@ pub trait Real:
     /// The integer as a real, rounded to nearest.
     fn from_i32(value: i32) -> Self;
 
-    /// The whole part, towards 0, of a number within the range of the integer.
+    /// The integer part of a number within the range of the integer, rounded towards 0.
     ///
     /// # Panics
-    /// In a debug build, of a number beyond: C leaves undefined what becomes of it.
+    /// In a debug build, if the number is out of range: the conversion is undefined in C.
     fn truncated(self) -> i32;
 
     /// The value as f64, exactly.
@@ -135,7 +135,7 @@ impl Real for f32 {
     }
 }
 
-/// Whether the whole part of a number is an i32: what a truncation may be asked for.
+/// Whether the integer part of a number is an i32, so that it may be truncated.
 #[must_use]
 pub fn is_within_i32(x: f64) -> bool {
     -2_147_483_649.0 < x && x < 2_147_483_648.0

@@ -274,7 +274,7 @@ pub fn act_in_full<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &I
     reason = "the first condition is decided for each axis, and takes the second one away"
 )]
 pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset: bool) {
-    // Asked first, so that a block without a watch keeps the order of its constants.
+    // Checked first, so that the order of constants stays the same in a block without a watch.
     if coeffs.watch.active {
         if mode != mode_on() || reset {
             watch::init(&mut state.watch);
@@ -359,7 +359,7 @@ pub fn is_settled<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, mode: i32, v_mo
         && (!reads_direct(&coeffs.stage) || in_range(v_direct, sample_limit()))
 }
 
-/// One cycle. A block with tuning inputs starts with the fast path: tuning is settled, and only the sections change. It gives
+/// One cycle. A block with tuning inputs starts with the fast path: tuning is settled, and only the sections change. It has
 /// the same result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
@@ -420,8 +420,8 @@ pub fn cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         let jumps = state.fade == 0u32 || state.fade > coeffs.fade_cycles;
         is_tuning_held = tuning::step(&mut state.tuning, &coeffs.stage, coeffs.fade_step, jumps, inputs);
     }
-    // Of several reasons not to act the first is reported. The usual cycle comes before the rare ones, so the cycle time is
-    // checked in two places.
+    // If there are several reasons not to act, the first is reported. The usual cycle comes before the rare ones, so the
+    // cycle time is checked in two places.
     let mut runs = false;
     let mut reason = error_none();
     if reads_command(&coeffs.stage) && !in_range(inputs.v_command, sample_limit()) {

@@ -1,4 +1,4 @@
-//! The rate of the calls of a spindle: an error that stays. No transition.
+//! The call rate of a spindle: an error that stays. No transition.
 
 use super::change::lead_time;
 use super::signals::Inputs;
@@ -8,8 +8,8 @@ use crate::call_rate;
 use crate::signal::{error_call_rate, error_none, sample_limit};
 use portable::{Real, in_range, portable};
 
-/// After a pause the commands begin where the spindle is: at its actual velocity, and where the position controller has its lag. What is not
-/// known of it stays as it was put out last.
+/// After a pause the commands begin at the actual state of the spindle: at its actual velocity, and at the position for
+/// which the position controller has its lag. An unknown value keeps its last output.
 #[portable]
 pub fn catch_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
@@ -25,7 +25,8 @@ pub fn catch_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
     }
 }
 
-/// Looks at the rate of the calls. While the drive is on, a pause alone is an error that stays: what the spindle has done meanwhile is not known.
+/// Checks the call rate. While the drive is on, a pause alone is an error that stays: the motion of the spindle in the pause
+/// is unknown.
 #[portable]
 pub fn look_at_calls<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
     if coeffs.call_rate.active {

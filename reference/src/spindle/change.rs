@@ -1,5 +1,5 @@
-//! The change of the mode: whether the drive has done it, where position control is taken up, and what follows. No state is left here but
-//! TO_POSITION.
+//! The change of the mode: whether the drive has changed it, where position control begins, and what follows. Only
+//! TO_POSITION is left here.
 
 use super::motion::ahead;
 use super::signals::Inputs;
@@ -7,13 +7,13 @@ use super::state::{Coeffs, Cycle, SpindleState, State, leave_for};
 use crate::angle::{position_limit, wrapped};
 use portable::{Real, from_i32, in_range, note, portable};
 
-/// Whether the drive says that it is in a mode; the CNC always is, and a drive that has one mode alone.
+/// Whether the drive displays a mode; always true for the CNC, and for a drive with only one mode.
 #[portable]
 pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) -> bool {
     !coeffs.in_drive || coeffs.only_velocity || inputs.operation_mode_display == mode
 }
 
-/// By how long the position command leads the actual position [s].
+/// The time by which the position command leads the actual position [s].
 #[portable]
 pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut time = coeffs.lead_time;
@@ -25,11 +25,11 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     time
 }
 
-/// Position control is taken up in the next cycle: where the actual position is when the command arrives, and the lag that the controller
-/// needs for this velocity.
+/// Position control begins in the next cycle: at the actual position when the command arrives, with the lag that the
+/// controller needs for this velocity.
 #[portable]
 pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    // Only a spindle without position control goes on without its position.
+    // Only a spindle without position control continues without its position.
     let is_unknown = coeffs.only_velocity && !in_range(inputs.x_actual, position_limit());
     let x_from = if is_unknown { state.x } else { inputs.x_actual };
     let lead = lead_time(coeffs, inputs);
@@ -40,7 +40,7 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     leave_for(cycle, SpindleState::ToPosition);
 }
 
-/// The drive has the mode that the block has asked for: the interpolator takes over.
+/// The drive has the requested mode: the interpolator takes over.
 #[portable]
 pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
     state.takes_over = true;

@@ -14,14 +14,14 @@ use portable::{Real, copy, in_range, note, portable};
 /// How many requests may wait.
 pub(super) const WAITING: usize = 4;
 
-/// The direction with which a request turns the spindle, and how fast.
+/// The direction and the speed of a request to turn.
 #[portable]
 pub fn speed_of<R: Real>(inputs: &Inputs<R>) -> R {
     let is_negative = inputs.s_word < R::ZERO;
     if is_negative == inputs.m4 { inputs.s_word } else { -inputs.s_word }
 }
 
-/// Why a request is refused.
+/// The reason why a request is refused.
 #[portable]
 pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u32 {
     let has_speed = wanted == Job::Turn || wanted == Job::Orient;
@@ -42,11 +42,11 @@ pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, wai
     }
 }
 
-/// Takes the request of this cycle: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Gives the error.
+/// Takes the request of this cycle: G74 before S[PUTAX] before M19 before M5 before M3 and M4. Returns the error.
 #[portable]
 pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let new_m19 = inputs.m19 && !state.before.m19;
-    // With M19, M3 and M4 are its direction.
+    // M3 or M4 together with M19 only gives its direction.
     let new_turn = !new_m19 && (inputs.m3 && !state.before.m3 || inputs.m4 && !state.before.m4);
     let new_m5 = inputs.m5 && !state.before.m5;
     let new_putax = inputs.putax && !state.before.putax;
@@ -88,12 +88,12 @@ pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     error_taken
 }
 
-/// The request of this cycle, if there is one. Gives the error.
+/// Takes the request of this cycle, if there is one. Returns the error.
 #[portable]
 pub fn look<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> u32 {
     let is_any = inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74;
     let mut request_error = error_none();
-    // Mostly nobody asks for anything, and nobody did.
+    // In most cycles there is no request, now or in the previous cycle.
     if is_any || state.before.any {
         request_error = take(state, coeffs, inputs);
         state.before.any = is_any;
@@ -101,7 +101,7 @@ pub fn look<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     request_error
 }
 
-/// Writes down a request.
+/// Fills in a request.
 #[portable]
 pub fn fill<R: Real>(request: &mut Request<R>, wanted: Job, speed: R, target: R) {
     request.kind = wanted;
@@ -115,7 +115,7 @@ pub fn is_free<R: Real>(request: &Request<R>) -> bool {
     request.kind == Job::Stop || request.kind == Job::Turn
 }
 
-/// The first request that waits becomes the job, if the present one is over and the next cycle's state can do it.
+/// The first waiting request becomes the job, if the present one is finished and the state of the next cycle permits it.
 #[portable]
 pub fn serve<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, job_done: bool) {
     if state.queued > 0u32 {
@@ -128,7 +128,7 @@ pub fn serve<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, job_done: bool) 
     }
 }
 
-/// The first request that waits becomes the job.
+/// The first waiting request becomes the job.
 #[portable]
 pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if !is_request(&state.request[0]) {

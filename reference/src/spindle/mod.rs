@@ -8,8 +8,8 @@
 //!     +--------------- the drive says so ---  TO_POSITION  <--- |v_actual| has settled at Voff  ---     BRAKE
 //! ```
 //!
-//! Positions grow with positive velocities. What a cycle puts out follows the state with which it began; a transition acts from the
-//! next cycle on.
+//! Positions grow in the direction of positive velocity. The outputs of a cycle follow the state at its start; a transition
+//! takes effect in the next cycle.
 
 mod calls;
 mod change;
@@ -45,7 +45,7 @@ use state::enter;
 use transition::{brake, coast, interpolated, to_position, velocity};
 use usual::next_usual;
 
-/// Before the first cycle: a request that is TRUE then is none.
+/// Before the first cycle: an input that is already TRUE then is not a request.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
     state.control = SpindleState::ToPosition;
@@ -85,18 +85,18 @@ pub fn init<R: Real>(state: &mut State<R>) {
     state.before.putax = true;
     state.before.g74 = true;
     state.before.any = true;
-    // No usual cycle is next. The functions that begin a block have no named constants.
+    // The next cycle is not a usual one. The functions that begin a block have no named constants.
     state.usual = 0u32;
     call_rate::init(&mut state.call_rate);
 }
 
-/// Whether the block does not move the spindle yet: the drive is off, or has just come on.
+/// Whether the block does not move the spindle yet: the drive is off, or has just been switched on.
 #[portable]
 pub fn is_at_start<R: Real>(state: &State<R>) -> bool {
     state.control == SpindleState::ToPosition && !state.is_moving
 }
 
-/// A reset: nothing waits any more, and an error that stays is gone.
+/// A reset: clears the waiting requests, and an error that stays.
 #[portable]
 pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     state.queued = 0u32;
@@ -117,7 +117,7 @@ pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
     }
 }
 
-/// The error of a cycle: one that stays before one of a sample, before one of a request.
+/// The error of a cycle: first one that stays, then one of a sample, then one of a request.
 #[portable]
 pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     if lasting != error_none() {
@@ -129,7 +129,7 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     }
 }
 
-/// What a cycle leads to: the spindle coasts, or the next cycle begins in another state.
+/// The end of a cycle: the spindle coasts, or the next cycle begins in another state.
 #[portable]
 pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     if cycle.lacking != error_none() {
@@ -163,7 +163,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     outputs.spindle_state = state.control;
     let begins = is_at_start(state);
     let is_sound = state.lasting_error == error_none();
-    // The spindle keeps its velocity in the cycle in which the block takes hold of it.
+    // In the cycle in which the block takes over the spindle, the spindle keeps its velocity.
     let is_seized = inputs.drive_on && !is_sound && begins && state.cycles == 0u32;
     if begins && (!inputs.drive_on || is_sound || is_seized) {
         follow(state, coeffs, inputs, &mut cycle);
@@ -219,7 +219,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     }
 }
 
-/// Turned off a spindle brakes as with a reset, and stands still under position control.
+/// A spindle that is turned off brakes as after a reset, and stands still under position control.
 pub const ENABLE: Enable = Enable {
     input: "reset",
     off: Off::Brake(Brake {

@@ -1,15 +1,16 @@
-//! What the spindle's commands do where the interpolator has no say. No transition.
+//! The spindle's commands where the interpolator does not move it. No transition.
 
 use super::state::{Coeffs, State};
 use portable::{Real, in_range, note, portable};
 
-/// The position command goes on with the velocity command.
+/// The position command advances with the velocity command.
 #[portable]
 pub fn advance<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.x = state.x + state.v * coeffs.cycle_time;
 }
 
-/// The velocity goes towards 0 by at most the step of a cycle, and not beyond `v_end` or, if it is negative, `v_end_negative`.
+/// The velocity changes towards 0 by at most the step of a cycle, and not beyond `v_end` or, if it is negative,
+/// `v_end_negative`.
 #[portable]
 pub fn slow_down<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_end: R, v_end_negative: R) {
     if state.v > v_end {
@@ -31,7 +32,7 @@ pub fn lead_limit<R: Real>() -> R {
     R::per_kind(1.0e9, 1.0e7)
 }
 
-/// A position that leads another one. A velocity that no spindle has leads nowhere.
+/// A position that leads another one by a distance. An impossible distance counts as 0.
 #[portable]
 pub fn ahead<R: Real>(x: R, way: R) -> R {
     let mut ahead = x;

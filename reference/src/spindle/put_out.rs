@@ -5,7 +5,7 @@ use super::state::{Coeffs, State};
 use crate::process_data;
 use portable::{Real, portable};
 
-/// The motion, and the velocity as the drive gets it.
+/// The motion, and the velocity for the drive.
 #[portable]
 pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     outputs.x_spindle = state.x;
@@ -22,7 +22,7 @@ pub fn put_out_motion<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &m
     }
 }
 
-/// The operation mode that the drive is to take.
+/// The operation mode for the drive.
 #[portable]
 pub fn put_out_mode<R: Real>(coeffs: &Coeffs<R>, outputs: &mut Outputs<R>, asks_velocity: bool) {
     if coeffs.in_drive {

@@ -1,4 +1,4 @@
-//! What overwrote the memory is shown, and goes no further: a state that no cycle leaves stops the spindle with an error.
+//! Detects corrupted memory: a state that no cycle can produce stops the spindle with an error.
 
 use super::request::{Job, Request};
 use super::seen::forget;
@@ -11,7 +11,7 @@ use crate::signal::{
 };
 use portable::{Real, in_range, portable};
 
-/// Whether an error is one that may stay in this block.
+/// Whether an error may stay in this block.
 #[portable]
 pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
     id == error_none()
@@ -24,7 +24,7 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
         || id == error_brake()
         || id == error_to_position()
         || id == error_takeover()
-        // A drive that has one mode alone is not asked for its mode.
+        // A drive with only one mode is not asked to change its mode.
         || coeffs.in_drive
             && (!coeffs.only_velocity && id == error_to_velocity()
                 || id == error_half_turn()
@@ -32,7 +32,7 @@ pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
         || coeffs.closes_loop && id == error_lag()
 }
 
-/// Whether there is such a job.
+/// Whether the job exists.
 #[portable]
 pub fn is_job<R: Real>(request: &Request<R>) -> bool {
     request.kind == Job::Stop
@@ -42,13 +42,13 @@ pub fn is_job<R: Real>(request: &Request<R>) -> bool {
         || request.kind == Job::Home
 }
 
-/// Whether a request is one that can be asked for.
+/// Whether a request is valid.
 #[portable]
 pub fn is_request<R: Real>(request: &Request<R>) -> bool {
     is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
-/// Whether there is such a state.
+/// Whether the state exists.
 #[portable]
 pub fn is_state(control: SpindleState) -> bool {
     control == SpindleState::Position
@@ -58,7 +58,7 @@ pub fn is_state(control: SpindleState) -> bool {
         || control == SpindleState::ToPosition
 }
 
-/// Counts are within their range: none of them has to go on for ever.
+/// Limits the counts to their ranges: no count may take for ever.
 #[portable]
 pub fn hold_counts<R: Real>(state: &mut State<R>) {
     if state.missing > 4u32 {
@@ -78,7 +78,7 @@ pub fn largest_count() -> u32 {
     4_000_000_000u32
 }
 
-/// Whether the motion is one that a cycle can have left.
+/// Whether a cycle can have left this motion.
 #[portable]
 pub fn is_motion<R: Real>(state: &State<R>) -> bool {
     state.x >= R::ZERO
@@ -91,7 +91,7 @@ pub fn is_motion<R: Real>(state: &State<R>) -> bool {
         && in_range(state.seen.v_before, sample_limit())
 }
 
-/// Puts what is impossible in order: the spindle stops.
+/// Repairs an impossible state: the spindle stops.
 #[portable]
 pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     hold_counts(state);

@@ -1,4 +1,4 @@
-//! What a spindle is asked to do. Data only.
+//! The requests to a spindle. Data only.
 
 use portable::portable;
 
@@ -19,7 +19,7 @@ pub enum Job {
     Home,
 }
 
-/// A job with what belongs to it.
+/// A job with its data.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Request<R> {
@@ -31,7 +31,7 @@ pub struct Request<R> {
     pub position: R,
 }
 
-/// Which request inputs were TRUE in the last cycle.
+/// The request inputs that were TRUE in the last cycle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Before {

@@ -1,10 +1,10 @@
-//! What the block knows of the velocity of a spindle that it does not move yet. No command.
+//! The measured velocity of a spindle that the block does not move yet. No command.
 
 use super::state::{Coeffs, Seen};
 use crate::signal::sample_limit;
 use portable::{Real, in_range, portable, within};
 
-/// The middle one of three.
+/// The median of three numbers.
 #[portable]
 pub fn median<R: Real>(a: R, b: R, c: R) -> R {
     let low = if a < b { a } else { b };
@@ -13,14 +13,14 @@ pub fn median<R: Real>(a: R, b: R, c: R) -> R {
     if below_high < low { low } else { below_high }
 }
 
-/// Nothing is known of the velocity.
+/// The velocity is unknown.
 #[portable]
 pub fn forget<R: Real>(seen: &mut Seen<R>) {
     seen.samples = 0u32;
     seen.slow = 0u32;
 }
 
-/// Takes a sample of the actual velocity. Whether it is one.
+/// Takes a sample of the actual velocity. Returns whether it is valid.
 #[portable]
 pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
     let is_known = in_range(v_actual, sample_limit());
@@ -47,7 +47,7 @@ pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) -> boo
     is_known
 }
 
-/// The velocity with which the spindle turns, 0 within the window.
+/// The velocity of the spindle; 0 within the window.
 #[portable]
 pub fn turns_with<R: Real>(seen: &Seen<R>, coeffs: &Coeffs<R>) -> R {
     if within(seen.v, coeffs.window) { R::ZERO } else { seen.v }

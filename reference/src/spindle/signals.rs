@@ -1,4 +1,4 @@
-//! What goes into the block `spindle` and what comes out. Nothing is computed here.
+//! Inputs and outputs of the block `spindle`. Nothing is computed here.
 
 use super::request::Job;
 use super::state::SpindleState;

@@ -1,5 +1,5 @@
-//! The drive comes on, or is off: what the block knows of a spindle that it does not move yet, and how it takes hold of it. A spindle
-//! that turns too fast for position control is caught: BRAKE begins at its actual velocity.
+//! The drive is switched on, or is off: what the block knows of a spindle that it does not move yet, and how it takes it
+//! over. A spindle that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
 use super::change::{complete, is_displayed, lead_time};
 use super::motion::{advance, ahead, slow_down};
@@ -10,8 +10,8 @@ use crate::angle::{position_limit, wrapped};
 use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
 
-/// The position command with which a drive that obeys it goes on turning with `v`: in this cycle, so that it is a cycle less than for
-/// the next one. Without a velocity the actual position.
+/// The position command for this cycle with which a drive that follows it continues to turn with `v`: it leads by one cycle
+/// less than the command for the next cycle. Without a velocity the actual position.
 #[portable]
 pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
     let lead = lead_time(coeffs, inputs) - coeffs.cycle_time;
@@ -19,7 +19,7 @@ pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     state.x = x_shown;
 }
 
-/// The drive is off: nothing is asked for, and what was is forgotten. The velocity command goes to 0 by the deceleration.
+/// The drive is off: requests are cleared. The velocity command goes to 0 with the deceleration.
 #[portable]
 pub fn release<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if state.control != SpindleState::ToPosition || state.is_moving {
@@ -34,7 +34,7 @@ pub fn release<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     slow_down(state, coeffs, R::ZERO, R::ZERO);
 }
 
-/// The velocity command is not faster than a velocity, and not against it.
+/// Limits the velocity command to a velocity, in the same direction.
 #[portable]
 pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
     let v_low = if v_turning < R::ZERO { v_turning } else { R::ZERO };
@@ -46,8 +46,9 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
     }
 }
 
-/// The commands follow a spindle that the block does not move yet, so that the drive would not stop it by a step. With a drive that is on
-/// the velocity command is that of the spindle. With one that is off it is not faster than the spindle: a drive that is on after all brakes.
+/// The commands follow a spindle that the block does not move yet, so that the drive does not stop it with a step. If the
+/// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle: a
+/// drive that is on after all then brakes.
 #[portable]
 pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
@@ -75,14 +76,14 @@ pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
     }
 }
 
-/// An error that stays has outlasted a drive that was off: the spindle is braked from the velocity that it has.
+/// An error that stays has outlasted a drive that was off: the spindle brakes from its present velocity.
 #[portable]
 pub fn seize<R: Real>(state: &mut State<R>) {
     state.catches = state.asks_velocity;
     state.is_moving = true;
 }
 
-/// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle.
+/// TO_POSITION at the start: the drive is on, and the block takes over the spindle.
 #[portable]
 pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     let is_known = state.seen.samples >= 3u32 && cycle.sample_error == error_none();

@@ -1,4 +1,4 @@
-//! What the changeover knows: coefficients, state, the five states. No motion.
+//! The data of the changeover: coefficients, state, the five states. No motion.
 
 use super::request::{Before, Request};
 use crate::{call_rate, process_data};
@@ -165,7 +165,7 @@ pub struct Seen<R> {
     pub v: R,
 }
 
-/// What is found in one cycle.
+/// The results of checks in one cycle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cycle {
@@ -181,14 +181,14 @@ pub struct Cycle {
     pub next: SpindleState,
 }
 
-/// The next cycle is to begin in another state.
+/// The next cycle begins in another state.
 #[portable]
 pub fn leave_for(cycle: &mut Cycle, next: SpindleState) {
     cycle.leaves = true;
     cycle.next = next;
 }
 
-/// From here on the state is another one.
+/// Changes the state.
 #[portable]
 pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
     state.control = next;

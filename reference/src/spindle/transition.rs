@@ -1,4 +1,4 @@
-//! The five states: what each puts out, and when it ends. An error that is set here stops the spindle in the same cycle.
+//! The five states: the outputs of each, and when it ends. An error that is set here stops the spindle in the same cycle.
 
 use super::change::{complete, is_displayed};
 use super::jobs::is_free;
@@ -13,13 +13,13 @@ use crate::signal::{
 };
 use portable::{Real, in_range, note, portable, within};
 
-/// Whether the drive cannot tell the direction of the motion any more.
+/// Whether the drive cannot detect the direction of the motion.
 #[portable]
 pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
     coeffs.in_drive && !within(v, coeffs.v_largest)
 }
 
-/// A cycle without a sample that its state needs: the spindle goes on as before, and stops where that lasts.
+/// A cycle without a sample that its state needs: the spindle continues as before, and stops if this lasts.
 #[portable]
 pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
     let error_id = cycle.lacking;
@@ -42,7 +42,7 @@ pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
     state.v = inputs.v_interpolator;
 }
 
-/// Whether the interpolator does not go on from where the spindle is, where it takes over.
+/// Whether the position of the interpolator differs from that of the spindle when it takes over.
 #[portable]
 pub fn is_jump<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> bool {
     let mut is_too_far = false;
@@ -53,7 +53,7 @@ pub fn is_jump<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> b
     is_too_far
 }
 
-/// Whether the interpolator can move the spindle in this cycle. Else the spindle coasts, or stops.
+/// Whether the interpolator can move the spindle in this cycle. Otherwise the spindle coasts, or stops.
 #[portable]
 pub fn is_led<R: Real>(
     state: &mut State<R>,
@@ -83,7 +83,8 @@ pub fn is_led<R: Real>(
     leads
 }
 
-/// POSITION: the interpolator moves the spindle under position control. TO_VELOCITY: the drive may obey the position or the velocity.
+/// POSITION: the interpolator moves the spindle under position control. TO_VELOCITY: the drive may follow the position or
+/// the velocity.
 #[portable]
 pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     let is_position = state.control == SpindleState::Position;
@@ -133,7 +134,7 @@ pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inpu
     }
 }
 
-/// Whether the drive has the velocity command, which is at Voff or below, and is no faster than the window allows.
+/// Whether the previous velocity command is at most Voff, and the actual velocity exceeds it by at most the window.
 #[portable]
 pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
     let v_magnitude = if v_before < R::ZERO { -v_before } else { v_before };
@@ -178,7 +179,7 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     }
 }
 
-/// TO_POSITION behind BRAKE: the drive may obey the velocity or the position.
+/// TO_POSITION after BRAKE: the drive may follow the velocity or the position.
 #[portable]
 pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.asks_velocity = false;
@@ -192,7 +193,7 @@ pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
     }
 }
 
-/// TO_POSITION: behind BRAKE, or at the start, whose test takes two cycles more.
+/// TO_POSITION: after BRAKE, or at the start, whose test takes two more cycles.
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
     state.cycles += 1u32;

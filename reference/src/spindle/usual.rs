@@ -1,5 +1,5 @@
-//! The usual cycle: POSITION or VELOCITY with all samples, without a request, with nothing that waits and nothing wrong, and a
-//! position within one turn. It does what `any_cycle` does there, and asks for less. No transition.
+//! The usual cycle: POSITION or VELOCITY with valid samples, without a request, waiting job or error, and with a position
+//! within one turn. It has the same result as `any_cycle` with fewer checks. No transition.
 
 use super::change::is_displayed;
 use super::put_out::{put_out_job, put_out_mode, put_out_motion};
@@ -11,7 +11,7 @@ use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
 
-/// The code of the usual cycle that may be next: the one of a state that asks for nothing but itself.
+/// The code of the usual cycle that may be next: that of a state without a transition.
 #[portable]
 pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
     let is_quiet = state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any;
@@ -24,7 +24,7 @@ pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
     }
 }
 
-/// Whether no input asks for anything but what the state does.
+/// Whether no input requests a change.
 #[portable]
 pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     !(inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74)
@@ -33,7 +33,7 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
         && (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
 }
 
-/// Whether the interpolator moves the spindle under position control, and goes on doing so.
+/// Whether the interpolator moves the spindle under position control, and continues to do so.
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
@@ -47,7 +47,7 @@ pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: 
         && is_displayed(coeffs, inputs, coeffs.position_mode)
 }
 
-/// Whether the spindle turns under velocity control, and goes on doing so.
+/// Whether the spindle turns under velocity control, and continues to do so.
 #[portable]
 pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     state.usual == usual_velocity()
@@ -96,7 +96,7 @@ pub fn remain_in_velocity<R: Real>(
     outputs.loop_closed = false;
 }
 
-/// What both put out.
+/// The outputs of both usual cycles.
 #[portable]
 pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
     put_out_motion(state, coeffs, outputs);

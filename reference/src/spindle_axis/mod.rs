@@ -5,7 +5,7 @@
 //! axis      x_spindle, v_spindle, actual values      -> what the drive gets, while it follows the position
 //! ```
 //!
-//! In VELOCITY and BRAKE, and with position control in the CNC in TO_POSITION too, the drive gets v_spindle alone: no position
+//! In VELOCITY and BRAKE, and in TO_POSITION with position control in the CNC, the drive gets only v_spindle: no position
 //! controller, no feedforward, no improved position control.
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
@@ -71,8 +71,8 @@ pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity that the drive gets,
-/// if that is slower.
+/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity of the drive's
+/// command, if that is slower.
 #[portable]
 pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
     let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
@@ -131,7 +131,7 @@ pub fn put_out<R: Real>(
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
 
-/// Shows the id of the tripped watch if there is no fault.
+/// Reports the id of the tripped watch if there is no fault.
 #[portable]
 pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, outputs: &mut Outputs<R>) {
     if coeffs.axis.ipc.watch.active && axis_outputs.tripped && !outputs.fault {
@@ -139,7 +139,7 @@ pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, o
     }
 }
 
-/// The drive gets the velocity alone.
+/// The drive gets only the velocity.
 #[portable]
 pub fn open<R: Real>(
     state: &mut State<R>,
@@ -199,7 +199,7 @@ pub fn any_cycle<R: Real>(
 ) {
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
-    // A spindle that is stopped, or goes on without the interpolator, moves by its velocity command alone.
+    // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only.
     let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
     let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
     if follows {

@@ -10,11 +10,11 @@
 //! fade in         as mode says
 //! ```
 //!
-//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a corrupted
-//! state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit that the block
-//! was generated with always applies, whatever the numbers are. A set is read once: the copy is checked, and the copy is taken
-//! over. A refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first
-//! set is taken over v_add is 0, and a refused set is a fault.
+//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a
+//! corrupted state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit
+//! in the generated block applies to every set. A set is read once: the copy is checked, and the copy is taken over. A
+//! refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first set is
+//! taken over v_add is 0, and a refused set is a fault.
 
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
@@ -272,7 +272,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
-/// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It gives the same
+/// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It has the same
 /// result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {

@@ -1,4 +1,4 @@
-//! Separates the rare path: the last `else` of a block that begins with the fast path. In C it becomes a function of its own,
+//! Separates the rare path: the last `else` of a block that begins with the fast path. In C it becomes a separate function,
 //! called last, so that the fast path does not save registers.
 
 use crate::pass::Defect;
@@ -22,7 +22,7 @@ fn last_else(list: &mut [Statement]) -> Option<&mut Vec<Statement>> {
     if goes_on { last_else(otherwise) } else { Some(otherwise).filter(|rest| !rest.is_empty()) }
 }
 
-/// Whether the statements read no local but their own.
+/// Whether the statements read only their own locals.
 fn stands_alone(list: &[Statement]) -> bool {
     let (mut read, mut written) = (BTreeSet::new(), BTreeSet::new());
     for statement in list {

@@ -1,14 +1,14 @@
-//! Moves parts of expressions into locals of their own, which are assigned before the statement; what is moved is the pass's business.
+//! Moves parts of expressions into new locals, which are assigned before the statement. The calling pass selects the parts.
 
 use crate::program::{Expr, Local, Program, Statement, Type, Var, rewrite};
 
-/// What is assigned before a statement.
+/// Assignments before a statement.
 pub(super) struct Before<'p> {
     pub(super) program: &'p mut Program,
     statements: Vec<Statement>,
 }
 
-/// Calls `change` for every expression of a cycle; what it puts before comes to stand before its statement.
+/// Calls `change` for every expression of a cycle; its assignments are inserted before the statement of the expression.
 pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut Before<'_>)) -> Program {
     let mut step = std::mem::take(&mut program.step);
     rewrite(&mut step, &mut |mut statement, list| {
@@ -23,7 +23,7 @@ pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut B
 }
 
 impl Before<'_> {
-    /// Moves an expression into a local, which stands in its place.
+    /// Moves an expression into a local, and replaces it by the local.
     pub(super) fn take(&mut self, expr: &mut Expr, path: String, ty: Type) {
         let target = Var::Local(self.program.locals.len());
         self.program.locals.push(Local { path, ty: Some(ty) });

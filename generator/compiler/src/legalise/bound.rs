@@ -1,4 +1,4 @@
-//! Keeps a sign from standing before a 0: to some compilers it is a subtraction from 0.
+//! Avoids a sign before a 0, which some compilers read as a subtraction from 0.
 //!
 //! ```text
 //! |x| <= 0   ->   x = 0.0          y := -0.0   ->   y := -1.0 * 0.0
@@ -8,12 +8,12 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Program, map_expressions};
 use portable::{Binary, Intrinsic, Literal, Unary};
 
-/// Where a function looks at a sample, or its bound has a name.
+/// For languages in which a function checks a sample, or in which the bound has a name.
 pub(super) fn run(program: Program) -> Result<Program, Defect> {
     Ok(change(program, &[Intrinsic::Within]))
 }
 
-/// Where a sample is compared with digits too.
+/// For languages in which a sample may also be compared with digits.
 pub(super) fn run_digits(program: Program) -> Result<Program, Defect> {
     Ok(change(program, &[Intrinsic::Within, Intrinsic::InRange]))
 }

@@ -1,5 +1,5 @@
-//! Makes one choice of a chain of questions for the same enumeration, or of a long one for the same DINT: a state machine then reads as one,
-//! and a long chain costs one jump.
+//! Replaces a chain of questions for one enumeration, or a long one for one DINT, by a choice: a state machine is then
+//! readable as one, and a long chain costs one jump.
 //!
 //! ```text
 //! if state == a { x } else if state == b { y } else { z }   ->   choose by state: a { x }, b { y }, c { z }
@@ -11,7 +11,7 @@ use portable::{Binary, Literal, Variant};
 
 /// A chain of two arms stays an `if`.
 const LEAST_ARMS: usize = 3;
-/// So does a chain of fewer arms by numbers.
+/// A chain by numbers with fewer arms stays an `if`.
 const LEAST_NUMBERS: usize = 8;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
@@ -29,13 +29,13 @@ fn in_list(list: &mut [Statement], constants: &mut Vec<Constant>) {
     }
 }
 
-/// What a chain of questions asks for, if it has enough of them for a choice.
+/// The variable that a chain of questions asks for, if the chain is long enough for a choice.
 fn by(statement: &Statement, constants: &[Constant]) -> Option<Var> {
     let (by, labels) = asked(statement, constants)?;
     let least = if matches!(labels[..], [Expr::Literal(_), ..]) { LEAST_NUMBERS } else { LEAST_ARMS };
     let (mut link, mut arms) = (statement, 1);
     while let Statement::If { then, otherwise, .. } = link {
-        // A branch without a statement is none in Structured Text.
+        // Structured Text has no branch without a statement.
         if then.iter().all(|inner| matches!(inner, Statement::Note(_))) {
             return None;
         }
@@ -62,7 +62,7 @@ fn arms(chain: Statement, by: Var, constants: &mut Vec<Constant>) -> Vec<Arm> {
     arms
 }
 
-/// What a statement asks, and for which variants or numbers, if it does nothing else.
+/// The variable of a question, with its variants or numbers, if the statement does nothing else.
 fn asked(statement: &Statement, constants: &[Constant]) -> Option<(Var, Vec<Expr>)> {
     let Statement::If { condition, .. } = statement else { return None };
     let mut labels = Vec::new();

@@ -24,7 +24,7 @@ fn in_list(list: &mut Vec<Statement>) {
     list.iter_mut().for_each(|statement| statement.branches_mut().for_each(in_list));
 }
 
-/// The earliest place to which a statement may move; `None`: it stays.
+/// The earliest place to which a statement may move; `None` if it must stay.
 fn place(before: &[Statement], statement: &Statement) -> Option<usize> {
     let Statement::Assign { target: target @ (Var::Output(_) | Var::State(_)), value } = statement else { return None };
     let known = match value {

@@ -4,28 +4,34 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Local, Off, Program, Statement, Type, Var, Variable, rename};
 use portable::{Binary, Brake, Literal};
 
-/// The outputs that get another name, and that name.
+/// The renamed outputs with their new names.
 pub const RENAMED: [(&str, &str); 2] = [("fault", "Error"), ("error_id", "ErrorID")];
 /// The output with the id of a notice, which is not a fault.
 pub const NOTICE: &str = "NoticeID";
-/// The ids that may stand at `error_id` without a fault, by the names of their functions in the reference.
-pub const NOTICES: [&str; 5] =
-    ["error_tuning", "error_unstable", "error_set_structure", "error_set_unsound", "error_set_damaged"];
+/// The ids that `error_id` may have without a fault, by the names of their functions in the reference.
+pub const NOTICES: [&str; 6] = [
+    "error_tuning",
+    "error_unstable",
+    "error_set_structure",
+    "error_set_unsound",
+    "error_set_damaged",
+    "error_reversal",
+];
 /// The ids among [`NOTICES`] that are never a fault.
-pub const ONLY_NOTICES: [&str; 2] = ["error_tuning", "error_unstable"];
+pub const ONLY_NOTICES: [&str; 3] = ["error_tuning", "error_unstable", "error_reversal"];
 
-/// The data from which the signals of a cycle follow, for callers that know the block's own outputs.
+/// The data for the signals of a cycle, for callers that know the block's own outputs.
 #[derive(Clone, Copy, Debug)]
 pub struct Cycle {
     pub fault: bool,
     pub error_id: u32,
     pub is_enabled: bool,
-    /// whether the block has to be called further on when it is not enabled
+    /// whether the block has to be called on when it is not enabled
     pub works: bool,
 }
 
 impl Cycle {
-    /// The value of one of the signals; none: it is another output.
+    /// The value of one of the signals; `None` for any other output.
     pub fn value(self, path: &str) -> Option<Literal> {
         let busy = self.is_enabled || self.works;
         Some(match path {
@@ -56,11 +62,11 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::Brake(brake) => {
             Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
         }
-        Off::Mode(..) | Off::False => None,
+        Off::Mode(..) | Off::False | Off::Fade(_) => None,
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
     let works = match &switch.off {
-        Off::Mode(_, fades) => fades.map(Expr::Var),
+        Off::Mode(_, fades) | Off::Fade(fades) => fades.map(Expr::Var),
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
@@ -87,7 +93,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Writes the signals after all statements of the block.
+/// Assigns the signals after all statements of the block.
 fn put_out(program: &mut Program, is_busy: Expr) {
     let [valid, busy, error, error_id, notice] = [0, 1, 2, 3, 4].map(Var::Output);
     let and = |left, right| Expr::binary(Binary::And, left, right);
@@ -107,7 +113,7 @@ fn put_out(program: &mut Program, is_busy: Expr) {
         .extend([Statement::If { condition: shown.clone(), then: Vec::new(), otherwise }, assign(error, shown)]);
 }
 
-/// Whether a block that brakes is not at rest yet.
+/// Whether a braking block is not at rest yet.
 fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr {
     let zero = match program.real {
         portable::RealKind::F64 => Literal::F64(0.0),
@@ -127,7 +133,7 @@ fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr 
     changes.map_or(moves.clone(), |changes| or(moves, changes))
 }
 
-/// Whether the block may name what is not a fault.
+/// Whether the block may report a notice.
 fn has_notices(program: &Program) -> bool {
     program.constants.iter().any(|constant| NOTICES.contains(&constant.path.as_str()))
 }
@@ -174,7 +180,7 @@ const OF_ERRORS: [&str; 2] = [
 ];
 const OF_NOTICE: &str = "id of a notice: it needs attention but is not a fault: 0 none";
 
-/// What the signals mean, by what turns the block off.
+/// The meanings of the signals, depending on what turns the block off.
 fn docs(off: &Off) -> [&'static str; 3] {
     match off {
         Off::Mode(..) => [
@@ -186,6 +192,11 @@ fn docs(off: &Off) -> [&'static str; 3] {
             "FALSE: acts as position_controlled FALSE, at once and without a ramp; TRUE: the input position_controlled applies",
             "TRUE: enabled, and no part has a fault in this cycle; the outputs are valid in any case: do not gate them with Valid",
             "TRUE: keep calling the block; it is enabled",
+        ],
+        Off::Fade(_) => [
+            "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
+            "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
+            "TRUE: keep calling the block; it is enabled or still fades out",
         ],
         Off::Brake(_) => [
             "FALSE: acts as reset TRUE, the spindle brakes to standstill under position control; TRUE: the input reset applies",

@@ -1,5 +1,5 @@
-//! Passes that make a program one that a language can say; a target names those that it needs, and `verify` runs after the
-//! last of them.
+//! Passes that make a program expressible in a language. A target lists the passes that it needs, and `verify` runs after
+//! the last of them.
 
 mod apart;
 mod before;
@@ -26,7 +26,7 @@ use crate::pass::{self, Defect, Stage};
 use crate::program::Program;
 use std::borrow::Cow;
 
-/// What C and Rust need.
+/// The passes for C and Rust.
 pub const WITH_OUTPUTS: &[Stage] = &[
     ("settled", settle::run),
     ("early", early::run),
@@ -35,7 +35,7 @@ pub const WITH_OUTPUTS: &[Stage] = &[
     ("whole", whole::run),
 ];
 
-/// What Structured Text needs where the digits of an LREAL may stand in an expression.
+/// The passes for Structured Text if digits of an LREAL may be in an expression.
 pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
     (presumed::NAME, presumed::run),
@@ -49,7 +49,7 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("chosen", choose::run),
 ];
 
-/// What its dialects need where numbers have names, with the signals of PLCopen around the block.
+/// The passes for its dialects with named numbers, with the signals of PLCopen around the block.
 pub const WITH_ENABLE: &[Stage] = &[
     ("enabled", enable::run),
     ("settled", settle::run),
@@ -64,7 +64,7 @@ pub const WITH_ENABLE: &[Stage] = &[
     ("chosen", choose::run),
 ];
 
-/// What TwinCAT needs: its runtime counts the cycles of a task.
+/// The passes for TwinCAT: its runtime counts the cycles of a task.
 pub const WITH_TASK: &[Stage] = &{
     let mut passes = [("filled", task::run as fn(Program) -> Result<Program, Defect>); WITH_ENABLE.len() + 1];
     let mut at = 0;
@@ -83,7 +83,7 @@ pub fn needed<'s>(program: &Program, passes: &'s [Stage]) -> &'s [Stage] {
     }
 }
 
-/// Runs the passes of a target over a verified program, and verifies what comes out.
+/// Runs the passes of a target over a verified program, and verifies the result.
 ///
 /// # Errors
 /// The first defect.

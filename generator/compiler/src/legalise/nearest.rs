@@ -1,5 +1,5 @@
-//! Spells out the rounding to the nearest integer: no conversion of the standard rounds alike everywhere, but all truncate
-//! alike.
+//! Expands the rounding to the nearest integer: the conversions of the standard round differently, but all implementations
+//! truncate in the same way.
 //!
 //! ```text
 //! n := nearest(x);   ->   IF x >= 0.0 THEN n := TRUNC(x + 0.49999999999999994); ELSE n := TRUNC(x - 0.49999999999999994); END_IF;
@@ -9,7 +9,7 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Origin, Program, Statement, Var, rewrite};
 use portable::{Binary, Intrinsic, Literal, RealKind, nearly_half};
 
-/// The program without that operation; the printer refuses one that stands inside another expression.
+/// The program without that operation; the printer rejects one inside another expression.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let (real, half) = (program.real, Var::Constant(program.constants.len()));
     let mut is_used = false;

@@ -1,4 +1,4 @@
-//! Assigns every negated condition to a BOOL of its own: one compiler translates `NOT` before an expression wrongly.
+//! Assigns every negated condition to a BOOL: one compiler translates `NOT` before an expression wrongly.
 //!
 //! ```text
 //! IF NOT ((mode = 1) OR (mode = 2)) THEN   ->   mode_fits := (mode = 1) OR (mode = 2); IF NOT mode_fits THEN
@@ -23,7 +23,7 @@ fn name(part: &mut Expr, before: &mut Before<'_>) {
     }
 }
 
-/// What a condition is called: after the variable that it asks, if it asks only one.
+/// The name of a condition: from the variable in it, if there is only one.
 fn name_of(condition: &Expr, before: &Before<'_>) -> String {
     let mut asked = BTreeSet::new();
     condition.variables(&mut |var| {

@@ -1,10 +1,10 @@
-//! Gives every real number that is an operand a name: its digits would be LREAL, and make a whole REAL expression LREAL.
+//! Names every real number that is an operand: its digits would be LREAL, and make a whole REAL expression LREAL.
 
 use crate::pass::Defect;
 use crate::program::{Constant, Expr, Origin, Program, Var, map_expressions};
 use portable::{Literal, RealKind};
 
-/// The program with its numbers among the constants; one that is assigned as it is stays where it is.
+/// The program with its numbers among the constants; a number that is assigned alone stays.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let first = program.constants.len();
     let constants = &mut program.constants;
@@ -27,12 +27,12 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Names the operands in single precision only: the digits of an LREAL may stand next to an LREAL.
+/// Names only the operands in single precision: the digits of an LREAL may be combined with an LREAL.
 pub(super) fn run_single(program: Program) -> Result<Program, Defect> {
     if program.real == RealKind::F32 { run(program) } else { Ok(program) }
 }
 
-/// What a number is called: `zero`, `one`, else its digits, as in `number_0p5`.
+/// The name of a number: `zero`, `one`, else its digits, as in `number_0p5`.
 fn name_of(value: Literal) -> String {
     let digits = match value {
         Literal::F64(value) => format!("{value:?}"),

@@ -8,9 +8,9 @@ use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressi
 #[derive(Clone, Debug)]
 pub struct AxisProgram {
     pub program: Program,
-    /// the position that each of its inputs has among all
+    /// the position of each of its inputs among all inputs
     pub inputs: Vec<usize>,
-    /// the position that each of its outputs has among all
+    /// the position of each of its outputs among all outputs
     pub outputs: Vec<usize>,
 }
 
@@ -40,13 +40,13 @@ impl AxisProgram {
 pub struct RealInput {
     /// its position among all inputs
     pub position: usize,
-    /// its position among those that the axis has
+    /// its position among the inputs that the axis has
     pub own: usize,
     /// whether it is a fraction from 0 to 1, not a sample
     pub is_fraction: bool,
 }
 
-/// Takes the other signals away.
+/// Removes the other signals.
 ///
 /// # Errors
 /// A defect of the program.
@@ -56,7 +56,7 @@ pub fn own(program: &Program) -> Result<AxisProgram, Defect> {
     drop_outputs(&mut program, &changing);
     let inputs = retain(&mut program.inputs, &read);
     let outputs = retain(&mut program.outputs, &changing);
-    // Those that are not kept are in no statement.
+    // Signals that are not kept occur in no statement.
     let place = |all: &[usize], old| all.binary_search(&old).unwrap_or_else(|next| next);
     let renamed = |var| match var {
         Var::Input(index) => Var::Input(place(&inputs, index)),
@@ -72,7 +72,7 @@ pub fn own(program: &Program) -> Result<AxisProgram, Defect> {
     Ok(AxisProgram { program: prune::run(program)?, inputs, outputs })
 }
 
-/// Which inputs a cycle reads.
+/// The inputs that a cycle reads.
 fn read(program: &Program) -> Vec<bool> {
     let mut read = vec![false; program.inputs.len()];
     for statement in &program.step {
@@ -85,7 +85,7 @@ fn read(program: &Program) -> Vec<bool> {
     read
 }
 
-/// Which outputs ever differ from their start value.
+/// The outputs that ever differ from their start value.
 fn changing(program: &Program) -> Vec<bool> {
     let mut changing = vec![false; program.outputs.len()];
     for statement in &program.step {
@@ -98,7 +98,7 @@ fn changing(program: &Program) -> Vec<bool> {
     changing
 }
 
-/// Replaces the outputs that do not change by their value.
+/// Replaces outputs that never change by their values.
 fn drop_outputs(program: &mut Program, changing: &[bool]) {
     let outputs = &program.outputs;
     map_expressions(&mut program.step, &mut |expr| {
@@ -116,7 +116,7 @@ fn drop_outputs(program: &mut Program, changing: &[bool]) {
     });
 }
 
-/// Keeps some of the variables; returns the position that each of them had.
+/// Keeps some of the variables; returns the old position of each.
 fn retain(variables: &mut Vec<Variable>, is_kept: &[bool]) -> Vec<usize> {
     let mut flags = is_kept.iter();
     variables.retain(|_| flags.next() == Some(&true));

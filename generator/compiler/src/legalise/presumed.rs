@@ -1,17 +1,17 @@
-//! Gives a local the value that most branches leave in it before the branches, which then need not name it: Structured Text
-//! is read by people, and says once what mostly holds.
+//! Assigns to a local, before the branches, the value that most branches leave in it; these branches then need not assign
+//! it. The text in Structured Text becomes shorter, and states the usual value once.
 //!
 //! ```text
 //! if a { x := 1 } else if b { x := 0 } else { x := 0 }   ->   x := 0; if a { x := 1 }
 //! ```
 //!
-//! A local is assigned again on some ways then. Nothing has read it before, so that no value changes.
+//! A local is then assigned again on some paths. Nothing reads it before, so no value changes.
 
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Var};
 use portable::{Binary, Unary};
 
-/// The name of the pass: the last verification knows by it that a local may be assigned again.
+/// The name of the pass: if it has run, the last verification permits a second assignment of a local.
 pub(super) const NAME: &str = "presumed";
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
@@ -35,7 +35,7 @@ fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
     }
 }
 
-/// The locals that every way through a statement assigns, with the value that at least two of its branches leave in them.
+/// The locals that every path through a statement assigns, with the value that at least two of its branches leave in them.
 fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
     if !matches!(statement, Statement::If { .. }) {
         return Vec::new();
@@ -60,7 +60,7 @@ fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
     for (local, values) in found {
         let is_known = |value: &Expr| !matches!(value, Expr::Var(var) if statement.writes(*var));
         let most = values.iter().filter(|(value, times)| *times > 1 && is_known(value));
-        // Of several values the first one: `max_by_key` alone would take the last.
+        // The first of several values: `max_by_key` alone would take the last.
         let most = most.rev().max_by_key(|(_, times)| *times);
         if let Some((value, _)) = most
             && always(statement, Var::Local(local))
@@ -71,12 +71,12 @@ fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
     chosen
 }
 
-/// Whether no statement can change the value, once it is there.
+/// Whether no statement can change the value after it was computed.
 fn is_fixed(value: &Expr) -> bool {
     matches!(value, Expr::Literal(_) | Expr::Var(Var::Constant(_) | Var::Local(_) | Var::Input(_)))
 }
 
-/// Whether every way through a statement assigns the local.
+/// Whether every path through a statement assigns the local.
 fn always(statement: &Statement, local: Var) -> bool {
     match statement {
         Statement::Assign { target, .. } => *target == local,
@@ -87,8 +87,8 @@ fn always(statement: &Statement, local: Var) -> bool {
     }
 }
 
-/// Takes the assignments of this value out of a list and of what is inside it. A branch that explains itself keeps a
-/// statement: one of comments alone is none in Structured Text.
+/// Removes the assignments of this value from a list and its inner lists. A branch with a comment keeps a statement:
+/// Structured Text does not permit a branch of comments only.
 fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
     list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, local, value));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
@@ -103,7 +103,7 @@ fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
     list.extend(old.into_iter().filter_map(without_nothing));
 }
 
-/// A statement without a branch that is empty before one that is not; none, where both are.
+/// A statement in which no empty branch precedes one that is not empty; `None` if both are empty.
 fn without_nothing(statement: Statement) -> Option<Statement> {
     let Statement::If { condition, then, otherwise } = statement else { return Some(statement) };
     let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
@@ -115,7 +115,7 @@ fn without_nothing(statement: Statement) -> Option<Statement> {
     }
 }
 
-/// That a condition does not hold; a question for equality, or a negation, is turned.
+/// The negation of a condition; an equality or a negation is inverted.
 fn opposite(condition: Expr) -> Expr {
     match condition {
         Expr::Unary(Unary::Not, operand) => *operand,

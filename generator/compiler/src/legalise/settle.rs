@@ -1,5 +1,5 @@
-//! Lets every output be written once on each way, with the value that stays: a task that interrupts the block sees values of the last
-//! cycle or of this one, and none between.
+//! Writes every output once on each path, with its final value: a task that interrupts the block sees values of the previous
+//! or of the present cycle, never intermediate ones.
 //!
 //! ```text
 //! limited := false                              if a { limited := true } else { limited := false }
@@ -10,7 +10,7 @@ use crate::pass::Defect;
 use crate::program::{Expr, Local, Program, Statement, Var, rename};
 use portable::Binary;
 
-/// What the names of locals end with that hold an output: of the first one, of the second one, ...
+/// The suffixes of locals that hold an output: the first one, the second one, ...
 const HELD: [&str; 3] = ["so_far", "until_now", "up_to_here"];
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
@@ -22,7 +22,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Makes sure that every output is written once on each way.
+/// Checks that every output is written once on each path.
 pub(super) fn verify(program: &Program) -> Result<(), Defect> {
     let is_once = |index: usize| times(&program.step, Var::Output(index)) == Some(1);
     match (0..program.outputs.len()).find(|index| !is_once(*index)) {
@@ -34,7 +34,7 @@ pub(super) fn verify(program: &Program) -> Result<(), Defect> {
     }
 }
 
-/// How often every way through a list writes the output; none: not all ways do it alike.
+/// The number of writes of the output on every path through a list; `None` if it differs between paths.
 fn times(list: &[Statement], output: Var) -> Option<usize> {
     list.iter()
         .map(|statement| match statement {
@@ -49,7 +49,7 @@ fn times(list: &[Statement], output: Var) -> Option<usize> {
         .sum()
 }
 
-/// Leaves one statement of a list, and of every list inside it, that writes the output.
+/// Leaves only one statement that writes the output, in a list and in every inner list.
 fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
     while let Some((first, next)) = first_two(list, output) {
         if let Statement::Assign { value, .. } = &list[first]
@@ -73,7 +73,7 @@ fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
     }
 }
 
-/// A BOOL that both branches of an `if` write, and nothing else: whether the condition holds, or another value does.
+/// The value of a BOOL that both branches of an `if` write and nothing else: the condition combined with another value.
 fn either(statement: &Statement, output: Var) -> Option<Expr> {
     let Statement::If { condition, then, otherwise } = statement else { return None };
     let ([Statement::Assign { target: one, value: yes }], [Statement::Assign { target: other, value: no }]) =
@@ -91,13 +91,15 @@ fn first_two(list: &[Statement], output: Var) -> Option<(usize, usize)> {
     Some((writers.next()?, writers.next()?))
 }
 
-/// Puts a value before what a statement writes: into both branches of an `if`. An assignment overwrites it, so that nothing is left.
+/// Inserts a value before the writes of a statement: into both branches of an `if`. An assignment overwrites it, so nothing
+/// is inserted.
 fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
     let assign = || Statement::Assign { target: output, value: value.clone() };
     statement.branches_mut().for_each(|list| list.insert(0, assign()));
 }
 
-/// Lets the first of two statements that write the output write a local, and the output get it behind that.
+/// Replaces the output by a local in the first of two statements that write it, and assigns the local to the output after
+/// that statement.
 fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, program: &mut Program) {
     let local = Var::Local(program.locals.len());
     let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };
@@ -106,17 +108,18 @@ fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, p
     let known = |end: &&&str| program.locals.iter().any(|local| local.path == format!("{}_{end}", variable.path));
     let end = HELD.iter().find(|end| !known(end)).unwrap_or(&HELD[0]);
     program.locals.push(Local { path: format!("{}_{end}", variable.path), ty: Some(variable.ty) });
-    // The ways that do not write it have its start: something overwrites it there, or nobody reads it.
+    // Paths that do not write it have the start value: it is overwritten there, or never read.
     go_before(&mut list[first], output, &Expr::Literal(start));
     list[first].branches_mut().for_each(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });
-    // Until it is written again, the local is what the output was.
+    // Until the next write, the local replaces the output.
     rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });
     read_instead(&mut list[next], output, local);
     list.insert(first + 1, Statement::Assign { target: output, value: Expr::Var(local) });
 }
 
-/// Puts the local in the place of the output in what a statement reads before it writes anything. Its branches get the value themselves.
+/// Replaces the output by the local in the expressions that a statement reads before it writes anything. Its branches get
+/// the value separately.
 fn read_instead(statement: &mut Statement, output: Var, local: Var) {
     if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = statement {
         expr.change(&mut |part| {

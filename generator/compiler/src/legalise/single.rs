@@ -1,5 +1,6 @@
-//! Splits statements on REAL into one operation each: a compiler that evaluates an expression in double precision rounds each
-//! result once, where it is assigned. The double of an operation on two REALs, rounded to REAL, is what REAL itself gives.
+//! Splits statements on REAL into one operation each: a compiler that evaluates an expression in double precision then
+//! rounds each result once, where it is assigned. The double of an operation on two REALs, rounded to REAL, equals the
+//! result in REAL.
 //!
 //! ```text
 //! y := a * x + s;   ->   a_times_x := a * x; y := a_times_x + s;
@@ -10,7 +11,7 @@ use crate::pass::Defect;
 use crate::program::{Expr, Program, Type};
 use portable::{Binary, Intrinsic, RealKind, Unary};
 
-/// A name that grows longer than this stands for its first operand.
+/// A longer name is replaced by that of its first operand.
 const LONGEST: usize = 48;
 
 pub(super) fn run(program: Program) -> Result<Program, Defect> {
@@ -18,7 +19,7 @@ pub(super) fn run(program: Program) -> Result<Program, Defect> {
         return Ok(program);
     }
     Ok(before::run(program, |expr, before| {
-        // What is assigned as a whole has its variable already.
+        // An expression that is assigned as a whole already has a variable.
         if rounds(expr, before) {
             expr.operands_mut().for_each(|operand| part(operand, before));
         } else {
@@ -27,8 +28,8 @@ pub(super) fn run(program: Program) -> Result<Program, Defect> {
     }))
 }
 
-/// Names the operations in an expression, inner ones first. A sign stands before a variable only: the operand of a sign has
-/// none, nor has the bound of a magnitude, before which one is printed.
+/// Names the operations in an expression, inner ones first. A sign is only printed before a variable: the operand of a sign
+/// has no sign, and neither has the bound of a magnitude, before which one is printed.
 fn part(expr: &mut Expr, before: &mut Before<'_>) {
     let signed = match expr {
         Expr::Unary(Unary::Negate, _) => Some(0),
@@ -60,7 +61,7 @@ fn rounds(expr: &Expr, before: &Before<'_>) -> bool {
     }
 }
 
-/// What an operation is called: `stage[0].filter[0].section[0].a2_times_y`, below the longest path of its operands.
+/// The name of an operation: `stage[0].filter[0].section[0].a2_times_y`, below the longest path of its operands.
 fn name_of(expr: &Expr, before: &Before<'_>) -> String {
     let (mut place, mut names) = ("", Vec::new());
     for operand in expr.operands() {

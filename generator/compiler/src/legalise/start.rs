@@ -23,7 +23,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Whether a statement gives a variable what it has anyway.
+/// Whether a statement assigns the value that a variable already has.
 fn is_clear(statement: &Statement) -> bool {
     match statement {
         Statement::Note(_) => true,

@@ -8,13 +8,13 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, rename};
 use portable::{Binary, Literal};
 
-/// The input that counts the controller's cycles: a block that has none stays as it is.
+/// The input that counts the controller's cycles: a block without it is unchanged.
 const COUNTER: &str = "cycle_counter";
 
-/// An input, what TwinCAT knows of it, and by how much that is multiplied.
+/// An input, the variable of TwinCAT for it, and its factor.
 const KNOWN: [(&str, &str, u32); 2] = [
     (COUNTER, "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleCount", 1),
-    // TwinCAT counts 100 ns.
+    // TwinCAT's unit is 100 ns.
     ("task_cycle_ns", "TwinCAT_SystemInfoVarList._TaskInfo[GETCURTASKINDEXEX()].CycleTime", 100),
 ];
 
@@ -23,7 +23,7 @@ pub(super) fn is_needed(program: &Program) -> bool {
     program.inputs.iter().any(|input| input.path == COUNTER)
 }
 
-/// The program with what the runtime of TwinCAT knows.
+/// The program with variables of TwinCAT's runtime.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     if !is_needed(&program) {
         return Ok(program);

@@ -14,7 +14,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init: Vec<Statement> =
         missing.map(|(target, start)| Statement::Assign { target, value: Expr::Literal(start) }).collect();
     init.append(&mut program.init);
-    // Plain values: in the order of the declarations.
+    // Plain values, in the order of the declarations.
     if let Some(places) = init.iter().map(place).collect::<Option<Vec<usize>>>()
         && places.len() == program.state.len()
     {

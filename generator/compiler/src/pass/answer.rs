@@ -1,4 +1,4 @@
-//! Assigns a flag the answer itself, where both branches of an `if` do nothing but keep that answer.
+//! Assigns a condition directly to a flag if both branches of an `if` only store the answer.
 //!
 //! ```text
 //! if a { flag := true } else { flag := false }   ->   flag := a
@@ -23,7 +23,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// The flag that a branch sets, and to what, if it does nothing else.
+/// The flag and the value that a branch assigns, if it does nothing else.
 fn answer(branch: &[Statement]) -> Option<(Var, bool)> {
     match branch {
         [Statement::Assign { target, value: Expr::Literal(Literal::Bool(value)) }] => Some((*target, *value)),

@@ -1,4 +1,4 @@
-//! Makes one chain of questions in a row of which at most one is true: different values of one integer.
+//! Joins consecutive questions into one chain if at most one of them is true: different values of one integer.
 //!
 //! ```text
 //! if n == 0 { x }                  if n == 0 { x }
@@ -6,7 +6,7 @@
 //! if n > 1 { z }                   else if n > 1 { z }
 //! ```
 //!
-//! A compiler can jump to the one that is true.
+//! A compiler can then jump to the one that is true.
 
 use super::Defect;
 use super::condition::{Comparison, Conditions};
@@ -23,7 +23,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 fn in_list(list: &mut Vec<Statement>, conditions: &Conditions<'_>) {
     list.iter_mut().flat_map(Statement::branches_mut).for_each(|list| in_list(list, conditions));
     let mut done: Vec<Statement> = Vec::new();
-    // From the end, so that the rest of a chain is one statement already.
+    // From the end, so that the rest of a chain is already one statement.
     for statement in std::mem::take(list).into_iter().rev() {
         match (statement, done.pop()) {
             (Statement::If { condition, then, otherwise }, Some(rest))
@@ -41,7 +41,7 @@ fn in_list(list: &mut Vec<Statement>, conditions: &Conditions<'_>) {
     *list = done;
 }
 
-/// Whether no question of the chain `rest` can be answered with yes where this one is, nor after what it leads to.
+/// Whether no question of the chain `rest` can be true where this one is, nor after its statements.
 fn is_chained(condition: &Expr, then: &[Statement], rest: &Statement, conditions: &Conditions<'_>) -> bool {
     let Some(first) = conditions.comparison(condition) else { return false };
     let mut link = rest;
@@ -58,7 +58,7 @@ fn is_chained(condition: &Expr, then: &[Statement], rest: &Statement, conditions
     }
 }
 
-/// Whether both ask for values of one variable, and no value is an answer to both.
+/// Whether both ask for values of one variable, and no value satisfies both.
 fn are_apart(one: &Comparison, other: &Comparison) -> bool {
     let [(low, high), (from, to)] = [one.within, other.within];
     one.var == other.var && one.answer && other.answer && (high < from || to < low)

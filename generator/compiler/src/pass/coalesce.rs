@@ -1,4 +1,4 @@
-//! Removes the copies that joining two branches leaves: `a` is computed, then `b := a`. Afterwards `b` is computed.
+//! Removes copies left by joining two branches: `a` is computed, then `b := a`. Afterwards `b` is computed directly.
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Table, Var, rename};
@@ -12,7 +12,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Coalesces a list of statements, inner lists last: a copy that leaves a branch becomes one inside it.
+/// Coalesces a list of statements, inner lists last: a copy after a branch can become one inside it.
 fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &Table<usize>) {
     if list.iter().any(|statement| copy(statement).is_some()) {
         let mut here = nothing.clone();
@@ -31,8 +31,8 @@ fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &
     }
 }
 
-/// A copy from a local that lives in this list alone to a local that nothing before it in this list mentions: the target
-/// can take the value as soon as it exists.
+/// A copy from a local that is used only in this list to a local that is not mentioned before it in this list: the target
+/// can take the value as soon as it is computed.
 fn find(list: &[Statement], everywhere: &Table<usize>, here: &Table<usize>) -> Option<(usize, Var, Var)> {
     list.iter().enumerate().find_map(|(position, statement)| {
         let (from, to) = copy(statement)?;
@@ -41,7 +41,7 @@ fn find(list: &[Statement], everywhere: &Table<usize>, here: &Table<usize>) -> O
     })
 }
 
-/// From which local to which other one a statement copies.
+/// Source and target of a statement that copies a local.
 fn copy(statement: &Statement) -> Option<(Var, Var)> {
     match statement {
         Statement::Assign { target: to @ Var::Local(_), value: Expr::Var(from @ Var::Local(_)) } => Some((*from, *to)),

@@ -1,4 +1,4 @@
-//! Conditions as numbers: the same condition has the same number, so that what is known of them is cheap to copy and compare.
+//! Conditions as numbers: equal conditions have equal numbers, so that facts about them are cheap to copy and compare.
 
 use crate::program::{Constant, Expr, Var};
 use portable::{Binary, Literal, Unary};
@@ -6,7 +6,7 @@ use portable::{Binary, Literal, Unary};
 /// The number of a condition.
 pub(super) type Id = usize;
 
-/// A condition, its operands by their numbers.
+/// A condition with numbers for its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Condition {
     Known(bool),
@@ -17,7 +17,7 @@ pub(super) enum Condition {
     Both(bool, Id, Id),
 }
 
-/// What is asked, without `and`, `or` and `not`.
+/// A question without `and`, `or` and `not`.
 pub(super) struct Question {
     pub expr: Expr,
     pub comparison: Option<Comparison>,
@@ -28,7 +28,7 @@ pub(super) struct Question {
 #[derive(Clone, Copy)]
 pub(super) struct Comparison {
     pub var: Var,
-    /// the answer for the values from the first to the last of `within`; the others have the other one
+    /// the answer for the values from the first to the last of `within`; other values have the opposite answer
     pub answer: bool,
     /// one value, or all up to one end of the type
     pub within: (i64, i64),
@@ -36,13 +36,13 @@ pub(super) struct Comparison {
     pub full: (i64, i64),
 }
 
-/// All conditions of a program that were looked at.
+/// All conditions of a program that were examined.
 #[derive(Default)]
 pub(super) struct Conditions<'p> {
     pub constants: &'p [Constant],
     pub all: Vec<Condition>,
     pub questions: Vec<Question>,
-    /// what the questions read
+    /// variables that the questions read
     pub asked: Vec<Var>,
 }
 
@@ -76,7 +76,7 @@ impl Conditions<'_> {
         }
     }
 
-    /// The number of a condition; one with a known operand has become simpler.
+    /// The number of a condition, simplified if an operand is known.
     pub(super) fn add(&mut self, condition: Condition) -> Id {
         let simpler = match condition {
             Condition::Not(operand) => match self.all[operand] {

@@ -1,5 +1,5 @@
-//! Removes assignments of locals that nothing reads afterwards: joining two branches leaves them where only one
-//! branch uses the value.
+//! Removes assignments of locals that are not read afterwards: joining two branches leaves them if only one branch uses the
+//! value.
 
 use super::Defect;
 use crate::program::{Program, Statement, Table, Var};

@@ -1,27 +1,28 @@
-//! What is known of the variables at one point of a program: answers to conditions, ranges of integers. No statement is
-//! changed here.
+//! Facts about the variables at one point of a program: answers to conditions, ranges of integers. No statement is changed
+//! here.
 
 use super::condition::{Comparison, Condition, Conditions, Id};
 use crate::program::{Expr, Var};
 use portable::Literal;
 
-/// What holds at the present point. Each list only grows while a condition is looked at, so that a mark leads back.
+/// The facts at the present point. Each list only grows while a condition is examined, so that a mark can restore the
+/// earlier state.
 #[derive(Clone, Default)]
 pub(super) struct Facts {
-    /// to a question that compares no integer with a known number
+    /// to questions that do not compare an integer with a known number
     answers: Vec<(usize, bool)>,
-    /// an `or` that holds or an `and` that does not hold: which operand decides is not known yet
+    /// an `or` that is true or an `and` that is false: it is not known yet which operand decides
     open: Vec<(Id, bool)>,
-    /// smallest and largest value of an integer; the last entry of a variable holds
+    /// smallest and largest value of an integer; the last entry of a variable applies
     ranges: Vec<(Var, (i64, i64))>,
     /// a value that an integer does not have
     excluded: Vec<(Var, i64)>,
-    /// what a flag was assigned: its answer is that of the condition
+    /// the condition assigned to a flag: its answer is that of the condition
     flags: Vec<(Var, Id)>,
 }
 
 impl Facts {
-    /// The condition with everything replaced whose answer is known.
+    /// The condition, simplified by all known answers.
     pub(super) fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
         let simpler = match conditions.all[id] {
             Condition::Not(operand) => {
@@ -29,7 +30,7 @@ impl Facts {
                 conditions.add(Condition::Not(operand))
             }
             Condition::Both(and, left, right) => {
-                // Each operand matters only where the other one has not decided.
+                // Each operand matters only if the other one has not decided.
                 let right = self.simplify_beside(conditions, and, left, right);
                 let left = self.simplify_beside(conditions, and, right, left);
                 conditions.add(Condition::Both(and, left, right))
@@ -39,7 +40,7 @@ impl Facts {
         self.answer(conditions, simpler).map_or(simpler, |holds| conditions.add(Condition::Known(holds)))
     }
 
-    /// The operand of an `and` or an `or` where the other one leaves the answer to it.
+    /// Simplifies an operand of an `and` or an `or` for the case that the other operand does not decide.
     fn simplify_beside(&mut self, conditions: &mut Conditions<'_>, and: bool, other: Id, operand: Id) -> Id {
         let mark = [self.answers.len(), self.open.len(), self.ranges.len(), self.excluded.len()];
         self.note(conditions, other, and);
@@ -51,10 +52,10 @@ impl Facts {
         simpler
     }
 
-    /// From here on the condition holds, or does not hold.
+    /// From here on the condition is true, or false.
     pub(super) fn learn(&mut self, conditions: &mut Conditions<'_>, id: Id, holds: bool) {
         self.note(conditions, id, holds);
-        // What was learned may decide an open `and` or `or`, or leave one operand of it.
+        // New facts may decide an open `and` or `or`, or leave one operand of it.
         let mut position = 0;
         while position < self.open.len() {
             let (before, holds) = self.open.remove(position);
@@ -69,7 +70,7 @@ impl Facts {
         }
     }
 
-    /// Learns the condition alone, not what follows from it together with what is open.
+    /// Learns the condition alone, without conclusions from open conditions.
     fn note(&mut self, conditions: &Conditions<'_>, id: Id, holds: bool) {
         match conditions.all[id] {
             Condition::Known(_) => {}
@@ -92,7 +93,7 @@ impl Facts {
         }
     }
 
-    /// The variable gets a value: what was known of the old one is forgotten.
+    /// Assigns a value to a variable: facts about the old value are forgotten.
     pub(super) fn assign(&mut self, conditions: &mut Conditions<'_>, target: Var, value: &Expr) {
         let range = match value {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
@@ -115,7 +116,7 @@ impl Facts {
         }
     }
 
-    /// A flag has been assigned a condition; it is a question itself from here on.
+    /// Records that a flag has been assigned a condition; from here on the flag is a question itself.
     pub(super) fn mean(&mut self, conditions: &mut Conditions<'_>, flag: Var, meant: Id) {
         if !matches!(conditions.all[meant], Condition::Known(_)) && !conditions.mentions(meant, flag) {
             conditions.number(&Expr::Var(flag));
@@ -123,7 +124,7 @@ impl Facts {
         }
     }
 
-    /// What is known of a variable is known of its copy.
+    /// Copies the facts about a variable to its copy.
     fn copy(&mut self, conditions: &mut Conditions<'_>, target: Var, source: Var) {
         for position in 0..self.answers.len() {
             let (index, holds) = self.answers[position];
@@ -142,7 +143,7 @@ impl Facts {
         }
     }
 
-    /// What holds after two branches: what holds after each of them.
+    /// The facts after two branches: those that hold after both.
     pub(super) fn join(mut self, other: &Self) -> Self {
         self.answers.retain(|fact| other.answers.contains(fact));
         self.open.retain(|fact| other.open.contains(fact));

@@ -1,6 +1,6 @@
 //! Removes multiplications whose result is known or is the other operand: by 1, by -1, and of 0 with a named number.
 //!
-//! All are exact for every number. `x + 0` and `x * 0` of a value that is not known stay: they change a -0.
+//! All replacements are exact for every number. `x + 0` and `x * 0` of an unknown value stay, because they change a -0.
 
 use super::Defect;
 use crate::arithmetic::{self, wide};

@@ -1,5 +1,5 @@
-//! Takes away questions whose answer is known: from the branch that they stand in, from an assignment before, from a
-//! question that was asked already.
+//! Removes questions with a known answer: from the enclosing branch, from a previous assignment, or from a previous
+//! question.
 //!
 //! ```text
 //! if a || b { if a { x } else { if b { y } else { z } } }   ->   if a || b { if a { x } else { y } }
@@ -53,7 +53,7 @@ fn in_list(
     kept
 }
 
-/// Leaves out of a condition what is known; gives its number.
+/// Removes known parts from a condition; returns its number.
 fn simplify(condition: &mut Expr, facts: &mut Facts, conditions: &mut Conditions<'_>) -> Id {
     let before = conditions.number(condition);
     let after = facts.simplify(conditions, before);

@@ -21,7 +21,7 @@ pub use verify::run as verify;
 use crate::program::Program;
 use std::fmt;
 
-/// A program that breaks the rules: a defect of a block or of a pass, never of anybody's input.
+/// A program that breaks the rules: a defect of a block or of a pass, never of an input.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Defect {
     pub pass: &'static str,
@@ -38,7 +38,7 @@ impl std::error::Error for Defect {}
 
 pub(crate) type Pass = fn(Program) -> Result<Program, Defect>;
 
-/// A pass with the name that its result has for `--emit`.
+/// A pass with the name of its result for `--emit`.
 pub type Stage = (&'static str, Pass);
 
 /// The stages after specialisation, in their order.
@@ -57,7 +57,7 @@ pub const PASSES: [Stage; 12] = [
     ("verified", verify::run),
 ];
 
-/// Runs the passes up to the one that is named, or all of them.
+/// Runs the passes up to the named one, or all of them.
 ///
 /// # Errors
 /// The first defect.

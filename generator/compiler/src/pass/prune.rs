@@ -1,4 +1,5 @@
-//! Removes what no output depends on: locals, state, branches, constants. Inputs and outputs stay, they are the interface.
+//! Removes everything that no output depends on: locals, state, branches, constants. Inputs and outputs stay, because they
+//! are the interface.
 
 use super::Defect;
 use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, rewrite};
@@ -23,7 +24,7 @@ fn live_variables(program: &Program) -> Table<bool> {
     live
 }
 
-/// Marks what the live part of a statement reads; reports whether there is such a part.
+/// Marks the variables that the live part of a statement reads; returns whether there is such a part.
 fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool {
     let is_target_live = matches!(statement, Statement::Assign { target, .. } if live[*target]);
     let alive =
@@ -53,7 +54,7 @@ fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {
     });
 }
 
-/// Drops the variables that nothing mentions any more and numbers the others afresh; constants in their declared order.
+/// Removes the variables that are not mentioned any more and renumbers the others; constants in their declared order.
 fn number_afresh(mut program: Program) -> Program {
     let mut mentioned = Table::filled(&program, false);
     program.statements().for_each(|statement| statement.variables(&mut |var| mentioned[var] = true));
@@ -69,13 +70,13 @@ fn number_afresh(mut program: Program) -> Program {
     };
     rename(&mut program.init, &renamed);
     rename(&mut program.step, &renamed);
-    if let Some(Switch { off: Off::Mode(_, fades), .. }) = &mut program.switch {
+    if let Some(Switch { off: Off::Mode(_, fades) | Off::Fade(fades), .. }) = &mut program.switch {
         *fades = fades.filter(|fades| mentioned[*fades]).map(renamed);
     }
     program
 }
 
-/// Keeps the items that are mentioned, in the order of their origin; `new` gets the position of each.
+/// Keeps the mentioned items, in the order of their origin; `new` gets the position of each.
 fn retain<T>(items: &mut Vec<T>, mentioned: &[bool], new: &mut [usize], origin: impl Fn(&T) -> Origin) {
     let all = std::mem::take(items).into_iter().enumerate();
     let mut kept: Vec<(usize, T)> = all.filter(|(old, _)| mentioned[*old]).collect();

@@ -1,5 +1,5 @@
-//! Writes an output where its value is found, instead of a local that only goes there in the end; and sets an output where
-//! a flag would be raised that only says so in the end.
+//! Writes an output where its value is computed, instead of a local that is only copied to it at the end; and sets an output
+//! directly instead of a flag that only sets it at the end.
 //!
 //! ```text
 //! if a { x := 1 } else { x := b }               if a { output := 1 } else { output := b }
@@ -26,12 +26,12 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// A local and the output that it goes to, or that it sets to a value.
+/// A local and the output to which it is copied, or which it sets to a value.
 #[derive(Clone, Copy)]
 struct Way {
     local: Var,
     output: Var,
-    /// of a flag: what the output gets
+    /// for a flag: the value of the output
     value: Option<Literal>,
 }
 
@@ -46,7 +46,7 @@ fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize
                 let rest = list.split_off(position);
                 go(list, way);
                 list.extend(rest.into_iter().skip(1));
-                // What was a flag of a flag is one itself now.
+                // A flag of a flag may have become a flag itself.
                 position = 0;
             }
             None => position += 1,
@@ -54,7 +54,7 @@ fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize
     }
 }
 
-/// The local and the output, if a statement does nothing but pass the one to the other.
+/// The local and the output, if a statement only copies one to the other.
 fn asked(statement: &Statement) -> Option<Way> {
     let (local, output, value) = match statement {
         Statement::Assign { target, value: Expr::Var(local) } => (local, target, None),
@@ -68,7 +68,7 @@ fn asked(statement: &Statement) -> Option<Way> {
     is_way.then_some(Way { local: *local, output: *output, value })
 }
 
-/// Whether nothing else reads the local, all that writes it stands before, and nobody looks at the output from there on.
+/// Whether nothing else reads the local, all writes of it are before, and the output is not read from there on.
 fn can_go(way: Way, before: &[Statement], reads: &Table<usize>, writes: &Table<usize>) -> bool {
     if reads[way.local] != 1 {
         return false;
@@ -82,7 +82,7 @@ fn can_go(way: Way, before: &[Statement], reads: &Table<usize>, writes: &Table<u
     written == writes[way.local] && first.is_some_and(|first| !is_watched(first))
 }
 
-/// Puts the output in the place of the local.
+/// Replaces the local by the output.
 fn go(list: &mut Vec<Statement>, way: Way) {
     let assign = |value| Statement::Assign { target: way.output, value };
     rewrite(list, &mut |statement, list| match statement {

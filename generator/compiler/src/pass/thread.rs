@@ -1,4 +1,4 @@
-//! Moves the statements that depend on a flag to the place where the flag becomes true, if that is one place.
+//! Moves the statements that depend on a flag to the place where the flag becomes true, if there is only one such place.
 //!
 //! ```text
 //! if a { flag := true; n := 2 } else { flag := false; n := 0 }      if a { flag := true; n := 2; x := n } else { ... }
@@ -30,12 +30,13 @@ fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     done
 }
 
-/// Whether nothing but a known value is assigned: the pass `sunk` moves that to every place that sets the flag.
+/// Whether only a known value is assigned: the pass `sunk` moves that to every place that sets the flag.
 fn is_set(effect: &[Statement]) -> bool {
     matches!(effect, [Statement::Assign { value: Expr::Literal(_), .. }])
 }
 
-/// In how many lists the flag may become true, so that the effect can stand at their end; `None`: it cannot.
+/// The number of lists in which the flag may become true, so that the effect can be placed at their end; `None` if that is
+/// impossible.
 fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> {
     let last = list.iter().rposition(|statement| statement.writes(flag))?;
     match &list[last] {
@@ -47,7 +48,7 @@ fn places(list: &[Statement], flag: Var, effect: &[Statement]) -> Option<usize> 
     }
 }
 
-/// Puts the effect at the end of the list in which the flag becomes true.
+/// Appends the effect to the list in which the flag becomes true.
 fn put(list: &mut Vec<Statement>, flag: Var, effect: Vec<Statement>) {
     let last = list.iter().rposition(|statement| statement.writes(flag));
     match last.map(|last| &mut list[last]) {

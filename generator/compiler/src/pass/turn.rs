@@ -1,7 +1,8 @@
-//! Removes the negation of a condition where both branches have statements: `if !a { x } else { y }` becomes
-//! `if a { y } else { x }`.
+//! Removes the negation of a condition if both branches have statements: `if !a { x } else { y }` becomes `if a { y } else {
+//! x }`.
 //!
-//! A chain `if !a { x } else if b { y } else ...` stays: otherwise each further condition would stand one level deeper.
+//! A chain `if !a { x } else if b { y } else ...` is unchanged: otherwise each further condition would be nested one level
+//! deeper.
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, rewrite};

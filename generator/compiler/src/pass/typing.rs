@@ -1,4 +1,4 @@
-//! Gives every local its type, from the bottom up, and makes sure that each operator fits its operands.
+//! Determines the type of every local, from the bottom up, and checks that each operator fits its operands.
 
 use super::Defect;
 use crate::program::{Expr, Program, Statement, Type, Var};
@@ -89,7 +89,7 @@ fn is_from_one(divisor: &Expr) -> bool {
     }
 }
 
-/// Whether an operand is 0.0, of which a real number may well be asked whether it is it.
+/// Whether an operand is 0.0: reals may be compared with it for equality.
 fn is_zero(operand: &Expr, program: &Program) -> bool {
     matches!(operand.known(&program.constants), Some(Literal::F64(0.0) | Literal::F32(0.0)))
 }
@@ -103,7 +103,7 @@ fn binary_type(operator: Binary, operand: Type) -> Option<Type> {
         (Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual, ty) if ty != Type::Bool => {
             Some(Type::Bool)
         }
-        // Reals are compared by order, or with 0: a block that asks whether two are equal is almost always wrong.
+        // Reals are compared by order, or with 0: a comparison of two reals for equality is almost always an error.
         (Binary::Equal | Binary::NotEqual, ty) if ty != Type::Real => Some(Type::Bool),
         _ => None,
     }

@@ -1,19 +1,19 @@
-//! Makes sure that a program keeps its promises before anything is printed from it.
+//! Checks the rules of a program before anything is printed from it.
 
 use super::{Defect, typing};
 use crate::arithmetic;
 use crate::program::{Expr, Program, Statement, Table, Var};
 
-/// Makes sure that types fit, every local is assigned once on each way before it is read, every output is written on each
-/// way, inputs and constants are never written, and every number is finite.
+/// Checks that types fit, that every local is assigned once on each path before it is read, that every output is written on
+/// each path, that inputs and constants are never written, and that every number is finite.
 ///
 /// # Errors
-/// The first broken promise.
+/// The first violation.
 pub fn run(program: Program) -> Result<Program, Defect> {
     check(program, false)
 }
 
-/// The same of a program whose locals a legalising pass lets be assigned again on a way.
+/// Checks a program after a legalising pass that permits a second assignment of a local on a path.
 pub(crate) fn assigned_again(program: Program) -> Result<Program, Defect> {
     check(program, true)
 }
@@ -34,7 +34,7 @@ fn check(program: Program, again: bool) -> Result<Program, Defect> {
     }
 }
 
-/// Follows a list of statements; `written` is what has a value on every way to the present point.
+/// Checks a list of statements; `written` contains the variables with a value on every path to the present point.
 fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, again: bool) -> Result<(), Defect> {
     for statement in list {
         match statement {
@@ -63,7 +63,7 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, 
     Ok(())
 }
 
-/// What is written on two ways.
+/// The variables that are written on both paths.
 fn both(mut one: Table<bool>, other: &Table<bool>) -> Table<bool> {
     for (one, other) in [(&mut one.locals, &other.locals), (&mut one.outputs, &other.outputs)] {
         one.iter_mut().zip(other).for_each(|(one, other)| *one &= other);

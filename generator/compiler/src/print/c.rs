@@ -8,7 +8,7 @@ use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// C99. Signed integers wrap around as unsigned ones do: an overflow of theirs has no meaning in C.
+/// C99. Signed integers are computed as unsigned ones, which wrap around: a signed overflow is undefined in C.
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
     // MISRA C:2012 5.2, of C99
@@ -22,7 +22,7 @@ pub static LANGUAGE: Language = Language {
         (text, level)
     },
     symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
-    // `&&` next to `||` is legal and easily misread.
+    // `&&` next to `||` is legal but easily misread.
     logic: [Level::And, Level::Comparison],
     form,
     has_enumerations: true,
@@ -49,7 +49,7 @@ pub static LANGUAGE: Language = Language {
     comment: ["/* ", " * ", " */"],
 };
 
-/// Words that C, C++ and the two headers that a block includes keep for themselves; then the parameters of a block's functions.
+/// Reserved words of C, C++ and the two headers that a block includes; then the parameters of a block's functions.
 static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     "
         alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept const const_cast
@@ -64,8 +64,9 @@ static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     .collect()
 });
 
-/// What a caller may write or read by name is a number of an enumeration, as is what chooses a `case`: to C a `const` is none.
-/// Any other number is a constant of the function that reads it; one that both functions of a cycle read stands above them.
+/// A number that a caller may write or read by name is an enumerator, as is the label of a `case`: a `const` is not a
+/// constant expression in C. Any other number is a constant of the function that reads it; one that both functions of a
+/// cycle read is declared above them.
 fn appearances(program: &Program, signals: &[Signal]) -> Vec<Appearance> {
     let [all, apart] = [&program.step[..], program.apart()].map(|list| readings(list, program.constants.len()));
     let appearance = |(index, constant): (usize, &Constant)| match constant.origin {
@@ -81,7 +82,7 @@ fn appearances(program: &Program, signals: &[Signal]) -> Vec<Appearance> {
     program.constants.iter().enumerate().map(appearance).collect()
 }
 
-/// How often statements read each constant.
+/// The number of times that statements read each constant.
 fn readings(list: &[Statement], constants: usize) -> Vec<usize> {
     let mut readings = vec![0; constants];
     for statement in list {
@@ -110,7 +111,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     use Level::{Any, Comparison, Primary, Sign, Sum};
     let (level, text, least) = match (operation, ty) {
         (Expr::Unary(Unary::Negate, _), Type::I32) => (Sign, "(int32_t)(0u - (uint32_t){0})", [Primary; 2]),
-        // `Primary`: no `--x`, and the reader sees what the sign belongs to.
+        // `Primary`: avoids `--x`, and shows the reader the operand of the sign.
         (Expr::Unary(Unary::Negate, _), _) => (Sign, "-{0}", [Primary; 2]),
         (Expr::Unary(Unary::Not, _), _) => (Sign, "!{0}", [Primary; 2]),
         (Expr::Binary(operator, ..), Type::I32) => match operator {

@@ -1,4 +1,4 @@
-//! A choice by the number of an enumeration or by an integer: one `switch` or `CASE`, every list under the names that choose it.
+//! A choice by the number of an enumeration or by an integer: one `switch` or `CASE`, every list with its labels.
 
 use super::language::Cases;
 use super::{Doc, INDENTATION, Layout};
@@ -35,7 +35,7 @@ impl<'d> Layout<'d> {
         if after.is_empty() { list } else { list.append(self.hardline).append(after) }
     }
 
-    /// The numbers that choose a list.
+    /// The labels of a list.
     fn labels(&self, labels: &[Expr]) -> Doc<'d> {
         let Cases { label: [before, between, after], by_name, .. } = self.printer.language.cases;
         let names = self.names(labels);
@@ -49,7 +49,7 @@ impl<'d> Layout<'d> {
         })
     }
 
-    /// The names of those labels that have one.
+    /// The names of labels that have one.
     fn names(&self, labels: &[Expr]) -> Vec<&'d str> {
         let name = |label: &Expr| match label {
             Expr::Var(Var::Constant(index)) => Some(self.printer.names.constants[*index].as_str()),

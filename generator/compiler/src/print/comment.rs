@@ -1,9 +1,9 @@
-//! Text for comments: broken into lines, and harmless in every language. No language's own marks.
+//! Text for comments: broken into lines, and harmless in every language. Comment marks of a language are not known here.
 
 use std::borrow::Cow;
 
-/// Texts as the inside of one comment: harmless, each broken at blanks into lines of at most `width` characters, where a word allows it;
-/// lines are joined by what begins one.
+/// Texts as the contents of one comment: harmless, each broken at blanks into lines of at most `width` characters, unless a
+/// word is longer; lines are joined by `next_line`.
 pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> String {
     let mut wrapped = String::new();
     for text in texts {
@@ -22,7 +22,7 @@ pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> Stri
     wrapped
 }
 
-/// Keeps a text from ending the comment that it stands in: `*/` and `*)` are taken apart.
+/// Prevents a text from ending its comment: `*/` and `*)` are split.
 pub fn harmless(text: &str) -> Cow<'_, str> {
     if !text.contains('*') {
         return Cow::Borrowed(text);

@@ -1,4 +1,4 @@
-//! Expressions, one to one, with the parentheses that a language's description asks for.
+//! Expressions, one to one, with the parentheses that the description of a language requires.
 
 use super::language::{Form, Level};
 use super::{Doc, INDENTATION, Layout};
@@ -41,18 +41,18 @@ impl<'d> Layout<'d> {
             Binary::Remainder => (Level::Any, [Level::Primary; 2]),
             Binary::And => (Level::And, [language.logic[0]; 2]),
             Binary::Or => (Level::Or, [language.logic[1]; 2]),
-            // A comparison of comparisons is legal in C and misread: it gets parentheses.
+            // A comparison of comparisons is legal in C but misread: it gets parentheses.
             _ => (Level::Comparison, [Level::Sum; 2]),
         };
         let is_logic = matches!(operator, Binary::And | Binary::Or);
         if is_logic && matches!(left, Expr::Binary(same, ..) if *same == operator) {
             left_least = Level::Any;
         }
-        // Compilers take a negation left of a comparison for a slip.
+        // Compilers warn of a negation on the left of a comparison.
         if level == Level::Comparison && matches!(left, Expr::Unary(Unary::Not, _)) {
             left_least = Level::Primary;
         }
-        // A sign right of an operator is easily overlooked.
+        // A sign on the right of an operator is easily overlooked.
         if matches!(right, Expr::Literal(_)) {
             right_least = Level::Primary;
         }
@@ -94,7 +94,7 @@ impl<'d> Layout<'d> {
         Printed { doc, level: form.level }
     }
 
-    /// An operand: in parentheses unless it binds at least as tightly as asked. What is broken within them is indented.
+    /// An operand: in parentheses unless it binds at least as tightly as required. Line breaks inside are indented.
     fn bound(&self, operand: Printed<'d>, least: Level, indentation: isize) -> Doc<'d> {
         if operand.level >= least {
             return operand.doc;

@@ -1,4 +1,4 @@
-//! The description of a language for the printer: data and small functions. No walk over a program.
+//! The description of a language for the printer: data and small functions. A program is not traversed here.
 
 use crate::program::values::Signal;
 use crate::program::{Expr, Program, Type};
@@ -25,12 +25,12 @@ pub enum Level {
 /// A language, or a dialect of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Language {
-    /// whether the language, or a block's own text, keeps a word for itself
+    /// whether a word is reserved by the language, or by the fixed text of a block
     pub(super) is_reserved: fn(&str) -> bool,
-    /// the characters in which names of one scope must differ; a longer name loses parts of its path where that shortens it
-    /// enough. `None`: all of them count
+    /// the number of characters in which names of one scope must differ; a longer name loses parts of its path if that is
+    /// sufficient. `None` if all characters are significant
     pub(super) significant: Option<usize>,
-    /// names that are given as they are, although they are reserved: signals that a legalising pass adds
+    /// names that are used unchanged although they are reserved: signals that a legalising pass adds
     pub(super) kept: &'static [&'static str],
     /// the names of BOOL, DINT, UDINT, LREAL and REAL
     pub(super) types: [&'static str; 5],
@@ -40,56 +40,56 @@ pub struct Language {
     pub operand: fn(Literal) -> (String, Level),
     /// the operators between two operands, in the order of [`portable::Binary`]
     pub(super) symbols: [&'static str; 13],
-    /// how tightly the operands of an `and` and of an `or` bind at least, or they get parentheses
+    /// minimum binding of the operands of an `and` and of an `or` without parentheses
     pub(super) logic: [Level; 2],
-    /// how an operation is written whose first operand has this type; `None`: by its symbol
+    /// the notation of an operation whose first operand has this type; `None` for its symbol
     pub(super) form: fn(&Expr, Type, RealKind) -> Option<Form>,
-    /// whether the values of signals are enumerations that the caller sees
+    /// whether the values of signals are enumerations that the caller can use
     pub(super) has_enumerations: bool,
-    /// how each named number of a program appears; those of signals are known where they are enumerations
+    /// the appearance of each named number of a program; named numbers of signals are given if they are enumerations
     pub(super) appearances: fn(&Program, &[Signal]) -> Vec<Appearance>,
-    /// what stands before the name of an input, an output, a state, a constant and a local in a statement
+    /// the prefixes of an input, an output, a state, a constant and a local in a statement
     pub(super) before: [&'static str; 5],
     /// between the name of a parameter set and that of its part
     pub(super) inside: &'static str,
-    /// whether inputs, outputs and state are three structs, each with names of its own, instead of one scope
+    /// whether inputs, outputs and state are three structs with separate names, instead of one scope
     pub(super) has_structs: bool,
     /// whether the names of constants are in capitals
     pub(super) has_capitals: bool,
-    /// how a local of a name and a type is declared among the statements: before its value, and without one. `None`: locals are
-    /// declared elsewhere
+    /// the declaration of a local with a name and a type among the statements: before its value, and without a value. `None`
+    /// if locals are declared elsewhere
     pub(super) locals: Option<[Declaration; 2]>,
     /// between a target and its value
     pub(super) assign: &'static str,
     /// the texts of an `if`: before the first condition, before each further one, after a condition, before the statements
-    /// for which no condition holds, at the end
+    /// if no condition holds, at the end
     pub(super) choice: [&'static str; 5],
-    /// the comment in the `else` that ends a chain of questions in which nothing is left to do; `None`: a chain needs no such
-    /// end
+    /// the comment in the `else` at the end of a chain of questions without further statements; `None` if a chain needs no
+    /// such end
     pub(super) nothing_else: Option<&'static str>,
-    /// how a choice by a number is written
+    /// the notation of a choice by a number
     pub(super) cases: Cases,
-    /// the statement that calls what stands apart; `{block}` is what the names of the block begin with
+    /// the statement that calls the separate function; `{block}` is the beginning of the block's names
     pub(super) call: &'static str,
-    /// what begins a comment, begins its next line, and ends it
+    /// the beginning of a comment, the beginning of its next line, and its end
     pub(super) comment: [&'static str; 3],
 }
 
-/// How a name of a type is declared.
+/// The declaration of a name with a type.
 pub(super) type Declaration = fn(&str, &str) -> String;
 
-/// How a choice by a number is written.
+/// The notation of a choice by a number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cases {
     /// before and after the selecting expression
     pub asks: [&'static str; 2],
     /// before the first label of a list, between two labels, after the last one
     pub label: [&'static str; 3],
-    /// whether numbers stand there by their names, else as digits with the names in a comment
+    /// whether labels are names, else digits with the names in a comment
     pub by_name: bool,
     /// before the list for every other number
     pub others: &'static str,
-    /// for every other number, where there is nothing to do
+    /// for every other number, if there is nothing to do
     pub nothing: &'static str,
     /// at the end of each list, inside it and after it
     pub ends: [&'static str; 2],
@@ -109,27 +109,27 @@ impl Language {
     }
 }
 
-/// How an operation is written.
+/// The notation of an operation.
 pub(super) struct Form {
     pub level: Level,
-    /// its text: `{0}` and `{1}` are its operands, `{block}` is what the names of the block begin with, a line break is a blank
-    /// or, in a line that is too long, a new line
+    /// its text: `{0}` and `{1}` are its operands, `{block}` is the beginning of the block's names, a line break is a blank
+    /// or, if a line is too long, a new line
     pub text: &'static str,
-    /// how tightly its operands bind at least, or they get parentheses
+    /// minimum binding of its operands without parentheses
     pub least: [Level; 2],
 }
 
-/// How a named number appears in a block.
+/// The appearance of a named number in a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Appearance {
     /// its digits in the statements, followed by its name
     Inline,
-    /// by its name, declared as a constant; where functions have constants of their own, in the only one that reads it
+    /// by its name, declared as a constant; if functions have their own constants, in the only function that reads it
     Declared,
     /// by its name with the block's name as prefix, declared as a constant outside all functions
     Shared,
-    /// by its name, a variable that each cycle assigns anew
+    /// by its name, a variable that is assigned again in each cycle
     Assigned,
-    /// by its name with the block's name as prefix, in capital letters: an enumerator that the caller sees
+    /// by its name with the block's name as prefix, in capital letters: an enumerator that the caller can use
     Enumerator,
 }

@@ -1,5 +1,5 @@
-//! One printer for all languages: a walk over a program's statements, one to one. No operation is added, removed or moved,
-//! and nothing is known of a language that its description does not say.
+//! One printer for all languages: it traverses a program's statements, one to one. No operation is added, removed or moved,
+//! and everything language-specific is in the description of the language.
 
 pub mod c;
 mod choice;
@@ -25,29 +25,29 @@ use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 const WIDTH: usize = 120;
 /// Characters in a line of a comment among the statements.
 const NOTE_WIDTH: usize = 100;
-/// Blanks before what stands inside.
+/// Blanks before inner statements.
 const INDENTATION: isize = 4;
 
 type Doc<'d> = DocBuilder<'d, Arena<'d>>;
 
-/// A program with the names that its variables have in a language.
+/// A program with the names of its variables in a language.
 pub struct Printer<'p> {
     program: &'p Program,
     language: &'p Language,
-    /// what the names begin with that the block has outside its functions
+    /// the beginning of the block's names outside its functions
     block: &'p str,
-    /// as declared
+    /// names as declared
     names: Scope,
     signals: Vec<Signal>,
     appearances: Vec<Appearance>,
-    /// as in a statement
+    /// names as in a statement
     texts: Scope,
 }
 
 /// A text for each variable of a program.
 pub type Scope = Table<String>;
 
-/// What a caller writes for the inputs and for the outputs of a program.
+/// The texts that a caller writes for the inputs and for the outputs of a program.
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     let mut names = Names::new(language);
     let mut inputs = inputs(program, language, &mut names);
@@ -63,7 +63,7 @@ fn put_inside(inputs: &mut [String], program: &Program, inside: &str) {
     }
 }
 
-/// The names of the inputs. A parameter set is one input, with names of its own inside.
+/// The names of the inputs. A parameter set is one input with its own names inside.
 fn inputs(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
     let is_outside = |input: &&Variable| program.in_set(input).is_none();
     let mut outside = members(program.inputs.iter().filter(is_outside), language, names).into_iter();
@@ -94,8 +94,7 @@ fn members<'v>(
 }
 
 impl<'p> Printer<'p> {
-    /// The names of the interface are taken first. `block` is what the names begin with that the block has outside its
-    /// functions.
+    /// Interface names are assigned first. `block` is the beginning of the block's names outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
         let mut names = Names::new(language);
         let signals = if language.has_enumerations { values::of_signals(program) } else { Vec::new() };
@@ -146,12 +145,12 @@ impl<'p> Printer<'p> {
         &self.signals
     }
 
-    /// How each constant appears.
+    /// The appearance of each constant.
     pub fn appearances(&self) -> &[Appearance] {
         &self.appearances
     }
 
-    /// Statements of the program, each on a line of its own, indented by some levels.
+    /// Statements of the program, one per line, indented by some levels.
     ///
     /// # Panics
     /// If the program is not verified.
@@ -162,24 +161,24 @@ impl<'p> Printer<'p> {
         let doc = layout.list(statements, &mut vec![false; self.program.locals.len()]).nest(level * INDENTATION);
         let mut text = String::new();
         doc.render_fmt(WIDTH, &mut text).expect("print: a string takes all text");
-        // Each line has begun with its line break; now it ends with one.
+        // Each line so far begins with its line break; now it ends with one.
         text.drain(..text.len().min(1));
         text.push_str(if text.is_empty() { "" } else { "\n" });
         text
     }
 }
 
-/// What lays out one body.
+/// The layout of one body.
 struct Layout<'d> {
     printer: &'d Printer<'d>,
     arena: &'d Arena<'d>,
-    /// a blank, or a line break where the line is too long
+    /// a blank, or a line break if the line is too long
     line: RefDoc<'d>,
     hardline: RefDoc<'d>,
 }
 
 impl<'d> Layout<'d> {
-    /// Statements, each after a line break. `declared` holds the locals that an outer list declares.
+    /// Statements, each after a line break. `declared` contains the locals that an outer list declares.
     fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
         let Printer { program, language, names, .. } = self.printer;
         let mut doc = self.arena.nil();
@@ -229,7 +228,7 @@ impl<'d> Layout<'d> {
                 };
                 let mut doc = asked(first, condition).append(inner(then));
                 let (mut rest, mut is_chain) = (otherwise, false);
-                // An `if` that is alone in the other branch continues the chain.
+                // A single `if` in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
                     doc = doc.append(self.hardline).append(asked(next, condition)).append(inner(then));
                     (rest, is_chain) = (otherwise, true);
@@ -253,7 +252,7 @@ impl<'d> Layout<'d> {
         target.append(self.printer.language.assign).append(value)
     }
 
-    /// A blank before what fits into the line, else a line break.
+    /// A blank if the rest fits into the line, else a line break.
     fn line_before(&self, doc: Doc<'d>) -> Doc<'d> {
         DocBuilder(self.arena, self.line.into()).append(doc).group()
     }

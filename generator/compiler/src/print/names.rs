@@ -1,4 +1,4 @@
-//! Identifiers from paths, each used once. The reserved words are part of a language's description.
+//! Unique identifiers from paths. The reserved words are in the description of a language.
 
 use super::language::Language;
 use std::collections::HashSet;
@@ -11,8 +11,8 @@ pub fn identifier(path: &str) -> String {
     name
 }
 
-/// The names of one scope, unlike each other in more than the case of their letters, and in the characters that the language
-/// counts.
+/// The names of one scope: they differ in more than the case of their letters, and within the significant characters of the
+/// language.
 pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
     significant: usize,
@@ -20,13 +20,13 @@ pub(super) struct Names {
 }
 
 impl Names {
-    /// No names yet, in a language that keeps some words for itself.
+    /// An empty scope, in a language with reserved words.
     pub(super) fn new(language: &Language) -> Self {
         let significant = language.significant.unwrap_or(usize::MAX);
         Self { is_reserved: language.is_reserved, significant, taken: HashSet::new() }
     }
 
-    /// A name for what stands at the path, unlike every name given before.
+    /// A name for a path that differs from all previous names.
     pub(super) fn take(&mut self, path: &str) -> String {
         let mut name = identifier(path);
         if name.len() > self.significant
@@ -37,7 +37,7 @@ impl Names {
         if (self.is_reserved)(&name) {
             name.push_str("_value");
         }
-        // Mostly a new value of what has a name already.
+        // Usually a new value of something that already has a name.
         let words =
             ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"]
                 .into_iter()
@@ -46,15 +46,15 @@ impl Names {
         while !self.claim(&name) {
             let end = ends.next().unwrap_or_default();
             name = identifier(path);
-            // What makes it another name must be among the characters that count.
+            // The distinguishing part must be within the significant characters.
             name.truncate(self.significant.saturating_sub(end.len()));
             name.push_str(&end);
         }
         name
     }
 
-    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None`: nothing of it
-    /// can be left out.
+    /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None` if nothing of
+    /// it can be left out.
     fn take_short(&mut self, path: &str) -> Option<String> {
         let (first, mut rest) = path.split_once('.')?;
         while let Some((_, shorter)) = rest.split_once('.') {
@@ -67,7 +67,7 @@ impl Names {
         None
     }
 
-    /// Takes the name if no other one is equal to it where it counts.
+    /// Takes the name if no other one is equal to it within the significant characters.
     fn claim(&mut self, name: &str) -> bool {
         self.taken.insert(name.get(..self.significant).unwrap_or(name).to_ascii_lowercase())
     }

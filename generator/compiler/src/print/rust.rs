@@ -7,8 +7,8 @@ use portable::{Binary, Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// Rust, any edition, without its standard library. Integers wrap around in every build: an overflow that a debug build finds
-/// would be a panic.
+/// Rust, any edition, without its standard library. Integers wrap around in every build: otherwise an overflow in a debug
+/// build would panic.
 pub static LANGUAGE: Language = Language {
     is_reserved: |name| RESERVED.contains(name),
     significant: None,
@@ -21,7 +21,7 @@ pub static LANGUAGE: Language = Language {
         (text, level)
     },
     symbols: ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "&&", "||"],
-    // `&&` next to `||` is legal and easily misread.
+    // `&&` next to `||` is legal but easily misread.
     logic: [Level::And, Level::Comparison],
     form,
     has_enumerations: false,
@@ -29,7 +29,7 @@ pub static LANGUAGE: Language = Language {
     before: ["inputs.", "outputs.", "state.", "", ""],
     inside: ".",
     has_structs: true,
-    // A `let` of a name that a constant has would be a pattern and no new name.
+    // A `let` with the name of a constant would be a pattern, not a new name.
     has_capitals: true,
     locals: Some([|name, ty| format!("let {name}: {ty}"), |name, ty| format!("let {name}: {ty};")]),
     assign: " =",
@@ -48,7 +48,7 @@ pub static LANGUAGE: Language = Language {
     comment: ["// ", "// ", ""],
 };
 
-/// Words that an edition of Rust keeps for itself; then those that a block uses.
+/// Reserved words of all editions of Rust; then the words that a block uses.
 static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     "
         abstract as async await become box break const continue crate do dyn else enum extern false final fn for gen if
@@ -69,7 +69,7 @@ fn literal(value: Literal) -> String {
     }
 }
 
-/// Digits have no type of their own where a method is called on them: there a function stands for it.
+/// Digits have no own type when a method is called on them: a function is used instead.
 fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     use Level::{Any, Comparison, Primary, Sign, Sum};
     let is_digits = matches!(operation.operands().next(), Some(Expr::Literal(_)));
@@ -78,7 +78,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     };
     let (level, text, least) = match (operation, ty, real) {
         (Expr::Unary(Unary::Negate, _), Type::I32, _) => choose("{0}.wrapping_neg()", "i32::wrapping_neg({0})"),
-        // `Primary`: the reader sees what the sign belongs to.
+        // `Primary`: shows the reader the operand of the sign.
         (Expr::Unary(Unary::Negate, _), ..) => (Sign, "-{0}", [Primary; 2]),
         (Expr::Unary(Unary::Not, _), ..) => (Sign, "!{0}", [Primary; 2]),
         (Expr::Binary(operator, ..), Type::I32, _) => match operator {
@@ -109,7 +109,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
-            // Only `unsafe` code could say more.
+            // More would need `unsafe` code.
             (Intrinsic::Stored, _) => (Primary, "{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
         },

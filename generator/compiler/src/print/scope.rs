@@ -1,9 +1,10 @@
-//! Where each local is declared: at its only assignment, or just before the branch that first assigns it.
+//! The declaration of each local: at its only assignment, or just before the branch that first assigns it.
 
 use crate::program::{Statement, Var};
 
-/// For every statement of a list the locals that are declared with it; those that only one branch of it mentions are left
-/// to that branch. `declared` knows the locals that an outer list declares, and learns those of this one.
+/// For every statement of a list the locals that are declared with it; a local that only one branch of it mentions is
+/// declared in that branch. `declared` contains the locals that an outer list declares, and is extended by those of this
+/// one.
 pub(super) fn declarations(list: &[Statement], declared: &mut [bool]) -> Vec<Vec<usize>> {
     // The first statement that mentions each local; with its branch, if nothing else mentions the local.
     let mut places: Vec<Option<(usize, Option<usize>)>> = vec![None; declared.len()];

@@ -1,4 +1,4 @@
-//! Expressions that passes build, and what can be said of one.
+//! Expressions that passes build, and their properties.
 
 use super::{Constant, Expr, Program, Type, Var};
 use portable::{Binary, Intrinsic, Literal, Unary};
@@ -40,7 +40,7 @@ impl Expr {
         }
     }
 
-    /// Whether it asks for a magnitude of at most 0: whether a number is 0.
+    /// Whether it is a comparison of a magnitude with 0: whether a number is 0.
     pub fn is_about_zero(&self) -> bool {
         let Self::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) = self else { return false };
         matches!(operands.last(), Some(Self::Literal(Literal::F64(0.0) | Literal::F32(0.0))))

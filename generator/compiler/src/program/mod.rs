@@ -1,7 +1,7 @@
 //! The second IR: one block of one axis, owned, typed and flat. No loops, no calls, no aggregates; plain data.
 //!
-//! Every scalar of the inputs, the outputs and the state is a variable of its own, named by its path in the reference
-//! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each way through the program.
+//! Every scalar of the inputs, the outputs and the state is a separate variable, named by its path in the reference
+//! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each path through the program.
 
 mod expr;
 mod table;
@@ -19,15 +19,15 @@ use portable::{Binary, Brake, Intrinsic, Literal, RealKind, Unary, Variant};
 pub struct Program {
     /// the block's name: `ipc`
     pub block: &'static str,
-    /// what turns the block off from outside; `None`: nothing does
+    /// what turns the block off from outside; `None` if nothing does
     pub switch: Option<Switch>,
     /// whether `step` begins with the fast path, and its last `else` is any other cycle
     pub usual_first: bool,
-    /// the names of real inputs that are parts of something, from 0 to 1
+    /// the names of real inputs that are fractions from 0 to 1
     pub fractions: &'static [&'static str],
     /// the beginning of the paths of inputs that are a parameter set, which stays until another one is offered
     pub set: Option<&'static str>,
-    /// what [`Type::Real`] is
+    /// the type of [`Type::Real`]
     pub real: RealKind,
     /// written by the caller
     pub inputs: Vec<Variable>,
@@ -45,22 +45,24 @@ pub struct Program {
     pub step: Vec<Statement>,
 }
 
-/// What turns a block off from outside.
+/// The input that turns a block off.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Switch {
-    /// of [`Program::inputs`]
+    /// position in [`Program::inputs`]
     pub input: usize,
     /// the value that turns the block off
     pub off: Off,
 }
 
-/// What turns a block off.
+/// The kind of an input that turns a block off.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Off {
     /// a mode, and the part of the state that is TRUE until the block is at rest
     Mode(Constant, Option<Var>),
     /// FALSE, at once
     False,
+    /// FALSE, and the part of the state that is TRUE until the block has faded out
+    Fade(Option<Var>),
     /// TRUE: the block brakes
     Brake(Brake),
 }
@@ -70,7 +72,7 @@ impl Off {
     pub fn value(&self) -> Literal {
         match self {
             Self::Mode(off, _) => off.value,
-            Self::False => Literal::Bool(false),
+            Self::False | Self::Fade(_) => Literal::Bool(false),
             Self::Brake(_) => Literal::Bool(true),
         }
     }
@@ -84,14 +86,14 @@ pub struct Variable {
     /// the doc comment of the field
     pub doc: &'static str,
     pub ty: Type,
-    /// its value before anything was written
+    /// its value before the first write
     pub start: Literal,
 }
 
 /// A named number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Constant {
-    /// the path in the coefficients, or the name of the function that gives it
+    /// the path in the coefficients, or the name of the function that returns it
     pub path: String,
     /// the doc comment of the field or function
     pub doc: &'static str,
@@ -99,7 +101,7 @@ pub struct Constant {
     pub origin: Origin,
 }
 
-/// Where a named number comes from; in this order they are listed.
+/// The origin of a named number; numbers are listed in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Origin {
     /// a coefficient, by its position among their leaves
@@ -112,7 +114,7 @@ pub enum Origin {
     Runtime(&'static str),
 }
 
-/// The name of the number that a variant is: its enumeration's, then its own.
+/// The name of the number of a variant: its enumeration's, then its own.
 pub fn variant_name(variant: Variant) -> String {
     let mut name = String::new();
     for letter in variant.of.name.chars().chain(variant.def().name.chars()) {
@@ -177,7 +179,7 @@ pub enum Var {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Statement {
-    /// what the next statements are
+    /// a comment on the next statements
     Note(String),
     /// writes an output, a part of the state or a local
     Assign {
@@ -202,7 +204,7 @@ pub enum Statement {
 /// One list of a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arm {
-    /// the constants or literals that choose it
+    /// the constants or literals that select it
     pub labels: Vec<Expr>,
     pub body: Vec<Statement>,
 }
@@ -214,12 +216,12 @@ pub enum Expr {
     Var(Var),
     Unary(Unary, Box<Expr>),
     Binary(Binary, Box<Expr>, Box<Expr>),
-    /// an operation that each target prints in its own way
+    /// an intrinsic operation
     Intrinsic(Intrinsic, Vec<Expr>),
 }
 
 impl Program {
-    /// The type of a variable; `None`: of a local that the typing pass has not met.
+    /// The type of a variable; `None` for a local before the typing pass.
     pub(crate) fn ty(&self, var: Var) -> Option<Type> {
         match var {
             Var::Input(index) => Some(self.inputs[index].ty),
@@ -230,7 +232,7 @@ impl Program {
         }
     }
 
-    /// Where a variable stands in the reference.
+    /// The path of a variable in the reference.
     pub fn path(&self, var: Var) -> &str {
         match var {
             Var::Input(index) => &self.inputs[index].path,
@@ -241,13 +243,13 @@ impl Program {
         }
     }
 
-    /// Whether an input is a part of something, from 0 to 1.
+    /// Whether an input is a fraction from 0 to 1.
     pub fn is_fraction(&self, input: &Variable) -> bool {
         let name = input.path.split('[').next();
         self.fractions.iter().any(|fraction| name == Some(fraction))
     }
 
-    /// The path of an input within the parameter set; `None`: it is not part of one.
+    /// The path of an input within the parameter set; `None` if it is not part of one.
     pub fn in_set<'v>(&self, input: &'v Variable) -> Option<&'v str> {
         input.path.strip_prefix(self.set?)?.strip_prefix('.')
     }
@@ -257,12 +259,12 @@ impl Program {
         self.inputs.iter().any(|input| self.in_set(input).is_some())
     }
 
-    /// Whether it asks for one of these operations.
+    /// Whether it contains one of these operations.
     pub fn asks_for(&self, wanted: &[Intrinsic]) -> bool {
         self.has(&|part| matches!(part, Expr::Intrinsic(intrinsic, _) if wanted.contains(intrinsic)))
     }
 
-    /// Whether it has such an expression, or a part of one.
+    /// Whether it contains such an expression, or a part of one.
     pub fn has(&self, is_wanted: &dyn Fn(&Expr) -> bool) -> bool {
         let mut found = false;
         for statement in self.statements() {

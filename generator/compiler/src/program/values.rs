@@ -13,15 +13,16 @@ pub struct Signal {
     pub constants: BTreeSet<usize>,
 }
 
-/// The signals for which that is so: outputs that nothing but named numbers reach, and inputs that are only compared with such.
+/// The signals with named numbers only: outputs to which only named numbers are assigned, and inputs that are only compared
+/// with such.
 pub fn of_signals(program: &Program) -> Vec<Signal> {
-    // The numbers of a parameter set are not written one by one.
+    // The numbers of a parameter set are not written individually.
     let is_set = |index: &usize| program.in_set(&program.inputs[*index]).is_some();
     let inputs = (0..program.inputs.len()).filter(|index| !is_set(index)).map(Var::Input);
     of_those(program, inputs.chain((0..program.outputs.len()).map(Var::Output)))
 }
 
-/// The signals among the outputs only, which costs less.
+/// The outputs with named numbers only, which takes less time.
 pub fn of_outputs(program: &Program) -> Vec<Signal> {
     of_those(program, (0..program.outputs.len()).map(Var::Output))
 }
@@ -43,12 +44,12 @@ fn is_integer(program: &Program, var: Var) -> bool {
     matches!(program.ty(var), Some(Type::I32 | Type::U32))
 }
 
-/// What is known of the values of a variable.
+/// The known values of a variable.
 #[derive(Clone, Debug, Default, PartialEq)]
 struct Values {
     constants: BTreeSet<usize>,
     literals: Vec<Literal>,
-    /// whether anything else may come
+    /// whether other values are possible
     others: bool,
 }
 
@@ -57,7 +58,7 @@ impl Values {
         Self { others: true, ..Self::default() }
     }
 
-    /// Returns whether anything was not known yet.
+    /// Adds values; returns whether anything was new.
     fn extend(&mut self, more: &Self) -> bool {
         let before = (self.constants.len(), self.literals.len(), self.others);
         self.constants.extend(&more.constants);
@@ -77,7 +78,7 @@ impl Values {
     }
 }
 
-/// What reaches every integer, in this cycle or another one.
+/// The values that every integer can have, in this cycle or another one.
 fn reaching(program: &Program) -> Table<Values> {
     let mut reaching = Table::filled(program, Values::default());
     for index in 0..program.inputs.len() {
@@ -113,8 +114,8 @@ fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
     }
 }
 
-/// What each input is compared with, if nothing else is done with it; in its place stands a local that takes it over or is a
-/// named number.
+/// The values with which each input is compared, if it is not used otherwise. The comparison may be with a local that copies
+/// it or is a named number.
 fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
     let meant = meant(program);
     let input = |expr: &Expr| if let Expr::Var(var) = expr { meant[*var] } else { None };
@@ -158,7 +159,8 @@ fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
     values
 }
 
-/// The input that each variable is: itself, or the one that a local takes over, which else is a named number only.
+/// The input that each variable represents: itself, or the one that a local copies, if the local is otherwise only a named
+/// number.
 fn meant(program: &Program) -> Table<Option<usize>> {
     let mut meant = Table::filled(program, None);
     let mut is_other = Table::filled(program, false);

@@ -1,4 +1,4 @@
-//! The walks over statements and expressions that every pass, the printer and the interpreter share. No pass.
+//! Traversal of statements and expressions, for every pass, the printer and the interpreter. No pass.
 
 use super::{Arm, Expr, Statement, Var};
 
@@ -32,7 +32,7 @@ impl Statement {
         self.walk(&mut |statement| statement.expr().into_iter().for_each(&mut *visit));
     }
 
-    /// Calls `visit` for every variable that this statement or one inside it writes, with what it writes.
+    /// Calls `visit` for every variable that this statement or one inside it writes, with the expression.
     pub fn assignments<'a>(&'a self, visit: &mut impl FnMut(Var, &'a Expr)) {
         self.walk(&mut |statement| {
             if let Self::Assign { target, value } = statement {
@@ -41,12 +41,12 @@ impl Statement {
         });
     }
 
-    /// Calls `visit` for every variable that this statement or one inside it reads, as often as it does.
+    /// Calls `visit` for each time that this statement or one inside it reads a variable.
     pub fn reads(&self, visit: &mut impl FnMut(Var)) {
         self.expressions(&mut |expr| expr.variables(visit));
     }
 
-    /// Calls `visit` for every variable that this statement or one inside it reads or writes, as often as it does.
+    /// Calls `visit` for each time that this statement or one inside it reads or writes a variable.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
         self.assignments(&mut |target, _| visit(target));
         self.reads(visit);
@@ -66,7 +66,7 @@ impl Statement {
         is_target || self.expr().is_some_and(|expr| expr.mentions(var)) || inside()
     }
 
-    /// The lists of an `if` or of a choice, or the one that stands apart.
+    /// The lists of an `if` or of a choice, or the separate one.
     pub(crate) fn branches(&self) -> impl Iterator<Item = &Vec<Self>> {
         let (first, second, arms): (_, _, &[Arm]) = match self {
             Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &[]),
@@ -77,7 +77,7 @@ impl Statement {
         first.into_iter().chain(second).chain(arms.iter().map(|arm| &arm.body))
     }
 
-    /// The lists of an `if` or of a choice, or the one that is separate, to be changed.
+    /// The lists of an `if` or of a choice, or the separate one, mutable.
     pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
         let (first, second, arms): (_, _, &mut [Arm]) = match self {
             Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &mut []),
@@ -90,7 +90,7 @@ impl Statement {
 }
 
 impl Expr {
-    /// The expressions that this one is made of.
+    /// The operands of this expression.
     pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
         let (first, second, more): (_, _, &[Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &[]),
@@ -101,7 +101,7 @@ impl Expr {
         first.into_iter().chain(second).chain(more)
     }
 
-    /// The expressions that this one is made of, to be changed.
+    /// The operands of this expression, mutable.
     pub(crate) fn operands_mut(&mut self) -> impl Iterator<Item = &mut Self> {
         let (first, second, more): (_, _, &mut [Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &mut []),
@@ -142,7 +142,7 @@ impl Expr {
         found
     }
 
-    /// Calls `change` for every part of the expression, inner parts first, and at last for the expression.
+    /// Calls `change` for every part of the expression, inner parts first, and finally for the expression.
     pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
         self.operands_mut().for_each(|operand| operand.change(change));
         change(self);
@@ -154,7 +154,7 @@ pub fn map_expressions(list: &mut [Statement], change: &mut impl FnMut(&mut Expr
     change_each(list, &mut |expr, _| change(expr));
 }
 
-/// Calls `change` for every expression of the statements, with the variable that gets its value.
+/// Calls `change` for every expression of the statements, with the variable to which it is assigned.
 fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option<&mut Var>)) {
     for statement in list {
         match statement {
@@ -166,7 +166,7 @@ fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option
     }
 }
 
-/// Puts another variable in the place of every variable that the statements mention.
+/// Replaces every variable that the statements mention by another one.
 pub(crate) fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
     change_each(list, &mut |expr, target| {
         expr.change(&mut |part| {
@@ -180,7 +180,7 @@ pub(crate) fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
     });
 }
 
-/// Replaces every statement by what `change` pushes for it; the statements inside it have been replaced before.
+/// Replaces every statement by those that `change` pushes for it; the statements inside it have been replaced before.
 pub(crate) fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Statement, &mut Vec<Statement>)) {
     let old = std::mem::take(list);
     list.reserve(old.len());

@@ -1,4 +1,4 @@
-//! What cannot be shown of a program, in words.
+//! The properties of a program that cannot be proven, in words.
 
 use super::real::Interval;
 use super::value::Value;
@@ -7,10 +7,10 @@ use crate::dump::{Dump, Piece};
 use crate::program::{Expr, Program, Statement};
 use std::fmt;
 
-/// Something that cannot be shown.
+/// A property that cannot be proven.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// what it is
+    /// its code
     pub code: &'static str,
     /// what was found, and where
     pub text: String,
@@ -19,9 +19,9 @@ pub struct Finding {
 pub(super) enum Kind {
     /// the operand of a conversion to an integer
     Conversion(Interval),
-    /// the result of an operation, before it is wrapped around
+    /// the result of an operation before it wraps around
     Overflow(Whole),
-    /// of integers, by what may be 0
+    /// a division of integers whose divisor may be 0
     Division,
 }
 

@@ -1,22 +1,22 @@
-//! What is known of every variable at one point of a program, and what follows from the answer to a condition that a variable
-//! holds. A branch is followed, taken back, and joined with the other one; only what it has changed is touched.
+//! The possible values of every variable at one point of a program, and conclusions from the answer to a condition that a
+//! variable holds. A branch is followed, undone, and joined with the other one; only its changes are touched.
 
 use super::value::Value;
 use super::whole::Names;
 use std::rc::Rc;
 
-/// A variable, by its place among all of them.
+/// A variable, by its position among all of them.
 pub(super) type Place = usize;
 
-/// What is known of one variable.
+/// The knowledge about one variable.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
     pub value: Value,
-    /// which assignment has given the value
+    /// the number of the assignment of the value
     pub written: u32,
-    /// the variable that it is a copy of, and the assignment of that one
+    /// the variable that it is a copy of, and the number of the assignment of that variable
     copy_of: Option<(Place, u32)>,
-    /// of a bool: what holds where it is FALSE, and where it is TRUE
+    /// for a bool: the facts if it is FALSE, and if it is TRUE
     follows: Option<Rc<[Vec<Fact>; 2]>>,
 }
 
@@ -28,12 +28,12 @@ pub(super) struct Fact {
     value: Value,
 }
 
-/// What one branch has changed.
+/// The changes of one branch.
 pub(super) type Changes = Vec<(Place, Entry)>;
 
 pub(super) struct Known {
     entries: Vec<Entry>,
-    /// what was known before, of every change
+    /// the previous knowledge, for every change
     log: Vec<(Place, Entry)>,
     assignments: u32,
     pub names: Names,
@@ -55,12 +55,12 @@ impl Known {
         }
     }
 
-    /// The assignment that has given a variable its value.
+    /// The number of the assignment of a variable's value.
     pub(super) fn written(&self, place: Place) -> u32 {
         self.entries[place].written
     }
 
-    /// A variable gets a value; of a copy, that of `source`.
+    /// Assigns a value to a variable; for a copy, that of `source`.
     pub(super) fn assign(
         &mut self,
         place: Place,
@@ -79,7 +79,7 @@ impl Known {
         self.log.push((place, before));
     }
 
-    /// A variable has one of these values only. Returns whether there is one, so that the point can be reached.
+    /// Restricts a variable to these values. Returns whether any is left, so that the point can be reached.
     pub(super) fn restrict(&mut self, place: Place, to: Value) -> bool {
         let before = self.entries[place].value;
         let value = before.meet(to, &self.names);
@@ -114,25 +114,25 @@ impl Known {
         self.log.len()
     }
 
-    /// Takes everything back that was learned or written since a mark; returns it.
+    /// Undoes all changes since a mark; returns them.
     pub(super) fn take_back(&mut self, mark: usize) -> Changes {
         let mut changes = Changes::new();
         for (place, before) in self.log.drain(mark..).rev() {
             changes.push((place, std::mem::replace(&mut self.entries[place], before)));
         }
-        // The first one of a place is what was known last.
+        // The first entry of a variable is its last knowledge.
         changes.sort_by_key(|(place, _)| *place);
         changes.dedup_by_key(|(place, _)| *place);
         changes
     }
 
-    /// What changes say of the variables, as facts.
+    /// Changes as facts about the variables.
     pub(super) fn facts(changes: &Changes) -> Vec<Fact> {
         let fact = |(place, entry): &(Place, Entry)| Fact { place: *place, written: entry.written, value: entry.value };
         changes.iter().map(fact).collect()
     }
 
-    /// What is known after two branches; none: a branch that cannot be reached, or is never left.
+    /// Joins the knowledge after two branches; `None` for a branch that cannot be reached, or is never left.
     pub(super) fn merge(&mut self, branches: [Option<Changes>; 2]) {
         match branches {
             [None, None] => {}
@@ -159,7 +159,7 @@ impl Known {
             }
             joined.push(Joined { place, both, entry: Entry { value, written, copy_of, follows: None } });
         }
-        // What both branches know of what differs after them.
+        // Facts of both branches about the variables that differ after them.
         let narrower = [0, 1].map(|side| joined.iter().filter_map(|of| of.narrower(side)).collect::<Vec<Fact>>());
         let follow = |of: &Joined<'_>| {
             let may_be_both = of.entry.value == Value::Bool([true, true]);
@@ -175,19 +175,19 @@ impl Known {
 /// A variable after two branches.
 struct Joined<'k> {
     place: Place,
-    /// after each of them
+    /// the knowledge after each of them
     both: [&'k Entry; 2],
     entry: Entry,
 }
 
 impl Joined<'_> {
-    /// What one of the branches says of the variable, if that is more than is known after both.
+    /// The fact of one of the branches about the variable, if it is narrower than the joined knowledge.
     fn narrower(&self, side: usize) -> Option<Fact> {
         let value = self.both[side].value;
         (value != self.entry.value).then_some(Fact { place: self.place, written: self.entry.written, value })
     }
 
-    /// What holds where this bool has an answer.
+    /// Adds the facts that hold for each answer of this bool.
     fn follow(
         &self,
         answer: usize,
@@ -210,7 +210,7 @@ impl Joined<'_> {
         }
     }
 
-    /// The same of one of the branches; none: the bool has another value there.
+    /// The facts of one of the branches for an answer of this bool; `None` if the bool has the other value there.
     fn follow_in(
         &self,
         side: usize,

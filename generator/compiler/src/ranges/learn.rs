@@ -1,4 +1,4 @@
-//! What follows from the answer to a condition: narrower values of what it reads. Nothing is checked here.
+//! Conclusions from the answer to a condition: narrower ranges of the variables that it reads. Nothing is checked here.
 
 use super::real::{self, Interval};
 use super::value::Value;
@@ -18,7 +18,7 @@ impl Walk<'_> {
                 if (*operator == Binary::And) == holds {
                     return self.learn(left, holds) && self.learn(right, holds);
                 }
-                // The first operand decides, or the second one does.
+                // Either the first operand decides, or the second one.
                 let mark = self.known.mark();
                 let first = self.learn(left, holds);
                 let first = self.changes(mark, first);
@@ -59,7 +59,7 @@ impl Walk<'_> {
         }
     }
 
-    /// Two bools are, or are not, the same.
+    /// Two bools are equal, or not equal.
     fn learn_same(&mut self, left: &Expr, right: &Expr, are_equal: bool) -> bool {
         for (known, other) in [(left, right), (right, left)] {
             if let Value::Bool([false, true] | [true, false]) = self.value(known) {
@@ -89,7 +89,7 @@ impl Walk<'_> {
             && self.restrict(high, Value::Whole(Whole::numbers(a.low + step, i64::MAX)))
     }
 
-    /// `low < high` or `low <= high` holds, or does not hold: then one of them may be NaN.
+    /// `low < high` or `low <= high` is true, or false: if it is false, one of them may be NaN.
     fn learn_order(&mut self, low: &Expr, high: &Expr, is_strict: bool, holds: bool) -> bool {
         let kind = self.program.real;
         let (a, b) = (self.interval(low), self.interval(high));
@@ -108,7 +108,7 @@ impl Walk<'_> {
         (b.nan || self.restrict(low, Value::Real(from))) && (a.nan || self.restrict(high, Value::Real(up_to)))
     }
 
-    /// `-limit <= x <= limit` holds, or does not hold: then one of them may be NaN.
+    /// `-limit <= x <= limit` is true, or false: if it is false, one of them may be NaN.
     fn learn_magnitude(&mut self, x: &Expr, limit: &Expr, holds: bool) -> bool {
         let (a, b) = (self.interval(x), self.interval(limit));
         if holds {
@@ -131,7 +131,7 @@ impl Walk<'_> {
         self.restrict(x, Value::Real(Interval { low, high, nan: true }))
     }
 
-    /// An expression has one of these values only, as far as that says anything of a variable.
+    /// An expression has one of these values only; applies this to a variable if possible.
     fn restrict(&mut self, expr: &Expr, to: Value) -> bool {
         match expr {
             Expr::Var(Var::Constant(_)) | Expr::Literal(_) => !self.value(expr).meet(to, &self.known.names).is_none(),
@@ -142,7 +142,7 @@ impl Walk<'_> {
             },
             Expr::Binary(Binary::Add | Binary::Subtract | Binary::Multiply, left, right) if matches!(to, Value::Real(interval) if interval.is_finite()) =>
             {
-                // An infinity or NaN as an operand excludes a finite result.
+                // A finite result excludes an infinity or NaN as an operand.
                 let finite = Value::Real(Interval::finite(self.program.real));
                 !self.value(expr).meet(to, &self.known.names).is_none()
                     && self.restrict(left, finite)

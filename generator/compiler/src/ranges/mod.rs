@@ -5,13 +5,13 @@
 //! real     intervals of reals, with infinities and NaN
 //! whole    intervals of integers, and sets of named ones
 //! value    either of them, or a bool
-//! known    what is known at one point; branches and what follows from bools
-//! learn    a condition and its answer -> narrower values
-//! walk     the statements, and the operations that have no meaning for some operands
-//! finding  what cannot be shown, in words
+//! known    the knowledge at one point; branches and conclusions from bools
+//! learn    a condition and its answer -> narrower ranges
+//! walk     the statements, and operations that are undefined for some operands
+//! finding  properties that cannot be proven, in words
 //! ```
-//! Shown is: outputs are finite numbers within their limits, ids and words are from their lists, no integer overflows, no
-//! conversion leaves its range, no integer is divided by 0.
+//! It is proven that outputs are finite numbers within their limits, that ids and words are from their lists, that no
+//! integer overflows, that no conversion leaves its range, and that no integer is divided by 0.
 
 mod finding;
 mod known;
@@ -33,25 +33,25 @@ use std::collections::BTreeSet;
 use walk::Walk;
 use whole::{Names, number};
 
-/// The largest magnitude that an output of this path may have, in the block's own real type.
+/// The largest magnitude allowed for an output with this path, in the block's own real type.
 pub type Limit<'l> = (&'l str, f64);
 
-/// What is certain of a program.
+/// The proven properties of a program.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shown {
-    /// the values that each output may have after a cycle, in the order of the outputs
+    /// the possible values of each output after a cycle, in the order of the outputs
     pub outputs: Vec<Value>,
-    /// of an integer that is always one of some numbers, these
+    /// for an integer that is always one of some numbers: these numbers
     pub numbers: Vec<Option<Vec<i64>>>,
-    /// what cannot be shown
+    /// properties that cannot be proven
     pub findings: Vec<Finding>,
 }
 
 impl Shown {
-    /// Rejects a block if a property cannot be shown.
+    /// Rejects a block if a property cannot be proven.
     ///
     /// # Errors
-    /// All that cannot be shown.
+    /// All properties that cannot be proven.
     pub fn refuse(&self, block: &str) -> Result<(), Defect> {
         if self.findings.is_empty() {
             return Ok(());
@@ -71,7 +71,7 @@ impl Shown {
     }
 }
 
-/// Shows what is certain of a verified program.
+/// Proves properties of a verified program.
 pub fn run(program: &Program, limits: &[Limit<'_>]) -> Shown {
     let names = names(program);
     let mut init = Walk::new(program, names.clone());
@@ -95,7 +95,7 @@ pub fn run(program: &Program, limits: &[Limit<'_>]) -> Shown {
     Shown { outputs, numbers, findings }
 }
 
-/// What an output should keep to and does not.
+/// Reports limits that an output may violate.
 fn of_output(
     path: &str,
     value: Value,
@@ -128,7 +128,7 @@ fn listed<'n>(numbers: impl Iterator<Item = &'n i64>) -> String {
     numbers.map(i64::to_string).collect::<Vec<_>>().join(", ")
 }
 
-/// The named numbers of a program, those first that are ids and words.
+/// The named numbers of a program, ids and words first.
 fn names(program: &Program) -> Names {
     let of = |is_first: bool| {
         let constants = program.constants.iter();
@@ -146,7 +146,7 @@ fn names(program: &Program) -> Names {
     Names::of(constants.chain(literals))
 }
 
-/// Of each output that is an id or a word: the numbers that it may be.
+/// For each output that is an id or a word: its possible numbers.
 fn lists(program: &Program) -> Vec<Option<BTreeSet<i64>>> {
     let signals = values::of_outputs(program);
     let of = |constants: &mut dyn Iterator<Item = usize>| -> BTreeSet<i64> {

@@ -6,7 +6,7 @@
 use portable::Extreme;
 use portable::{Binary, RealKind};
 
-/// The reals from `low` to `high`, in the block's own type; a bound may be infinite; `low > high`: no number.
+/// The reals from `low` to `high`, in the block's own type; a bound may be infinite; empty if `low > high`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     pub low: f64,
@@ -47,7 +47,7 @@ impl Interval {
         !self.has_number() && !self.nan
     }
 
-    /// Whether it is always a number, and not an infinity.
+    /// Whether it is always a number, and never an infinity.
     pub fn is_finite(self) -> bool {
         !self.nan && self.low.is_finite() && self.high.is_finite()
     }
@@ -93,7 +93,7 @@ pub(super) fn binary(operator: Binary, a: Interval, b: Interval, kind: RealKind)
         Binary::Divide => quotient(a, b, kind),
         _ => panic!("ranges: {operator:?} of two reals gives no real"),
     };
-    // Some machines take what is below the normal numbers for 0.
+    // Some machines treat subnormal numbers as 0.
     let least = match kind {
         RealKind::F64 => f64::MIN_POSITIVE,
         RealKind::F32 => f32::MIN_POSITIVE.into(),
@@ -115,7 +115,7 @@ fn sum(a: Interval, b: Interval, kind: RealKind) -> Interval {
 
 fn product(a: Interval, b: Interval, kind: RealKind) -> Interval {
     let nan = a.has_zero() && b.has_infinity() || a.has_infinity() && b.has_zero();
-    // An infinite bound stands for large numbers, too: times 0 they are 0.
+    // An infinite bound also represents large numbers: their product with 0 is 0.
     let of = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { rounded(Binary::Multiply, x, y, kind) };
     let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
     let (low, high) =

@@ -1,4 +1,4 @@
-//! What is known of a variable: the values that it may have.
+//! The possible values of a variable.
 
 use super::real::Interval;
 use super::whole::{Names, Whole, number};

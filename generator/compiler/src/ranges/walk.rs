@@ -1,4 +1,5 @@
-//! Follows the statements of a program with what its variables may be, and collects what cannot be shown.
+//! Follows the statements of a program with the possible values of its variables, and collects properties that cannot be
+//! proven.
 
 use super::finding::{Finding, Kind};
 use super::known::{Changes, Known, Place};
@@ -12,9 +13,9 @@ use portable::{Binary, Intrinsic, Literal, Real, RealKind, Unary};
 pub(super) struct Walk<'p> {
     pub program: &'p Program,
     pub known: Known,
-    /// the first place of inputs, outputs, state, constants, locals
+    /// the position of the first input, output, state, constant and local
     first: [Place; 5],
-    /// the statement that is looked at
+    /// the present statement
     statement: Option<&'p Statement>,
     pub findings: Vec<Finding>,
     products: Vec<Product>,
@@ -28,7 +29,7 @@ struct Product {
 }
 
 impl<'p> Walk<'p> {
-    /// Before a body: inputs, outputs and state may hold any bit pattern.
+    /// The state before a body: inputs, outputs and state may contain any bit pattern.
     pub(super) fn new(program: &'p Program, names: Names) -> Self {
         let counts = [program.inputs.len(), program.outputs.len(), program.state.len(), program.constants.len()];
         let mut first = [0; 5];
@@ -81,7 +82,7 @@ impl<'p> Walk<'p> {
         }
     }
 
-    /// What was learned and written since a mark, which is taken back; none: that cannot be.
+    /// The changes since a mark, which are undone; `None` if the point cannot be reached.
     pub(super) fn changes(&mut self, mark: usize, is_reached: bool) -> Option<Changes> {
         let changes = self.known.take_back(mark);
         is_reached.then_some(changes)
@@ -123,7 +124,7 @@ impl<'p> Walk<'p> {
         Some((constant, (variable, self.known.written(variable))))
     }
 
-    /// What is known of a product that a local is, or the negation of one.
+    /// The range of a local that is a product, or of the negation of one.
     fn known_product(&self, expr: &Expr) -> Interval {
         let Some((constant, variable)) = self.factors(expr) else { return Interval::ANY };
         let is_same = |product: &&Product| {
@@ -142,7 +143,7 @@ impl<'p> Walk<'p> {
         Value::one(literal, &self.known.names)
     }
 
-    /// The values that an expression may have. An integer that leaves its type may be any one.
+    /// The possible values of an expression. An integer that leaves its type may have any value.
     pub(super) fn value(&self, expr: &Expr) -> Value {
         match expr {
             Expr::Literal(literal) => self.literal(*literal),
@@ -204,7 +205,7 @@ impl<'p> Walk<'p> {
         }
     }
 
-    /// What is cut off for the nearest integer: see the intrinsic.
+    /// The value before truncation for the nearest integer: see the intrinsic.
     fn before_truncation(&self, intrinsic: Intrinsic, x: Interval) -> Interval {
         if intrinsic == Intrinsic::Truncate || !x.has_number() {
             return x;
@@ -218,7 +219,7 @@ impl<'p> Walk<'p> {
         Interval { low: of(x.low), high: of(x.high), nan: x.nan }
     }
 
-    /// Whether each operation of an expression has a result that every target agrees on.
+    /// Checks that each operation of an expression has a result on which all targets agree.
     fn check(&mut self, expr: &'p Expr) {
         let mut parts = Vec::new();
         expr.parts(&mut |part| parts.push(part));
@@ -264,7 +265,7 @@ impl<'p> Walk<'p> {
     }
 }
 
-/// The result of an operation on integers of a type, which may have wrapped around.
+/// The result of an integer operation in a type, where it may have wrapped around.
 fn within(ty: Type, result: Whole) -> Value {
     let (low, high) = limits(ty);
     if result.low < low || result.high > high { Value::any(ty) } else { Value::Whole(result) }
@@ -280,7 +281,7 @@ fn truncated(x: f64) -> i64 {
 
 /// An integer as a real of that type.
 fn real_of(number: i64, kind: RealKind) -> f64 {
-    // Exact: it has 33 bits at most.
+    // Exact: it has at most 33 bits.
     let (high, low) = (number.div_euclid(1 << 16), number.rem_euclid(1 << 16));
     let [high, low] = [high, low].map(|half| f64::from_i32(i32::try_from(half).unwrap_or_default()));
     let number = high * 65_536.0 + low;

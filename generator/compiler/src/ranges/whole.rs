@@ -1,11 +1,11 @@
-//! Intervals of integers, with the named numbers that are left of them. No reals.
+//! Intervals of integers, with the remaining named numbers. No reals.
 
 use portable::{Binary, Literal};
 
-/// All named numbers, and any other.
+/// All named numbers, and any other number.
 const ALL: u128 = u128::MAX;
 
-/// The integers from `low` to `high`; where `named` is not all ones, they are the named numbers of these positions only.
+/// The integers from `low` to `high`; if `named` is not all ones, only the named numbers at these positions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Whole {
     pub low: i64,
@@ -18,7 +18,7 @@ pub struct Whole {
 pub(super) struct Names(Vec<i64>);
 
 impl Names {
-    /// Of these numbers the first ones that a set of bits holds.
+    /// The first of these numbers, as many as a bit set can hold.
     pub(super) fn of(numbers: impl Iterator<Item = i64>) -> Self {
         let mut names = Vec::new();
         for number in numbers {
@@ -61,19 +61,19 @@ impl Names {
         }
         let Ok(first) = self.0.binary_search(&of.low) else { return of };
         let count = usize::try_from(of.high - of.low).unwrap_or_default();
-        // The names are in order: as many places on stands the last one, if all are there.
+        // The names are in order: if all exist, the last one is at this distance.
         if self.0.get(first + count) != Some(&of.high) {
             return of;
         }
         Whole { named: ((2 << count) - 1) << first, ..of }
     }
 
-    /// What is in both.
+    /// The intersection of both.
     pub(super) fn meet(&self, a: Whole, b: Whole) -> Whole {
         self.tight(Whole { low: a.low.max(b.low), high: a.high.min(b.high), named: a.named & b.named })
     }
 
-    /// Without one number.
+    /// The integers without one number.
     pub(super) fn without(&self, of: Whole, number: i64) -> Whole {
         let mut left = of;
         if left.named != ALL {
@@ -120,7 +120,7 @@ pub(super) fn number(literal: Literal) -> Option<i64> {
     }
 }
 
-/// The result of an operator on two integers, before it is wrapped around: none, where a divisor may be 0.
+/// The result of an operator on two integers before it wraps around; `None` if a divisor may be 0.
 pub(super) fn binary(operator: Binary, a: Whole, b: Whole) -> Option<Whole> {
     let pairs = [(a.low, b.low), (a.low, b.high), (a.high, b.low), (a.high, b.high)];
     let of = |compute: fn(i64, i64) -> i64| {

@@ -1,4 +1,4 @@
-//! Calls: inlined, with borrowed parameters standing for the caller's places.
+//! Calls: inlined; borrowed parameters represent the caller's places.
 
 use super::part::{Named, Part};
 use super::{Frame, Specialiser};
@@ -39,7 +39,7 @@ impl Specialiser<'_> {
             names.push(Named { name: param.name, part, path });
         }
         let context = context.filter(|path| !path.is_empty()).unwrap_or_else(|| Rc::clone(&self.frame().context));
-        // A path of its own has the number of the round in it.
+        // A separate path contains the number of the iteration.
         let is_inside = context == self.frame().context;
         let rounds = if is_inside { self.frame().rounds.clone() } else { Vec::new() };
         if context != self.frame().context
@@ -52,7 +52,8 @@ impl Specialiser<'_> {
         self.frames.pop();
         self.cells.truncate(cells);
         match value {
-            // A function without parameters is a named number; a bool, an index or a variant decides, and needs no name.
+            // A function without parameters is a named number; a bool, an index or a variant decides branches, and needs no
+            // name.
             Some(Expr::Literal(literal @ (Literal::F64(_) | Literal::F32(_) | Literal::I32(_) | Literal::U32(_))))
                 if function.params.is_empty() =>
             {
@@ -74,7 +75,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// A struct, with everything that another one has, too, taken from there.
+    /// A struct whose scalars are replaced by those that another struct has, too.
     fn with_numbers(&mut self, structure: &'static Place, numbers: &'static Place) -> Part {
         let (structure, numbers) = (self.place(structure), self.place(numbers));
         let mut cells = self.cells[structure.first..structure.first + structure.ty.leaves()].to_vec();
@@ -89,7 +90,7 @@ impl Specialiser<'_> {
         self.expr(value)
     }
 
-    /// A new name for a value. What can still change, or is computed, gets a local.
+    /// Binds a new name to a value. A value that can still change, or is computed, gets a local.
     pub(super) fn bind(&mut self, name: &str, value: Expr) -> Part {
         let cell = self.fixed(name, value);
         self.scalar(cell)

@@ -1,4 +1,4 @@
-//! Expressions and places: from the portable IR to the program, folding what is known.
+//! Expressions and places: from the portable IR to the program, folding known values.
 
 use super::Specialiser;
 use super::part::{Cell, Named, Part};
@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::rc::Rc;
 
 impl Specialiser<'_> {
-    /// Evaluates an expression: a literal where all of it is known, else what the program has to compute.
+    /// Evaluates an expression: a literal if it is known completely, else the computation of the program.
     pub(super) fn expr(&mut self, expr: &'static portable::Expr) -> Expr {
         match expr {
             portable::Expr::Constant { value } => Expr::Literal(value()),
@@ -42,7 +42,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// What a place stands for.
+    /// The cells of a place.
     pub(super) fn place(&mut self, place: &'static portable::Place) -> Part {
         let mut part = self.lookup(place.root).part;
         for projection in place.projections {
@@ -57,7 +57,7 @@ impl Specialiser<'_> {
         part
     }
 
-    /// Where a place stands in the state, the inputs or the outputs.
+    /// The path of a place in the state, the inputs or the outputs.
     pub(super) fn path(&mut self, place: &'static portable::Place) -> Option<Rc<str>> {
         let root = self.lookup(place.root).path.clone()?;
         let mut path = root.to_string();
@@ -96,8 +96,8 @@ impl Specialiser<'_> {
         expr.known(&self.program.constants)
     }
 
-    /// An operator on two values. A comparison of known values is decided; arithmetic on a named constant stays, so that
-    /// the name stays.
+    /// An operator on two values. A comparison of known values is decided; arithmetic on a named constant is kept, so that
+    /// the name is kept.
     pub(super) fn binary(&mut self, operator: Binary, left: Expr, right: Expr) -> Expr {
         let known = (self.known(&left), self.known(&right));
         match (operator, known) {

@@ -1,8 +1,8 @@
 //! Partial evaluation: a portable function and the coefficients of one axis become a [`Program`].
 //!
-//! Calls are inlined, loops unrolled, branches on known values chosen, arrays and structs taken apart. The value of a
-//! local is tracked, so that a local is assigned once on each way and a copy costs nothing. A named coefficient keeps its
-//! name: it decides branches, but is never folded into an anonymous number.
+//! Calls are inlined, loops unrolled, branches on known values decided, arrays and structs split. The value of a local is
+//! tracked, so that a local is assigned once on each path and a copy costs nothing. A named coefficient keeps its name: it
+//! decides branches, but is never folded into an anonymous number.
 
 mod call;
 mod expr;
@@ -18,11 +18,11 @@ use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// Specialises a block. `notes` say in words what the parts of the state at these paths are.
+/// Specialises a block. `notes` describe the parts of the state at these paths in words.
 ///
 /// # Panics
-/// If the block is not portable in a way that only shows here: a loop whose bound or an index that is not known, a
-/// struct passed by value. That is a defect of the block, not of anybody's input.
+/// If the block is not portable in a way that is only detected here: a loop with an unknown bound, an unknown index, a
+/// struct passed by value. That is a defect of the block, not of an input.
 pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, String>) -> Program {
     let program = Program {
         block: B::NAME,
@@ -64,16 +64,16 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     Program { switch, init, step, ..specialiser.program }
 }
 
-/// What is known at the present point of the function that is being specialised.
+/// The knowledge at the present point of the function that is being specialised.
 struct Specialiser<'n> {
     notes: &'n BTreeMap<String, String>,
     program: Program,
-    /// the constant that each coefficient is, by its position
+    /// the constant for each coefficient, by its position
     coefficient_of: Vec<Option<usize>>,
-    /// the constants that functions without parameters are
+    /// the constants for functions without parameters
     function_of: Vec<(&'static Fn, usize)>,
     cells: Vec<Cell>,
-    /// how many cells no branch can change: coefficients, state, inputs and outputs
+    /// number of cells that no branch can change: coefficients, state, inputs and outputs
     entered: usize,
     coefficients: Vec<Literal>,
     coefficient_type: Ty,
@@ -86,7 +86,7 @@ struct Frame {
     names: Vec<Named>,
     /// the path of the state that the function works on, which names its locals
     context: Rc<str>,
-    /// the rounds of the loops around this point, which number them
+    /// the iterations of the loops around this point, which number the locals
     rounds: Vec<usize>,
     function: &'static str,
 }
@@ -124,13 +124,16 @@ impl Specialiser<'_> {
         std::mem::take(&mut self.statements)
     }
 
-    /// What turns the block off. The number of its mode OFF is named as where the block asks for it.
+    /// The input that turns the block off. The number of its mode OFF is named as in the block.
     fn switch(&mut self, enable: Enable) -> Switch {
         let find = |list: &[Variable], path: &str| list.iter().position(|variable| variable.path == path);
         let input =
             find(&self.program.inputs, enable.input).expect("specialise: the block has the input that turns it off");
         let (off, fades) = match enable.off {
             portable::Off::False => return Switch { input, off: Off::False },
+            portable::Off::Fade(fades) => {
+                return Switch { input, off: Off::Fade(find(&self.program.state, fades).map(Var::State)) };
+            }
             portable::Off::Brake(brake) => return Switch { input, off: Off::Brake(brake) },
             portable::Off::Mode(off, fades) => (off, fades),
         };
@@ -142,7 +145,7 @@ impl Specialiser<'_> {
         Switch { input, off: Off::Mode(off, find(&self.program.state, fades).map(Var::State)) }
     }
 
-    /// The coefficient as a named number, entered where it is first met.
+    /// The coefficient as a named number, entered at its first use.
     fn coefficient(&mut self, position: usize) -> Expr {
         let index = self.coefficient_of[position].unwrap_or_else(|| {
             let leaf = Leaf::at(self.coefficient_type, position);
@@ -152,7 +155,7 @@ impl Specialiser<'_> {
         Expr::Var(Var::Constant(index))
     }
 
-    /// The value of a function without parameters as a named number, entered where it is first met.
+    /// The value of a function without parameters as a named number, entered at its first use.
     fn named(&mut self, function: &'static Fn, value: Literal) -> Expr {
         let is_same = |known: &Fn| (known.name, known.module) == (function.name, function.module);
         let known = self.function_of.iter().find(|(known, _)| is_same(known)).map(|(_, index)| *index);

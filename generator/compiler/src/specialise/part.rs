@@ -1,4 +1,4 @@
-//! What a Rust name stands for while specialising: cells side by side, in the order of the type's scalars. No evaluation here.
+//! The cells of a Rust name while specialising: consecutive cells, in the order of the type's scalars. No evaluation here.
 
 use crate::program::Var;
 use portable::{Literal, Ty};
@@ -8,7 +8,7 @@ use std::rc::Rc;
 pub(super) struct Named {
     pub(super) name: &'static str,
     pub(super) part: Part,
-    /// where it stands in the state, the inputs or the outputs; `None`: nowhere, or it is a scalar
+    /// its path in the state, the inputs or the outputs; `None` for a scalar, or if it is elsewhere
     pub(super) path: Option<Rc<str>>,
 }
 
@@ -20,20 +20,20 @@ pub(super) struct Part {
     pub(super) first: usize,
 }
 
-/// What is known of a scalar.
+/// The knowledge about a scalar.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Cell {
     /// a coefficient, by its position among their leaves
     Coefficient(usize),
     /// a value that is known
     Known(Literal),
-    /// an input, a local or a named constant: nothing can change it any more
+    /// an input, a local or a named constant, which cannot change any more
     Fixed(Var),
     /// the variable that holds it: part of the state, or an output
     Memory(Var),
 }
 
-/// The type of a local's scalar: what it is, its value says.
+/// The type of a local's scalar, which is only known from its value.
 const SCALAR: Ty = Ty::Bool;
 
 impl Part {
@@ -60,14 +60,14 @@ impl Part {
         }
     }
 
-    /// The cell, if it has just one.
+    /// The cell, if there is only one.
     pub(super) fn cell(self) -> Option<usize> {
         (!matches!(self.ty, Ty::Struct { .. } | Ty::Array { .. })).then_some(self.first)
     }
 }
 
 impl Named {
-    /// What a cell of it is called: as it is itself, or as the field is where it is a struct.
+    /// The name of one of its cells: its own name, or for a struct that of the field.
     pub(super) fn name_of(&self, cell: usize) -> Option<&'static str> {
         let position = cell.checked_sub(self.part.first).filter(|position| *position < self.part.ty.leaves())?;
         Some(Leaf::at(self.part.ty, position).field.map_or(self.name, |(name, _)| name))
@@ -78,12 +78,12 @@ impl Named {
 pub(super) struct Leaf {
     pub(super) ty: Ty,
     pub(super) path: String,
-    /// name and doc comment of the innermost field that it is, or is in an array of
+    /// name and doc comment of the innermost field that is, or contains as an array, this scalar
     pub(super) field: Option<(&'static str, &'static str)>,
 }
 
 impl Leaf {
-    /// By its position among the leaves of a type.
+    /// The leaf with this position in a type.
     pub(super) fn at(ty: Ty, mut position: usize) -> Self {
         let mut leaf = Self { ty, path: String::with_capacity(64), field: None };
         loop {

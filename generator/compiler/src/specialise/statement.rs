@@ -1,4 +1,4 @@
-//! Statements, branches and loops: the order of effects, and what is known after a branch.
+//! Statements, branches and loops: the order of effects, and the knowledge after a branch.
 
 use super::Specialiser;
 use super::part::{Cell, Leaf, Named, Part};
@@ -11,7 +11,7 @@ impl Specialiser<'_> {
         self.named_block(block, "value")
     }
 
-    /// The same; a local that holds its value gets the name.
+    /// Runs a block; returns its value. A local that holds the value gets the name.
     pub(super) fn named_block(&mut self, block: &'static CodeBlock, name: &str) -> Option<Expr> {
         let (names, cells) = (self.frame().names.len(), self.cells.len());
         for statement in block.statements {
@@ -48,7 +48,7 @@ impl Specialiser<'_> {
                 self.declare(name, part);
             }
             portable::Statement::Default { name, ty, leaves } => {
-                // Nothing of it is a variable of the block: its parts are locals, where they are not known.
+                // Its parts are not variables of the block: they are locals if they are unknown.
                 let mut cells = Vec::new();
                 leaves(&mut |literal| cells.push(Cell::Known(literal)));
                 let part = self.enter(*ty, cells.into_iter());
@@ -90,7 +90,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// The value of an expression; a local that holds a choice gets the name.
+    /// The value of an expression. A local that holds a choice gets the name.
     fn named_value(&mut self, value: &'static portable::Expr, name: &str) -> Expr {
         match value {
             portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
@@ -103,7 +103,7 @@ impl Specialiser<'_> {
         self.frame_mut().names.push(Named { name, part, path: None });
     }
 
-    /// Assigns a struct or an array, scalar by scalar. rustc has seen that both are of one type.
+    /// Assigns a struct or an array, scalar by scalar. rustc has checked that both have the same type.
     fn copy(&mut self, target: Part, source: Part, root: &str, name: &str) {
         for position in 0..target.ty.leaves() {
             let field = Leaf::at(target.ty, position).field.map_or(name, |(field, _)| field);
@@ -127,7 +127,7 @@ impl Specialiser<'_> {
         }
     }
 
-    /// The value in a form that nothing can change any more: what can change, or is computed, goes to a new local.
+    /// The value in a form that cannot change any more: a value that can change, or is computed, is assigned to a new local.
     pub(super) fn fixed(&mut self, name: &str, value: Expr) -> Cell {
         match value {
             Expr::Literal(literal) => Cell::Known(literal),
@@ -151,7 +151,7 @@ impl Specialiser<'_> {
         part
     }
 
-    /// The value of an `if` or a `match`; `name` is what a local that holds it is called.
+    /// The value of an `if` or a `match`; `name` is the name of a local that holds it.
     pub(super) fn choice(&mut self, expr: &'static portable::Expr, name: &str) -> Expr {
         self.branch(expr, Some(name)).expect("specialise: every branch of a value has one")
     }
@@ -163,7 +163,7 @@ impl Specialiser<'_> {
                 self.decide(condition, name, |this| this.block(then), |this| this.block(otherwise))
             }
             portable::Expr::Match { scrutinee, arms } => {
-                // Nothing is executed between the questions of a chain: what is asked need not be copied.
+                // Nothing is executed between the questions of a chain: the scrutinee need not be copied.
                 let scrutinee = match self.expr(scrutinee) {
                     var @ Expr::Var(_) => var,
                     computed => value_of(self.fixed("choice", computed)),
@@ -188,7 +188,7 @@ impl Specialiser<'_> {
         self.decide(condition, name, |this| this.block(body), move |this| this.arms(&scrutinee, rest, name))
     }
 
-    /// Takes the branch that is known, or both; a local that differs after them gets a new value in each.
+    /// Takes the known branch, or both; a local that differs after them gets a new value in each.
     fn decide(
         &mut self,
         condition: Expr,
@@ -215,7 +215,7 @@ impl Specialiser<'_> {
             (Some(name), Some(a), Some(b)) => Some(self.merge(name, [a, b], &mut branches)),
             _ => None,
         };
-        // What the branches declared has ended with them.
+        // The names that the branches declared have ended with them.
         for (cell, (yes, no)) in (self.entered..self.cells.len()).zip(yes.into_iter().zip(no)) {
             self.cells[cell] = if yes == no {
                 yes
@@ -243,14 +243,14 @@ impl Specialiser<'_> {
         Expr::Var(target)
     }
 
-    /// The Rust name that stands for a cell, innermost function first: of a struct, the field's.
+    /// The Rust name of a cell, from the innermost function; for a cell of a struct the name of the field.
     fn name_of(&self, cell: usize) -> String {
         let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
         let (root, name) = names.find_map(|named| Some((named.name, named.name_of(cell)?))).unwrap_or(("", "value"));
         self.distinct(root, name)
     }
 
-    /// What a local is called that is a field of a struct: with the struct, where the field has the name of a signal.
+    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal.
     fn distinct(&self, root: &str, field: &str) -> String {
         let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
         let is_signal = root != field && self.frame().context.is_empty() && signals.any(|signal| signal.path == field);
@@ -258,7 +258,7 @@ impl Specialiser<'_> {
     }
 }
 
-/// The value that a cell has after a branch.
+/// The value of a cell after a branch.
 fn value_of(cell: Cell) -> Expr {
     match cell {
         Cell::Known(literal) => Expr::Literal(literal),

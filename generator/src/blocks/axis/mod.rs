@@ -1,4 +1,4 @@
-//! The block `axis`: feedforward, position control and improved position control in their order; and gantry slaves.
+//! The block `axis`: feedforward, position control and improved position control in this order; and gantry slaves.
 
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
 use super::values::{Value, Values, of_part};
@@ -17,7 +17,7 @@ impl Design for Axis {
     fn design(designed: &Designed) -> Coeffs<f64> {
         let axis = &designed.axis;
         let limit = axis.control.master_limit.unwrap_or(0.0);
-        // The axis counts for its parts.
+        // The axis counts the calls for its parts.
         let uncounted = call_rate::Coeffs::default();
         let in_drive = axis.control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
         Coeffs {
@@ -38,7 +38,7 @@ impl Design for Axis {
 
 impl Part for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
-        // What takes parameter sets stands by itself.
+        // A block with parameter sets is a separate block.
         axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets()
     }
 
@@ -46,7 +46,7 @@ impl Part for Axis {
         "ax"
     }
 
-    /// Its own, and those of its parts.
+    /// The notes of the block and of its parts.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let axis = &designed.axis;
         let within = |part: &'static str, notes: Vec<(String, String)>| {
@@ -94,7 +94,7 @@ impl Part for Axis {
         ipc::limit(designed)
     }
 
-    /// The limit of what it adds.
+    /// The limit of its v_add.
     fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
         Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }

@@ -1,17 +1,17 @@
-//! What is legal in feedforward, but inert or dangerous: warnings. Nothing here is an error.
+//! Warnings about feedforward that is legal, but without effect or dangerous. No errors here.
 
 use crate::axis::{Axis, Feedforward};
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, Value};
 use crate::{codes, number::rounded, rules::effective::Effective};
 
-/// A time constant below this part of a cycle is none that a drive has: a weight was written, or another unit.
+/// A drive's time constant is above this part of a cycle. A smaller value is a weight, or in another unit.
 const LEAST_PART_OF_A_CYCLE: f64 = 0.05;
 
 /// Numerator and denominator of the time constant of the acceleration.
 const TIME_CONSTANT: [Name; 2] = [Name::VsAFaktor, Name::VsANenner];
 
-/// Says what contributes next to nothing.
+/// Warns of quantities that contribute next to nothing.
 pub(crate) fn inert(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let Some(feedforward) = &axis.control.feedforward {
         defaults(feedforward, gear, e);
@@ -19,7 +19,7 @@ pub(crate) fn inert(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// Says what a user would want to know before the block acts.
+/// Warns of what a user should know before the block acts.
 pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     let Some(feedforward) = &axis.control.feedforward else { return };
     if feedforward.global_disable {
@@ -55,7 +55,7 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     }
 }
 
-/// Defaults with which a quantity contributes next to nothing.
+/// Warns of defaults with which a quantity contributes next to nothing.
 fn defaults(feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
     let (sums, torque) = (feedforward.sums(), feedforward.torque);
     let mut say = |is_used: bool, keys: &[Key], found: &str, instead: &str| {
@@ -78,7 +78,7 @@ fn defaults(feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
     say(torque.any(), &[(Name::Load, [gear, 0])], &found, instead);
 }
 
-/// A time constant that no drive has. Where ADD_ACC takes it for a weight, the two meanings are said.
+/// Warns of a time constant that no drive has. Where ADD_ACC reads it as a weight, the message names both meanings.
 fn time_constant(feedforward: &Feedforward, cycle_time_ns: u32, e: &mut Effective<'_>) {
     let is_given = TIME_CONSTANT.into_iter().any(|name| e.given(key(name)).is_some());
     let is_one = feedforward.sums().use_time() && !feedforward.torque.acceleration;

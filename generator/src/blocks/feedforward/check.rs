@@ -1,4 +1,4 @@
-//! The rules of feedforward: which quantities there are, which way they go, and what is corrected.
+//! The rules of feedforward: the available quantities, their destinations, and corrections.
 
 use crate::axis::{Feedforward, Location, Quantities, Ratio, Torque};
 use crate::parameters::words::{AddJerk, AxisType, Boolean, FeedforwardWord, Motor, Words};
@@ -74,7 +74,7 @@ impl Ways {
 fn possible_ways(e: &mut Effective<'_>, words: &[FeedforwardWord], drive: &Drive) -> Ways {
     let Ways { mut conventional, mut additive, mut torque } = ways(words);
     if drive.location == Location::Profidrive && words.contains(&FeedforwardWord::AddVel) {
-        // NSOLL_B takes the whole feedforward, not its velocity alone.
+        // NSOLL_B takes the whole feedforward, not only its velocity.
         additive = Quantities { velocity: true, ..conventional };
         conventional = Quantities::default();
     }
@@ -159,7 +159,7 @@ fn ways(words: &[FeedforwardWord]) -> Ways {
     Ways { conventional, additive, torque: Quantities { velocity: false, acceleration, jerk } }
 }
 
-/// ADD_JERK only where it is asked for by name.
+/// Rejects ADD_JERK unless it is selected by name.
 fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
     if !has_jerk || e.word::<AddJerk>(key(Name::AddJerk))? == AddJerk::Experimental {
         return Some(());
@@ -173,7 +173,7 @@ fn refuse_jerk(e: &mut Effective<'_>, has_jerk: bool) -> Option<()> {
     None
 }
 
-/// P-AXIS-00566 holds for VEL alone (110624).
+/// P-AXIS-00566 applies to VEL only (110624).
 fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()> {
     let key = key(Name::FeedforwardWithoutDelay);
     if e.word::<Boolean>(key)? == Boolean::False || words == [FeedforwardWord::Vel] {
@@ -217,7 +217,7 @@ fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Presence<Torque>> {
         e.warn(codes::NO_REFERENCE, reference_key, found, instead);
         return Some(Presence::Absent);
     }
-    // Of a factor of 0 nothing comes: its input is not read either.
+    // With a factor of 0 the torque is 0: its input is not read either.
     if scale.num == 0 || load <= 0.0 {
         return Some(Presence::Absent);
     }

@@ -4,13 +4,13 @@ use crate::axis::{Axis, Feedforward, Quantities, Width};
 use crate::design::{delay::delay, scale};
 use reference::{call_rate, feedforward};
 
-/// Coefficients of feedforward for one axis; of an axis without it all zero.
+/// Coefficients of feedforward for one axis; all zero for an axis without it.
 ///
 /// - weight = vs_v_faktor / vs_v_nenner (P-AXIS-00228/00229).
 /// - t_a = vs_a_faktor / vs_a_nenner * 1e-6 s (P-AXIS-00225/00226).
 /// - t_j = jerk_fact_num / jerk_fact_denom * t_a^2 (P-AXIS-00337/00338).
 /// - torque_acceleration: [`scale::torque`] times the plain weight vs_a_faktor / vs_a_nenner.
-/// - torque_jerk: the same times the jerk factor, read in seconds; inferred from units.
+/// - torque_jerk: [`scale::torque`] times the jerk factor, read in seconds; inferred from units.
 pub(crate) fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
     let Some(of) = &axis.control.feedforward else { return feedforward::Coeffs::default() };
     let weight = of.weight.value();

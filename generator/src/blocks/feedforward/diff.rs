@@ -5,7 +5,7 @@ use super::design::time_constant;
 use crate::axis::{Axis, Feedforward, Quantities, Torque};
 use crate::{design::scale, number::digits, parameters::words::Words};
 
-/// Its values; none where there is no feedforward.
+/// The values of feedforward; empty without it.
 pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.feedforward else { return Values::new() };
     let way = |way: Quantities| way.any().then(|| Value::Words(quantities(way)));
@@ -34,7 +34,7 @@ pub(crate) fn values(axis: &Axis) -> Values {
     of_part("feedforward", values)
 }
 
-/// Which quantities go which way.
+/// The quantities and their destinations.
 pub(super) fn summary(of: &Feedforward) -> String {
     let ways = [
         (of.conventional, "to the position controller", String::new()),
@@ -51,7 +51,7 @@ fn delayed(us: &[u32]) -> String {
     us.iter().filter(|us| **us > 0).map(|us| format!(", {us} us later")).collect()
 }
 
-/// Which quantities a sum has, in words.
+/// The quantities of a sum, in words.
 fn quantities(of: Quantities) -> String {
     let named = [(of.velocity, "velocity"), (of.acceleration, "acceleration"), (of.jerk, "jerk")];
     let there: Vec<&str> = named.into_iter().filter(|(is, _)| *is).map(|(_, name)| name).collect();

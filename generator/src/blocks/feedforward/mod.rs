@@ -1,4 +1,4 @@
-//! The block `feedforward`: what the interpolator plans, to the position controller or as additive commands to the drive.
+//! The block `feedforward`: planned quantities, to the position controller or as additive commands to the drive.
 
 pub(crate) mod advice;
 pub(crate) mod check;
@@ -45,7 +45,7 @@ impl Part for Feedforward {
     }
 }
 
-/// The noise on an acceleration at which the additive torque is cut off; without one no bound.
+/// The acceleration, as noise in a self-test, at which the additive torque reaches its limit; 1e7 without a torque.
 fn largest_acceleration(coeffs: &Coeffs<f64>) -> f64 {
     let factor = coeffs.torque_acceleration.larger(coeffs.torque_jerk) * coeffs.weight;
     if factor > 0.0 { (f64::from(coeffs.torque_range.highest) / factor).clamp(1e-6, 1e7) } else { 1e7 }

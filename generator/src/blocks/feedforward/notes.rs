@@ -1,4 +1,4 @@
-//! What each coefficient of feedforward means physically. No design.
+//! The physical meaning of each coefficient of feedforward. No design.
 
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::time_constant;

@@ -1,5 +1,5 @@
-//! What is legal, but inert, out of date or dangerous: warnings about an axis that is valid. Nothing here is an error, but a loop that cannot be
-//! stable.
+//! Warnings about a valid axis: what is legal, but without effect, out of date or dangerous. The only error here is a loop
+//! that cannot be stable.
 
 use super::check::{damping_given, master};
 use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
@@ -16,16 +16,17 @@ use crate::{
 };
 use portable::Extreme;
 
-/// Above this f0 * Ts the upper skirt of a band-pass is squeezed against half the sampling frequency.
+/// Above this f0 * Ts the upper skirt of a band-pass is compressed towards half the sampling frequency.
 const NEAR_NYQUIST: f64 = 0.35;
-/// Twice the weight at which the controller caps: a usual damping ratio does not lead there with any weight.
+/// Twice the weight at which the controller caps: with a usual damping ratio no weight reaches this gain.
 const MUCH_GAIN: f64 = 2.0 * Stage::MAX_WEIGHT;
-/// Below 5 mm/s or 5 deg/s hardly an axis ends; above it hardly one is written in mm/s, m/min, deg/s or revolutions/min.
+/// Few axes have a largest velocity below 5 mm/s or 5 deg/s; a value below it is probably in mm/s, m/min, deg/s or
+/// revolutions/min.
 const SLOW: f64 = 5000.0;
-/// 10 rpm: no spindle ends there, and most are faster than 10000 thousandths of a degree in a second.
+/// 10 rpm: every spindle is faster, and most are faster than 10000 thousandths of a degree per second.
 const SLOW_SPINDLE: f64 = 60_000.0;
 
-/// Says what a user would want to know before the block acts.
+/// Warns of what a user should know before the block acts.
 pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     whole(axis, e);
@@ -71,7 +72,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         let instead = Some("the stages in the list of the master".to_owned());
         e.warn(codes::SLAVE_STAGES, key(Name::GantryMaster), found, instead);
     }
-    let does_nothing = axis.control.is_empty();
+    let does_nothing = axis.control.is_empty() && axis.excitation.is_none();
     if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
         let found = match does_nothing {
             true => "no stage is active: the block puts out 0".to_owned(),
@@ -98,7 +99,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
     }
 }
 
-/// A largest velocity that was mostly written in another unit.
+/// Warns of a largest velocity that is probably in another unit.
 fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear)).unwrap_or(0), 0]);
     let v_max = axis.ipc.v_max;
@@ -118,7 +119,7 @@ fn unit_of_vb_max(axis: &Axis, e: &mut Effective<'_>) {
     e.warn(codes::SLOW, key, found, Some(instead));
 }
 
-/// P-AXIS-00756 should not stand next to the parameters that came with its successor.
+/// Warns of P-AXIS-00756 together with parameters that were introduced with its successor.
 fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let old_key = (Name::FilterDamping, [i, 0]);
     let uses_damping = stage.mode.osc_damping().is_some();
@@ -141,7 +142,7 @@ fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// A filter that was described and is not there.
+/// Warns of a filter that is described but has no type.
 fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     for k in (0..FILTERS).filter(|k| stage.filter[*k as usize].kind() == FilterType::NoFilter) {
         let described = [Name::FilterOrder, Name::FilterF0, Name::FilterQ, Name::FilterPrototype]
@@ -158,7 +159,7 @@ fn filter_without_type(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// The controller caps a large weight and says nothing.
+/// The controller caps a large weight without a message.
 fn capped(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     if !stage.cap().is_empty() {
         let (num, denom, asked) = (stage.weight_fact_num, stage.weight_fact_denom, digits(stage.asked_weight()));
@@ -172,7 +173,7 @@ fn capped(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// A numerator alone, which is mostly a percentage.
+/// Warns of a numerator without a denominator, which is probably a percentage.
 fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let [num, denom] = [Name::WeightFactNum, Name::WeightFactDenom].map(|name| (name, [i, 0]));
     let is_alone = e.given(num).is_some() && e.given(denom).is_none();
@@ -186,7 +187,7 @@ fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// SET_POINT is an open-loop pre-filter 1 - w H: above twice its best weight it amplifies.
+/// SET_POINT is an open-loop pre-filter 1 - w H: above twice its best weight it amplifies the vibration.
 fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let Mode::SetPoint { osc_damping } = stage.mode else { return };
     let four_d_squared = 4.0 * osc_damping * osc_damping;
@@ -202,7 +203,8 @@ fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// The simulated oscillation multiplies the weight, which is capped for a reason: |H(f0)| = sqrt(1 + 1 / (4 D^2)).
+/// The gain of the simulated oscillation multiplies the weight, which is capped for a reason: |H(f0)| = sqrt(1 + 1 / (4
+/// D^2)).
 fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let Mode::Indirect { osc_damping } = stage.mode else { return };
     let peak = libm::sqrt(1.0 + 0.25 / (osc_damping * osc_damping));
@@ -221,7 +223,7 @@ fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// A source that no stage takes.
+/// Warns of a source that no stage uses.
 fn inert_source(e: &mut Effective<'_>, i: u32, design: Option<&StageDesign>) {
     let key = (Name::DirectSource, [i, 0]);
     let is_direct = design.is_some_and(|design| matches!(design.stage.mode, Mode::Direct { .. }));
@@ -248,7 +250,7 @@ fn near_nyquist(e: &mut Effective<'_>, i: u32, stage: &Stage, cycle_time_ns: u32
     }
 }
 
-/// Stages whose bands intersect influence each other.
+/// Warns of stages with overlapping bands: they influence each other.
 fn overlaps(designed: &Designed, e: &mut Effective<'_>) {
     let bands: Vec<_> = (0..).zip(&designed.stage).filter_map(|(j, stage)| Some((j, stage.as_ref()?))).collect();
     for (n, (i, stage)) in bands.iter().enumerate() {

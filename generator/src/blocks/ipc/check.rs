@@ -1,4 +1,4 @@
-//! The rules of improved position control that are errors: a block that breaks one must not act on a machine.
+//! The rules of improved position control whose violation is an error: such a block must not act on a machine.
 
 use super::filter;
 use crate::axis::{Filter, Ipc, Mode, Numbers, Stage, Tuning};
@@ -10,7 +10,7 @@ use crate::{codes, config::values::key};
 use portable::{Real, RealKind};
 use reference::signal::sample_limit;
 
-/// Improved position control of one axis; none: an error, which has been said.
+/// Improved position control of one axis; `None` after a reported error.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option<RealKind>) -> Option<Ipc> {
     let enable = e.word(key(Name::Enable));
     gantry(e, enable);
@@ -20,7 +20,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let ride_through = e.integer(key(Name::RideThrough));
     let numbers = numbers(e);
     let watch = watch(e);
-    // Every stage is checked, so that all errors of all stages are told.
+    // Every stage is checked, so that the errors of all stages are reported.
     let stages = [0, 1, 2].map(|i| stage(e, i, cycle_time));
     let is_active = stages.iter().any(|stage| !matches!(stage, Some(Presence::Absent)));
     let delay_cycles = if is_active { delay_cycles(e) } else { None };
@@ -46,7 +46,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     Some(ipc)
 }
 
-/// Where the numbers come from; none: an error, which has been said.
+/// The source of the numbers; `None` after a reported error.
 fn numbers(e: &mut Effective<'_>) -> Option<Numbers> {
     match e.word::<Tunable>(key(Name::Tunable))? {
         Tunable::Nothing => Some(Numbers::Fixed),
@@ -59,7 +59,8 @@ fn numbers(e: &mut Effective<'_>) -> Option<Numbers> {
     }
 }
 
-/// Whether the loop is watched. Only where it is, the digest of the parameters covers the key: other blocks stay what they were.
+/// Whether the loop is watched. The digest of the parameters covers the key only if it is, so that other blocks keep their
+/// digest.
 fn watch(e: &mut Effective<'_>) -> Option<bool> {
     let is_watched = e.validated_word::<Boolean>(key(Name::Watch))? == Boolean::True;
     if is_watched {
@@ -68,15 +69,15 @@ fn watch(e: &mut Effective<'_>) -> Option<bool> {
     Some(is_watched)
 }
 
-/// Cycles between a command and the actual value that it caused (P-AXIS-00191), where they are given. They tell how much of the
-/// phase a loop loses; nothing in a block is made of them.
+/// Cycles between a command and the actual value that it caused (P-AXIS-00191), if given. They determine the phase lag of a
+/// loop; no block depends on them.
 fn delay_cycles(e: &mut Effective<'_>) -> Option<u32> {
     let key = key(Name::NbrDelayCycles);
     e.given(key)?;
     e.validated_integer(key)
 }
 
-/// A gantry slave gets the master's additive velocity: of its own it must have none (70600).
+/// A gantry slave gets the master's additive velocity: it must not have its own (70600).
 fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
     if master(e).is_none() || enable.is_none_or(|enable| enable == Enable::Off) {
         return;
@@ -93,13 +94,13 @@ fn gantry(e: &mut Effective<'_>, enable: Option<Enable>) {
     e.refuse(codes::GANTRY_SLAVE, key, found, [None, Some(instead)]);
 }
 
-/// The logical number of the axis that this one, a gantry slave, follows.
+/// The logical number of the master, if this axis is a gantry slave.
 pub(crate) fn master(e: &mut Effective<'_>) -> Option<u32> {
     let own = e.validated_integer(key(Name::AxisNumber));
     e.validated_integer(key(Name::GantryMaster)).filter(|master| *master > 0 && own != Some(*master))
 }
 
-/// The largest velocity, of the gear step that is used. The block must take it, and twice it, for a sample in range.
+/// The largest velocity, of the gear step in use. The block must accept it, and twice it, as a sample in range.
 fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
     let key = (Name::VbMax, [e.validated_integer(key(Name::Gear))?, 0]);
     let v_max = e.integer(key).map(f64::from)?;
@@ -146,7 +147,7 @@ fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Prese
     }))
 }
 
-/// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; both with different values: an error.
+/// Damping ratio from P-AXIS-00850 or its predecessor P-AXIS-00756; an error if they have different values.
 fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
     let keys = [(Name::OscDamping, [i, 0]), (Name::FilterDamping, [i, 0])];
     let given = keys.map(|key| e.given(key));
@@ -167,21 +168,21 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
         e.refuse(codes::DAMPING, keys[0], found, [Some(allowed), Some(instead)]);
         return None;
     }
-    // What was given is checked: of two that are none, the newer one.
+    // A value that was given is checked: if neither can be read, the newer one.
     let is_old = new.is_none() && (old.is_some() || given[0].is_none() && given[1].is_some());
     let value = e.validated(keys[usize::from(is_old)])?;
-    // Which of the two it came from changes nothing in the block.
+    // The block does not depend on which of the two parameters the value came from.
     e.note(keys[0], &value);
     if let Value::Real(damping) = value { Some(damping) } else { None }
 }
 
-/// Which of the two parameters the damping of a stage comes from.
+/// The parameter that the damping of a stage comes from.
 pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
     let is_new = e.given((Name::OscDamping, [i, 0])).is_some();
     if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
 }
 
-/// The fade is counted in cycles, which single precision must count too.
+/// The fade is counted in cycles, which must be exact in single precision.
 fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Option<()> {
     let ns = cycle_time?;
     let cycles = ipc.fade_time() * 1e9 / f64::from(ns);
@@ -207,7 +208,7 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     None
 }
 
-/// Where the lowest frequency of all filters stands.
+/// The parameter of the lowest frequency of all filters.
 fn lowest(ipc: &Ipc) -> Option<(Name, [u32; 2])> {
     let of_stage = |(i, stage): (u32, &Option<Stage>)| {
         let filters = stage.as_ref().map(|stage| stage.filter).into_iter().flatten();

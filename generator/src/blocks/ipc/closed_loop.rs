@@ -1,5 +1,5 @@
-//! The loop that the stages of an axis close through the velocity of the motor: the controller of the crate `stability`, and the drives that
-//! it is judged with.
+//! The loop that the stages of an axis close through the velocity of the motor: the controller of the crate `stability`, and
+//! the drives for its analysis.
 
 use super::stage::StageDesign;
 use crate::axis::{DirectSource, DriveModel, Filter, MeasuredDrive, Mode};
@@ -9,12 +9,12 @@ use crate::number::significant;
 use reference::stage::Coeffs;
 use stability::{Band, Complex64, Controller, Drive, Points, STAGES};
 
-/// Cycles of a usual drive: the cycle that the command needs, and half a cycle of its hold.
+/// Delay of a usual drive: one cycle for the command, and half a cycle for its hold.
 const USUAL_DELAY: f64 = 1.5;
 /// Time constant of a usual drive with a slow velocity controller [s].
 const USUAL_TIME_CONSTANT: f64 = 0.003;
 
-/// Which drive a loop is judged with.
+/// The drive of a loop.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Known {
     /// a pure delay in cycles, and a time constant [s] after it
@@ -27,7 +27,7 @@ impl Known {
     /// The ideal drive: the motor does exactly what was commanded one cycle before.
     pub(crate) const IDEAL: Self = Self::Delay { cycles: 1.0, time_constant: None };
 
-    /// The drive that a set states; none: it states none.
+    /// The drive that the set states, if any.
     pub(crate) fn stated(model: &DriveModel) -> Option<Self> {
         match &model.response {
             Some(measured) => Some(Self::Measured(measured.clone())),
@@ -39,7 +39,7 @@ impl Known {
         }
     }
 
-    /// The drives that a loop is judged with: the one that the set states, else two usual ones.
+    /// The drives for the analysis of a loop: the one that the set states, else two usual ones.
     pub(crate) fn of(model: &DriveModel) -> Vec<Self> {
         let usual = || {
             [None, Some(USUAL_TIME_CONSTANT)].map(|time_constant| Self::Delay { cycles: USUAL_DELAY, time_constant })
@@ -87,7 +87,7 @@ fn milliseconds(time: f64) -> String {
     format!("{} ms", significant(time * 1e3, 4))
 }
 
-/// Whether a stage closes a loop through the velocity of the motor; another one does not change its stability.
+/// Whether a stage closes a loop through the velocity of the motor; any other stage does not change the stability.
 fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
@@ -100,8 +100,8 @@ pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> 
     designed.stage.iter().flatten().filter(|design| looks_at_motor(design.stage.mode))
 }
 
-/// The controller of an axis, in a position loop of that gain [1/s], at the points of the frequency axis that these drives need; none: no
-/// stage closes a loop.
+/// The controller of an axis, in a position loop with this gain [1/s], at the points of the frequency axis that these drives
+/// need; `None` if no stage closes a loop.
 pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain: Option<f64>) -> Option<Points<'d>> {
     let mut coeffs: [Option<Coeffs<f64>>; STAGES] = [None; STAGES];
     let mut weight = [0.0; STAGES];

@@ -1,4 +1,4 @@
-//! Improved position control as it is designed, once: its stages, the limits of their sum, the fade.
+//! The design of improved position control: its stages, the limits of their sum, the fade. It is designed once.
 
 use super::stage::{StageDesign, stage};
 use super::sum_limit::sum_limit;
@@ -8,12 +8,12 @@ use portable::RealKind;
 use reference::call_rate;
 use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 
-/// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision; single
-/// precision rounds each of them once. A section has the coefficients of both real types, of which a block uses its own.
+/// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision;
+/// single precision rounds each of them once. A section has the coefficients of both real types; a block uses its own.
 ///
 /// - limit = v_add_max_fact / 1000 * v_max (P-AXIS-00757, P-AXIS-00212), in the unit of v_max: um/s or 0.001 deg/s.
 /// - sum_limit: [`sum_limit`].
-/// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above what a
+/// - rest = v_max * 2^-60 in double, v_max * 2^-40 in single precision: far below one increment, far above the values that a
 ///   section at rest decays to.
 /// - fade: [`fade_cycles`].
 /// - watch: [`watch`].
@@ -45,13 +45,14 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
     (stages, coeffs)
 }
 
-/// A block of the watch lasts 0.6 periods of the lowest f0: delay makes a loop swing above its f0, mostly at 1.2 to 2 f0, so that a block holds
-/// both crests. Below 30 ms the blocks of a burst that decays in 0.3 s would look alike.
+/// A block of the watch lasts 0.6 periods of the lowest f0: delay makes a loop oscillate above its f0, usually at 1.2 to 2
+/// f0, so that a block contains both crests. Below 30 ms the blocks of a burst that decays in 0.3 s would look alike.
 const BLOCK_PERIODS: f64 = 0.6;
 const SHORTEST_BLOCK: f64 = 0.03;
-/// Cycles of a block, so that it finds the crests of what it looks at.
+/// Smallest number of cycles of a block, so that it contains the crests.
 const FEWEST_CYCLES: f64 = 8.0;
-/// The vibration must fill the limit for so long [s], and for so many blocks: what a blow leaves is quieter by then.
+/// The vibration must reach the limit for this time [s] and this number of blocks: the vibration after a blow has decayed by
+/// then.
 const ALARM_TIME: f64 = 0.15;
 const FEWEST_BLOCKS: f64 = 3.0;
 
@@ -62,7 +63,7 @@ fn watch(axis: &Axis) -> watch::Coeffs<f64> {
     let lowest = ipc.stage.iter().flatten().map(Stage::f0).min_by(f64::total_cmp);
     let acts = limit > 0.0 && axis.control.master.is_none();
     let Some(f0) = lowest.filter(|_| ipc.watch && acts) else { return watch::Coeffs::default() };
-    // A quotient that is a whole number but for its rounding is that number.
+    // A quotient that differs from a whole number only by its rounding is that number.
     let whole = |quotient: f64| libm::ceil(quotient * (1.0 - 1e-9));
     let block = whole((BLOCK_PERIODS / f0).larger(SHORTEST_BLOCK) / axis.cycle_time()).larger(FEWEST_CYCLES);
     let blocks = whole(ALARM_TIME / (block * axis.cycle_time())).larger(FEWEST_BLOCKS);
@@ -77,9 +78,9 @@ pub(crate) fn rest_exponent(real: RealKind) -> i32 {
 
 /// Cycles of the whole fade: ceil(fade time / Ts), at least 1.
 ///
-/// A decimal fraction such as 0.1 s / 0.001 s is rarely exact in binary. A quotient within 1e-9 of a whole number
-/// (relative) counts as that number, so that neither 100.00000000000001 becomes 101 nor a fade grows by a cycle when it
-/// is written in another unit; a fade is thereby at most a part in 1e9 shorter than asked for.
+/// A decimal fraction such as 0.1 s / 0.001 s is rarely exact in binary. A quotient within 1e-9 of a whole number (relative)
+/// counts as that number, so that 100.00000000000001 does not become 101, and a fade does not depend on the unit in which it
+/// is written. A fade is thereby at most a part of 1e-9 shorter than specified.
 ///
 /// # Panics
 /// If there are more than 2^24 cycles, which the check excludes: beyond, f32 cannot count.

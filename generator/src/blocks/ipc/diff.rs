@@ -1,5 +1,5 @@
-//! Improved position control of two versions of an axis next to each other: its own values; of each stage what was set, and
-//! what it does at the centre frequencies.
+//! Improved position control of two versions of an axis: its own values; for each stage its parameters, and its effect at
+//! the centre frequencies.
 
 use super::super::values::is_same;
 use super::{filter, stage::StageDesign};
@@ -10,7 +10,7 @@ use crate::number::{decibels, decimals, pair, significant};
 use crate::parameters::words::{StageMode, Words};
 use portable::Extreme;
 
-/// What differs: limit, start, fade and bad samples, a line each, then a line for each stage.
+/// The differences: one line each for limit, start, fade and bad samples, then a line for each stage.
 pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let both = |value: &dyn Fn(&Designed) -> f64| [value(old), value(new)];
     let mut lines = Vec::new();
@@ -53,7 +53,7 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     lines
 }
 
-/// The same of an axis that has no older version.
+/// The values of an axis that has no older version.
 pub(crate) fn description(of: &Designed) -> Vec<String> {
     let ipc = &of.axis.ipc;
     let mut lines = vec![format!(
@@ -69,7 +69,7 @@ pub(crate) fn description(of: &Designed) -> Vec<String> {
     lines
 }
 
-/// What the caller tunes, and where it starts.
+/// The inputs for tuning and their start values.
 fn started(tuning: Tuning) -> String {
     let Tuning { limit, weight: [first, second, third] } = tuning;
     format!("weights (starting at {first}, {second}, {third} of each) and limit (starting at {limit} of it)")
@@ -80,12 +80,12 @@ fn part(of: &Designed) -> f64 {
     f64::from(of.axis.ipc.v_add_max_fact) / 10.0
 }
 
-/// What the block does, in whole cycles [s].
+/// The fade of the block, in whole cycles [s].
 fn fade(of: &Designed) -> f64 {
     f64::from(of.ipc.fade_cycles) * of.axis.cycle_time()
 }
 
-/// What differs between two versions of a stage, in one line; none: nothing.
+/// The differences between two versions of a stage, in one line; `None` if there are none.
 fn of_stages(old: Option<&StageDesign>, new: Option<&StageDesign>) -> Option<String> {
     match (old, new) {
         (None, None) => None,
@@ -115,7 +115,7 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
         parts.push(format!("{source_old} -> {source_new}"));
     }
     let [weight_old, weight_new] = [old, new].map(|of| of.stage.weight());
-    // What is capped says so: the blocks may be the same, and what was asked for is not.
+    // A capped weight is marked: the blocks may be equal although the parameters differ.
     let [cap_old, cap_new] = [old, new].map(|of| of.stage.cap());
     if !is_same(weight_old, weight_new) || cap_old != cap_new {
         let [a, b] = [weight_old, weight_new].map(|weight| decimals(decibels(weight), 2));
@@ -142,7 +142,8 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-/// What the whole stage does at the old and at the new centre frequency, before and after; what stays is left out.
+/// The effect of the whole stage at the old and at the new centre frequency, before and after; unchanged values are left
+/// out.
 fn effects(old: &StageDesign, new: &StageDesign) -> Vec<String> {
     let [f0_old, f0_new] = [old, new].map(|of| of.stage.f0());
     let second = (!is_same(f0_old, f0_new)).then_some(f0_new);
@@ -150,7 +151,7 @@ fn effects(old: &StageDesign, new: &StageDesign) -> Vec<String> {
 }
 
 fn effect(old: &StageDesign, new: &StageDesign, f0: f64) -> Option<String> {
-    // Beyond half the sampling frequency there is nothing to see.
+    // Above half the sampling frequency there is no response.
     if [old, new].iter().any(|of| f0 * of.cycle_time >= 0.5) {
         return None;
     }

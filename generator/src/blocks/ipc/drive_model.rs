@@ -1,11 +1,11 @@
-//! What a set says of the drive, for the stability of the loop.
+//! The keys of a set for the drive, for the stability of the loop.
 
 use crate::axis::DriveModel;
 use crate::config::values::key;
 use crate::parameters::{Name, Value};
 use crate::rules::effective::Effective;
 
-/// The drive of an axis with active stages; a measured response is read by the pipeline. None: an error, which has been said.
+/// The drive of an axis with active stages; `None` after a reported error. The pipeline reads a measured response.
 pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
     let gear = e.validated_integer(key(Name::Gear))?;
     let given = |e: &mut Effective<'_>, key| match e.given(key) {

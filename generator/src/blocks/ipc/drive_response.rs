@@ -1,4 +1,5 @@
-//! The measured response of a drive that a set names (`drive.response`), with its speed controller where it is from the current.
+//! The measured response of a drive that a set names (`drive.response`), with its speed controller if it was measured from
+//! the current.
 
 use crate::axis::{Filter, MeasuredDrive};
 use crate::blocks::designed::Designed;
@@ -13,7 +14,7 @@ use crate::rules::effective::Effective;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Reads the response; none: there is none, or an error, which has been said. A file that a set names lies next to the set.
+/// Reads the response; `None` if there is none, or after a reported error. The path of the file is relative to the set.
 pub(crate) fn read(
     designed: &Designed,
     values: &Values,
@@ -35,7 +36,7 @@ pub(crate) fn read(
     Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
 }
 
-/// The default of what a response is from would be a guess.
+/// An error: a default for the input of the response would be a guess.
 fn without_names(file: &str) -> Diagnostic {
     Diagnostic::error(
         codes::RESPONSE_FROM,
@@ -46,7 +47,7 @@ fn without_names(file: &str) -> Diagnostic {
     .instead("`drive.response_from = \"v_cmd\"` from the speed setpoint, `\"current\"` from that of current or torque")
 }
 
-/// What it is from; `drive.delay` is what the measurement lacks.
+/// The input of the response. `drive.delay` is the delay that the measurement lacks.
 fn from(designed: &Designed, e: &mut Effective<'_>) -> Option<From> {
     let delay = designed.axis.drive.delay_cycles.unwrap_or(0.0) * designed.axis.cycle_time();
     match e.validated_word(key(Name::DriveResponseFrom))? {

@@ -1,4 +1,4 @@
-//! What must not run on a machine although each parameter is in its range: sections that rounding has spoilt.
+//! Errors that can occur although each parameter is in its range: sections that rounding makes unusable.
 
 use super::check::damping_given;
 use super::stage::{Element, Section, StageDesign};
@@ -16,11 +16,11 @@ pub struct Refusal {
     pub(crate) instead: String,
 }
 
-/// The largest relative difference between a section's centre frequency as designed and as its rounded coefficients
-/// realise it. At a section's quality factor of 20 it turns the phase by 2 degrees.
+/// The largest relative difference between a section's designed centre frequency and that of its rounded coefficients. With
+/// a quality factor of 20 it changes the phase by 2 degrees.
 pub(crate) const MAX_CENTRE_ERROR: f64 = 1e-3;
 
-/// Says which sections their rounding has spoilt, at the parameter that each depends on.
+/// Reports the sections that rounding makes unusable, at the parameter that each depends on.
 pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
     for Refusal { element, found, allowed, instead } in refusals(designed) {
         let stage = as_index(element.stage);
@@ -40,7 +40,7 @@ pub fn refusals(designed: &Designed) -> Vec<Refusal> {
     designed.stage.iter().flatten().flat_map(of_stage).collect()
 }
 
-/// Those of a stage.
+/// The refused sections of a stage.
 pub(crate) fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
     stage.section.iter().filter_map(|section| refusal(section, real, stage.cycle_time)).collect()
 }
@@ -66,20 +66,20 @@ fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal
     Some(Refusal { element: section.element.clone(), found, allowed, instead })
 }
 
-/// A section as its rounded coefficients realise it.
+/// A section with its rounded coefficients.
 struct Realised {
     is_stable: bool,
     /// on the warped axis
     centre: f64,
-    /// the coefficients that decide
+    /// the coefficients that decide on stability
     coefficients: String,
     /// what makes them stable
     condition: &'static str,
 }
 
-/// The biquad in double precision: stable where |a2| < 1 and |a1| < 1 + a2, its centre g^2 = (1 + a1 + a2) / (1 - a1 + a2). The
-/// trapezoidal section in single precision, whose trace is 2 - B - A C and whose determinant is 1 + A C - B: stable where
-/// 0 < A C < B < 2, its centre g^2 = A C / (2 - B). The simulated oscillation has A = G H, B = G R, C = G2.
+/// The biquad in double precision is stable if |a2| < 1 and |a1| < 1 + a2; its centre is g^2 = (1 + a1 + a2) / (1 - a1 +
+/// a2). The trapezoidal section in single precision has the trace 2 - B - A C and the determinant 1 + A C - B: it is stable
+/// if 0 < A C < B < 2, and its centre is g^2 = A C / (2 - B). The simulated oscillation has A = G H, B = G R, C = G2.
 fn realised(section: &Section, real: RealKind) -> Realised {
     if real == RealKind::F64 {
         let [a1, a2] = section.denominator;

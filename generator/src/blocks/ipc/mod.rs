@@ -42,9 +42,9 @@ impl Design for Ipc {
 }
 
 impl Part for Ipc {
-    /// An axis of which nothing is asked gets a block that puts out 0, and a warning.
+    /// An axis without any block gets this block, which outputs 0, and a warning.
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        axis.ipc.is_active() || axis.control.is_empty()
+        axis.ipc.is_active() || axis.control.is_empty() && axis.excitation.is_none()
     }
 
     fn short_name(&self) -> &'static str {
@@ -59,11 +59,11 @@ impl Part for Ipc {
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let ipc = &designed.axis.ipc;
         let (limit, v_max) = (ipc.limit(), ipc.v_max);
-        // A narrow band-pass lets little of the noise pass; much more of it would be a fault.
+        // A narrow band-pass passes little of the noise; much more noise would be a fault.
         [if limit > 0.0 { limit / 16.0 } else { v_max }, (64.0 * limit).clamp(v_max, 16.0 * v_max)]
     }
 
-    /// How it starts, its limit and its fade; a line for each stage.
+    /// The number of cycles of the fade.
     fn start_cycles(&self, designed: &Designed) -> usize {
         designed.ipc.fade_cycles as usize
     }
@@ -96,7 +96,7 @@ impl Part for Ipc {
         diff::description(designed)
     }
 
-    /// Its own, on a gantry slave too.
+    /// The limit of the axis, for a gantry slave too.
     fn limit(&self, designed: &Designed) -> Option<Figure> {
         Some(figure(designed, designed.axis.ipc.limit()))
     }
@@ -114,7 +114,7 @@ impl Part for Ipc {
     }
 }
 
-/// What is certain of the block with constants.
+/// The proven properties of the block with constants.
 fn certified(designed: &Designed, program: &Program) -> Result<Certified, Defect> {
     let certificate = certificate::certify(designed, program);
     certificate.refuse(designed)?;
@@ -122,7 +122,7 @@ fn certified(designed: &Designed, program: &Program) -> Result<Certified, Defect
     Ok(Certified { lines: certificate::lines(&certificate), figures: figures.collect() })
 }
 
-/// The largest |v_add| that an axis adds; none: it adds nothing.
+/// The largest |v_add| that an axis adds; `None` if it adds nothing.
 pub(super) fn limit(designed: &Designed) -> Option<Figure> {
     let axis = &designed.axis;
     let own = axis.ipc.is_active().then(|| axis.ipc.limit());

@@ -1,4 +1,4 @@
-//! A watch that sees nothing in time, and tuning that starts at 0: warnings.
+//! Warnings: a watch that reacts too late, and tuning that starts at 0.
 
 use crate::axis::{Axis, Ipc};
 use crate::config::values::key;
@@ -25,7 +25,7 @@ pub(super) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     e.warn(codes::TUNED_TO_0, zero, found, format!("a part from 0 to 1, or a caller that writes {input}"));
 }
 
-/// What the watch cannot see.
+/// Warns of oscillations that the watch cannot detect.
 fn watch(axis: &Axis, e: &mut Effective<'_>) {
     let (ipc, at) = (&axis.ipc, key(Name::Watch));
     let (found, instead) = match () {

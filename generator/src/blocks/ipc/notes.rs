@@ -1,4 +1,4 @@
-//! What each coefficient means physically, one line each, for the reviewer of a generated block. No design.
+//! The physical meaning of each coefficient, one line each, for the reviewer of a generated block. No design.
 
 use super::design::rest_exponent;
 use super::filter;
@@ -10,9 +10,9 @@ use crate::design::{response, section::Shape};
 use crate::number::digits;
 use crate::parameters::words::Words;
 
-/// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) and what stands there, in the order of the
-/// tree; what is not there, or says all in its doc comment, has no note. ASCII; a parameter as the user wrote it, a computed
-/// number with seven digits.
+/// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) with their texts, in the order of the tree. A
+/// coefficient that is absent, or whose doc comment is sufficient, has no note. ASCII; a parameter as the user wrote it, a
+/// computed number with seven digits.
 pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
     let axis = &designed.axis;
     let enable = format!("mode at start: {} (P-AXIS-00758)", axis.ipc.enable.name());
@@ -44,7 +44,7 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
     notes
 }
 
-/// What holds for every block.
+/// The note that every block has.
 pub(crate) fn cycle_time(axis: &Axis) -> String {
     format!(
         "cycle time {} us; the coefficients are valid only for this cycle time",
@@ -95,7 +95,7 @@ fn of_oscillation(f0: f64, damping: f64) -> String {
     )
 }
 
-/// An all-pass says all in the note of its filter.
+/// An all-pass is fully described by the note of its filter.
 fn of_section(section: &Section, design: &StageDesign) -> Option<String> {
     let stage = &design.stage;
     let Some(Place { filter, section: index, .. }) = &section.element.filter else {

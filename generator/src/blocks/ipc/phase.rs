@@ -1,4 +1,5 @@
-//! What turns the phase of a stage: the delay of its loop, the load, an all-pass. Warnings about an axis that is valid.
+//! Warnings about a valid axis: the influences on the phase of a stage, which are the delay of its loop, the load and an
+//! all-pass.
 
 use super::filter as kinds;
 use super::filter::FilterDesign;
@@ -9,23 +10,23 @@ use crate::parameters::words::{DirectSource, FilterType};
 use crate::parameters::{FILTERS, Name, real_text};
 use crate::{codes, number::rounded, rules::effective::Effective};
 
-/// A loop through the measured velocity costs one cycle of transport at the least.
+/// A loop through the measured velocity has a transport delay of at least one cycle.
 const LEAST_DELAY_CYCLES: f64 = 1.0;
 /// The hold of the command costs half a cycle.
 const HOLD_CYCLES: f64 = 0.5;
-/// Beyond this lag of the delay alone, in degrees, what drive and mechanics add will soon make it 90.
+/// Above this lag of the delay alone, in degrees, drive and mechanics will soon increase it to 90.
 const MUCH_DELAY: f64 = 60.0;
-/// An all-pass that turns by 180 degrees, but for so many, inverts.
+/// An all-pass inverts if its phase at f0 differs from 180 degrees by less than this [degrees].
 const NEARLY_INVERTED: f64 = 10.0;
 
-/// Says where the phase of an active stage may be another than its user thinks.
+/// Warns if the phase of an active stage may differ from the user's expectation.
 pub(crate) fn advise(e: &mut Effective<'_>, i: u32, design: &StageDesign, delay_cycles: Option<u32>) {
     direct_source(e, i, &design.stage);
     delay(e, i, design, delay_cycles);
     polarity(e, i, design);
 }
 
-/// What is fed back from the load lags more than what is fed back from the motor.
+/// Warns that feedback from the load lags more than feedback from the motor.
 fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let from_load = stage.mode == Mode::Direct { source: DirectSource::Direct };
     if from_load && !(has_allpass(stage) && stage.weight() <= 1.0) {
@@ -41,14 +42,14 @@ fn direct_source(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     }
 }
 
-/// The cycles of delay in the loop of a stage, as they are given (P-AXIS-00191) or at the least, with the hold; and how many degrees they
-/// turn its phase at f0.
+/// The delay in the loop of a stage [cycles], as given (P-AXIS-00191) or the minimum, including the hold; and its phase lag
+/// at f0 [degrees].
 fn delay_lag(stage: &Stage, cycle_time: f64, delay_cycles: Option<u32>) -> (f64, f64) {
     let cycles = delay_cycles.map_or(LEAST_DELAY_CYCLES, f64::from) + HOLD_CYCLES;
     (cycles, 360.0 * stage.f0() * cycle_time * cycles)
 }
 
-/// The delay of the loop turns the phase, which an all-pass turns back. A pre-filter (SET_POINT) has no loop.
+/// Warns of the phase lag by the delay of the loop, which an all-pass compensates. A pre-filter (SET_POINT) has no loop.
 fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign, given: Option<u32>) {
     let (cycles, lag) = delay_lag(stage, *cycle_time, given);
     if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {
@@ -68,7 +69,7 @@ fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &
     }
 }
 
-/// An all-pass at the frequency of the band-pass, or nearly there, turns by 180 degrees.
+/// Warns of an all-pass near the frequency of the band-pass: it changes the phase by 180 degrees.
 fn polarity(e: &mut Effective<'_>, i: u32, StageDesign { stage, filter, cycle_time, .. }: &StageDesign) {
     for (k, filter) in (0..FILTERS).zip(filter) {
         let Some(FilterDesign { filter, band, .. }) = filter else { continue };

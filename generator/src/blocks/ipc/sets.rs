@@ -1,4 +1,5 @@
-//! What the parameter sets of an axis are told by. What is said of the block that takes them is in `with_sets`.
+//! The ids of an axis's parameter sets: structure id and set number. The texts of the block that takes them are in
+//! `with_sets`.
 
 use crate::axis::Axis;
 use crate::design::rounding::rounded;
@@ -8,24 +9,25 @@ use reference::ipc::Coeffs as IpcCoeffs;
 use reference::tunable_ipc::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
 
-/// A number that sets are told by, as names and heads of files have it and as a PLC shows it.
+/// An id of a set, as printed in names and heads of files and as shown by a PLC.
 pub(crate) fn shown(number: u32) -> String {
     format!("{number:08x} = {number}")
 }
 
-/// What the sets of an axis are told by: their structure, and the number of the one that its parameters make.
+/// The ids of an axis's sets: the structure id, and the set number of its own parameters.
 pub(in crate::blocks) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
     [structure(axis, ipc), set(axis, ipc)]
 }
 
 /// The structure id: a hash of the axis name, the real type and all coefficients that are not reals, except the start mode.
-/// Sets of the same structure fit the same block; those of another axis never do. The number after `ipc` grows whenever a
-/// number of a set gets another meaning, as B did with 3.
+/// Sets of the same structure fit the same block; those of another axis never do. The number after `ipc` is increased when
+/// the meaning of a number of a set changes, as that of B did with 3.
 fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let fixed = IpcCoeffs { enable: 0, ..*ipc };
     let mut all = leaves(&fixed);
     if !ipc.call_rate.active {
-        // The last one. Where it says nothing, a structure keeps the number that it had before there was one.
+        // The last coefficient belongs to the call rate. If calls are not counted, the structure id stays as it was before
+        // the call rate was introduced.
         all.pop();
     }
     let kept = all.into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
@@ -33,7 +35,7 @@ fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     number(kept.fold(format!("ipc 3 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
 }
 
-/// What a set is told by: a number made of all its numbers, rounded to the real type.
+/// The set number: a hash of all numbers of the set, rounded to the real type.
 fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let all = match axis.real {
         RealKind::F64 => leaves(&params(&Coeffs { structure: 0, set_id: 0, ipc: *ipc })),
@@ -51,7 +53,7 @@ fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     }))
 }
 
-/// A number of 32 bits, not 0, made of a text.
+/// A 32-bit hash of a text, never 0.
 #[expect(clippy::cast_possible_truncation, reason = "the low half of a digest is one, too")]
 fn number(text: String) -> u32 {
     (xxh3_64(text.as_bytes()) as u32).max(1)

@@ -1,4 +1,4 @@
-//! A stage as it is designed: its bands, its sections with their places, its coefficients. No limit, no fade.
+//! A designed stage: its bands, its sections with their places, its coefficients. No limit, no fade.
 
 use super::filter::{self as kinds, FilterDesign};
 use crate::axis::{DirectSource, Mode, Stage};
@@ -14,9 +14,9 @@ use std::fmt;
 #[derive(Clone, Debug)]
 pub(crate) struct StageDesign {
     pub index: usize,
-    /// what it was designed from
+    /// its parameters
     pub stage: Stage,
-    /// the same [s]
+    /// cycle time [s]
     pub cycle_time: f64,
     pub filter: [Option<FilterDesign>; FILTERS],
     /// all its sections, in the order of their execution
@@ -29,33 +29,33 @@ pub(crate) struct StageDesign {
 pub(crate) struct Section {
     pub element: Element,
     pub shape: Shape,
-    /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, which double precision has
+    /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, for double precision
     pub denominator: [f64; 2],
-    /// as single precision has it, its coefficients rounded
+    /// the section for single precision, its coefficients rounded
     pub trapezoidal: Trapezoidal,
-    /// the same before the rounding
+    /// the section for single precision before the rounding
     pub unrounded: Trapezoidal,
 }
 
-/// Where a section is.
+/// The place of a section.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Element {
     pub stage: usize,
-    /// none: the simulated oscillation
+    /// `None` for the simulated oscillation
     pub filter: Option<Place>,
 }
 
-/// Where a section of a filter is.
+/// The place of a section within a filter.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Place {
     pub filter: usize,
     /// in the order of their execution
     pub section: usize,
-    /// among the coefficients of the filter
+    /// path among the coefficients of the filter
     pub name: String,
 }
 
-/// Among the coefficients: `stage[0].filter[1].bandpass[2]`.
+/// Path among the coefficients: `stage[0].filter[1].bandpass[2]`.
 impl fmt::Display for Element {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let stage = self.stage;
@@ -67,7 +67,7 @@ impl fmt::Display for Element {
 }
 
 impl Element {
-    /// Among the state: `stage[0].filter[1].section[2]`.
+    /// Path in the state: `stage[0].filter[1].section[2]`.
     pub(crate) fn in_state(&self) -> String {
         let Some(Place { filter, section, .. }) = &self.filter else { return self.to_string() };
         format!("stage[{}].filter[{filter}].section[{section}]", self.stage)
@@ -116,7 +116,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
 }
 
 impl StageDesign {
-    /// Designs a filter (P-AXIS-00849); the coefficients that its type does not use stay 0.
+    /// Designs a filter (P-AXIS-00849). Coefficients that its type does not use stay 0.
     fn design_filter(&mut self, index: usize) {
         let filter = self.stage.filter[index];
         let (Some([f0, q_factor]), Some(kind)) = (filter.f0_and_q(), kinds::of(&filter)) else { return };
@@ -143,7 +143,7 @@ impl StageDesign {
     }
 }
 
-/// A coefficient as single precision has it.
+/// A coefficient rounded to single precision.
 fn single(coefficient: f64) -> f64 {
     in_precision(coefficient, RealKind::F32)
 }

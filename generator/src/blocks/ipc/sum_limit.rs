@@ -1,4 +1,4 @@
-//! The largest sum of stages that is not a fault, from the design alone. Nothing is measured here.
+//! The largest sum of stages that is not a fault, derived from the design only. Nothing is measured here.
 
 use super::certificate::chain::Chain;
 use super::certificate::norm;
@@ -10,19 +10,20 @@ use portable::Extreme;
 use portable::RealKind;
 use reference::stage::{DirectSource, Mode};
 
-/// What a sum may be above the largest one of an axis that stays within its largest velocity: room for an axis that overshoots.
+/// The factor above the largest sum of an axis within its largest velocity: reserve for overshoot.
 const ROOM: f64 = 2.0;
-/// Where no bound is certain, this times a sample in range: no sum of samples comes near it.
+/// If no bound is proven, the limit is this factor times a sample in range: no sum of samples comes near it.
 const WITHOUT_BOUND: f64 = 1e6;
 
-/// The sum beyond which a state has been overwritten, or samples are no velocities of this axis:
+/// The limit above which the memory was corrupted, or an input is far above v_max:
 ///
 /// ```text
 /// sum_limit = 2 max(limit, v_max sum |h|)
 /// ```
 ///
-/// with the largest velocity v_max (P-AXIS-00212) and the impulse response h from a velocity to the sum. No sequence of samples within
-/// +-2 v_max leads there. The sections are those of single precision: in double precision they do the same by other coefficients.
+/// with the largest velocity v_max (P-AXIS-00212) and the impulse response h from a velocity to the sum. No sequence of
+/// samples within +-2 v_max exceeds it. The sections are those of single precision; in double precision the response is the
+/// same.
 pub(crate) fn sum_limit<'s>(ipc: &Ipc, real: RealKind, stages: impl Iterator<Item = &'s StageDesign>) -> f64 {
     let chains: Vec<Chain> = stages.map(chain).collect();
     let sum = norm::bounds(&chains, RealKind::F64).v_sum * ipc.v_max;
@@ -30,7 +31,7 @@ pub(crate) fn sum_limit<'s>(ipc: &Ipc, real: RealKind, stages: impl Iterator<Ite
 }
 
 fn chain(stage: &StageDesign) -> Chain {
-    // Stages that look at the same velocity are added up before their magnitudes are.
+    // Responses of stages with the same input velocity are added before their magnitudes are summed.
     let input = match (stage.coeffs.mode, stage.coeffs.direct_source) {
         (Mode::SetPoint, _) => 0,
         (Mode::Direct, DirectSource::Direct) => 2,

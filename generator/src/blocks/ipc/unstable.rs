@@ -1,4 +1,4 @@
-//! Stages that make their loop unstable even where the drive is ideal: a warning, and an error where the block starts ON.
+//! Stages that make their loop unstable even with an ideal drive: a warning, and an error if the block starts ON.
 
 use super::closed_loop::{Known, points, stages};
 use crate::axis::Enable;
@@ -11,11 +11,11 @@ use crate::parameters::words::{Boolean, Words};
 use crate::rules::effective::{Effective, as_written};
 use stability::{Loop, MAX_MS};
 
-/// Judges the loop on the ideal drive, and on the one that the set states.
+/// Analyses the loop with the ideal drive, and with the one that the set states.
 ///
-/// The ideal drive does exactly what was commanded one cycle before, which no machine can better: a loop that is unstable on it needs a drive
-/// whose lag was measured. So such a set starts ON only where it states the drive that makes its loop stable (`drive.delay`,
-/// `drive.time_constant`, `drive.response`), or consents (`accept_unstable`).
+/// The ideal drive does exactly what was commanded one cycle before; no machine can be faster. A loop that is unstable with
+/// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
+/// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`).
 pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     if axis.control.master.is_some() {
@@ -26,11 +26,11 @@ pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     let drives: Vec<Known> = stated.into_iter().chain([Known::IDEAL]).collect();
     let Some(points) = points(designed, &drives, designed.axis.drive.position_gain) else { return };
     let is_error = axis.ipc.enable == Enable::On && axis.ipc.limit() > 0.0 && !is_accepted(e);
-    // The stated one first; the ideal one is the last.
+    // The stated drive comes first, the ideal one last.
     let judged = drives.iter().map(|drive| Loop::new(&points, drive.drive()));
     if let Some((n, closed)) = judged.enumerate().find(|(_, closed)| !closed.is_stable()) {
         let is_last = n + 1 == drives.len();
-        // A stated drive with which the loop is stable is the consent to what the ideal one does.
+        // A stated drive with which the loop is stable replaces the consent.
         say(designed, e, &closed, if is_last { IDEAL } else { STATED }, is_error && n == 0);
     }
 }
@@ -43,7 +43,8 @@ fn is_accepted(e: &mut Effective<'_>) -> bool {
     e.validated_word::<Boolean>(key(Name::AcceptUnstable)) == Some(Boolean::True)
 }
 
-/// The stages, each with the weight up to which the loop stays calm; of several that only together are unstable, the part of all weights.
+/// Reports the stages, each with the weight up to which the loop stays well damped. If stages are unstable only together,
+/// the fraction of all weights.
 fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) {
     let [_, calm_part] = closed.largest_parts();
     for design in stages(designed) {

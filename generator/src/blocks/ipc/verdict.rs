@@ -1,5 +1,5 @@
-//! What the stages, the limit and the start of improved position control mean for the machine: a table, and a verdict in words. Nothing is
-//! decided here; warnings are in `advice` and `phase`.
+//! The meaning of stages, limit and start of improved position control for the machine: a table, and a verdict in words.
+//! Nothing is decided here; warnings are in `advice` and `phase`.
 
 use super::certificate::{designed, noise};
 use super::closed_loop::{self, Known};
@@ -15,7 +15,8 @@ use portable::Extreme;
 use portable::RealKind;
 use stability::{Loop, MAX_MS};
 
-/// Below this limit, in 0.1 % of the largest velocity, a stage that excites the vibration does little; above the other, much.
+/// Limits in 0.1 % of the largest velocity: below the first, a stage that excites the vibration has little effect; above the
+/// second, much.
 const SMALL_LIMIT: u32 = 50;
 const LARGE_LIMIT: u32 = 500;
 
@@ -35,7 +36,7 @@ pub(super) fn lines(designed: &Designed) -> Vec<String> {
     lines
 }
 
-/// How far the roundings of single precision stay below a vibration.
+/// The ratio of a vibration to the roundings of single precision.
 fn precision(stages: &[&StageDesign], axis: &Axis) -> String {
     let ratios = stages.iter().map(|stage| (stage.index, noise::of_design(stage)));
     noise::text(&ratios.collect::<Vec<_>>(), axis.ipc.v_max)
@@ -73,7 +74,7 @@ fn row(design: &StageDesign) -> Vec<String> {
     ]
 }
 
-/// From the velocity that a stage looks at to what it adds, at its f0.
+/// The response of a stage at its f0, from its input velocity to its output.
 fn at_f0(design: &StageDesign) -> Complex {
     designed(design, warped(design.stage.f0(), design.cycle_time))
 }
@@ -100,7 +101,7 @@ fn start(axis: &Axis, fade_cycles: u32) -> String {
     format!("start: {}: {word}; fades in {} ms", axis.ipc.enable.name(), significant(time, 4))
 }
 
-/// What is known of a stage without a loop; of one with a loop, the weights that it bears with drives to choose from.
+/// The verdict on a stage without a loop; for one with a loop, its largest weights with several drives.
 fn stage_verdict(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
     let (stage, index) = (&design.stage, design.index);
     let [f0, weight] = [stage.f0(), stage.weight()].map(|value| significant(value, 4));
@@ -125,7 +126,7 @@ fn stage_verdict(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
     }
 }
 
-/// Up to which weights a drive stays calm, and stable; of a further one the numbers alone.
+/// The weights up to which the loop stays well damped, and stable, with a drive; for a further drive only the numbers.
 fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String {
     let [calm, stable] = [closed.largest_weight(stage), closed.largest_stable_weight(stage)];
     let [calm, stable] = [calm, stable].map(|weight| down_to(weight, 2));
@@ -135,7 +136,7 @@ fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String
     }
 }
 
-/// The verdicts on the stages, and what is not in them.
+/// The verdicts on the stages, and their restrictions.
 fn stages(designed: &Designed) -> Vec<String> {
     let drives = Known::of(&designed.axis.drive);
     let points = closed_loop::points(designed, &drives, designed.axis.drive.position_gain);
@@ -151,7 +152,7 @@ fn stages(designed: &Designed) -> Vec<String> {
     lines
 }
 
-/// How far apart stages are whose bands follow each other.
+/// The distances of stages with adjacent bands.
 fn neighbours(mut stages: Vec<&StageDesign>) -> Vec<String> {
     stages.sort_by(|a, b| a.stage.f0().total_cmp(&b.stage.f0()));
     let band = |design: &StageDesign| super::advice::band_of(design);

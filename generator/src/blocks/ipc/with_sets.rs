@@ -1,4 +1,4 @@
-//! The block `ipc` of an axis whose numbers come from parameter sets: what is said of it next to what is said of one with
+//! The block `ipc` of an axis whose numbers come from parameter sets: the texts that differ from those of the block with
 //! constants.
 
 use super::notes::note;
@@ -13,14 +13,14 @@ impl Design for TunableIpc {
     }
 }
 
-/// Its notes, made of those of the block with constants.
+/// Its notes, derived from those of the block with constants.
 pub(super) fn notes(designed: &Designed, of_constants: Vec<(String, String)>) -> Vec<(String, String)> {
     let [structure, set] = designed.sets;
     let own = [
         note("structure", format!("accepts parameter sets for the set structure {}", shown(structure))),
         note("set_id", format!("the block was generated with the set number {}", shown(set))),
     ];
-    // Of a stage another set has other numbers.
+    // The numbers of a stage differ from set to set.
     let of_ipc = of_constants.into_iter().map(|(path, text)| {
         let text = if path.starts_with("stage") { format!("as generated: {text}") } else { text };
         (format!("ipc.{path}"), text)
@@ -34,7 +34,7 @@ pub(super) fn line(designed: &Designed) -> String {
     format!("takes parameter sets of the set structure {structure}; this one is {set}")
 }
 
-/// The certificate of the block with constants, whose program does the same with the set that the block was generated with.
+/// The certificate of the block with constants, which applies with the set that the block was generated with.
 pub(super) fn as_generated(mut of_constants: Certified) -> Certified {
     of_constants.lines.insert(0, "Of the parameter set that the block was generated with:".to_owned());
     for figure in of_constants.figures.iter_mut().filter(|figure| figure.name == "BOUND") {

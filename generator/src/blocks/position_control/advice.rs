@@ -1,4 +1,4 @@
-//! What is legal in position control, but inert or dangerous: warnings. Nothing here is an error.
+//! Warnings about position control that is legal, but without effect or dangerous. No errors here.
 
 use crate::axis::{Axis, Feedforward, Location, PositionControl, Width};
 use crate::config::values::{Key, key};
@@ -7,7 +7,7 @@ use crate::parameters::{Name, Value};
 use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 use portable::RealKind;
 
-/// Says what a user would want to know before the block acts.
+/// Warns of what a user should know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let (Some(control), Some(feedforward)) = (&axis.control.position_control, &axis.control.feedforward) {
         twice(control, feedforward, axis.control.drive_type, e);
@@ -15,7 +15,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     kv_default(gear, e);
     let Some(control) = &axis.control.position_control else { return };
     saturation(axis, control, gear, e);
-    // The controller in the CNC takes the following error in the place of positions.
+    // The controller in the CNC takes the following error instead of positions.
     if axis.real == RealKind::F32 && control.location != Location::Cnc {
         let found = "the drive's position command is computed in single precision, which has 24 bits for a position";
         e.warn(
@@ -27,7 +27,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// Feedforward in the CNC next to that of the drive.
+/// Warns of feedforward in the CNC together with that of the drive.
 fn twice(control: &PositionControl, feedforward: &Feedforward, drive: Option<DriveType>, e: &mut Effective<'_>) {
     let in_drive = control.location != Location::Cnc;
     let weights = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting];
@@ -51,7 +51,7 @@ fn twice(control: &PositionControl, feedforward: &Feedforward, drive: Option<Dri
     }
 }
 
-/// A default gain is nobody's gain.
+/// Warns of a gain that was not given.
 fn kv_default(gear: u32, e: &mut Effective<'_>) {
     let kv_key = (Name::Kv, [gear, 0]);
     if !e.is_used(kv_key) || e.given(kv_key).is_some() {
@@ -71,7 +71,7 @@ fn kv_default(gear: u32, e: &mut Effective<'_>) {
     e.report.push(diagnostic.instead("the gain of the machine, in 0.01/s"));
 }
 
-/// Says where a velocity that the axis may have does not fit into its process datum.
+/// Warns if a velocity of the axis does not fit into its process datum.
 fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effective<'_>) {
     if control.location == Location::Cnc {
         let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
@@ -84,8 +84,8 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
     }
 }
 
-/// The largest additive velocity and where it comes from: of feedforward, of improved position control, or both; a gantry
-/// slave's is its master's.
+/// The largest additive velocity and its source: feedforward, improved position control, or both; for a gantry slave its
+/// master.
 fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
     if let Some(feedforward) = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any()) {
         return Some(("the additive velocity at vb_max", feedforward.weight.value() * axis.ipc.v_max));
@@ -95,7 +95,7 @@ fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64
     (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
 }
 
-/// Says where a velocity has more increments than its process datum holds.
+/// Warns if a velocity has more increments than its process datum can hold.
 pub(crate) fn fits(
     axis: &Axis,
     e: &mut Effective<'_>,

@@ -1,4 +1,4 @@
-//! The rules of position control, and whether an axis gets it.
+//! The rules of position control, and the condition for an axis to get it.
 
 use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Resolution, Width};
 use crate::diagnostics::{Diagnostic, Severity};
@@ -9,8 +9,9 @@ use crate::{codes, config::values::key};
 
 /// Position control of one axis; absent: nothing asks for it; none: an error, which has been reported.
 ///
-/// An axis gets it where its list gives Kv, where there is feedforward, where its drive controls the position and improved
-/// position control needs a way there, and where it is a gantry slave: else it could not put out what its master adds.
+/// An axis gets it if its list gives Kv, if there is feedforward, if its drive controls the position and improved position
+/// control needs an output there, and if it is a gantry slave: otherwise it could not output the velocity that its master
+/// adds.
 pub(crate) fn check(
     e: &mut Effective<'_>,
     drive: &Drive,
@@ -53,7 +54,8 @@ pub(crate) fn check(
         drive.no_increments(e, &why);
         return None;
     }
-    // A feedforward that is switched off leads nothing: the position must not come later for it. A torque leads as a velocity does.
+    // A feedforward that is switched off has no lead: the position must not be delayed for it. A torque leads as a velocity
+    // does.
     let torque = feedforward.is_some_and(|feedforward| feedforward.torque.any());
     let shift_time =
         if is_profidrive && (leads || additive || torque) { e.integer(key(Name::ShiftTime)) } else { Some(0) };
@@ -68,7 +70,7 @@ pub(crate) fn check(
     }))
 }
 
-/// Improved position control that the drive's process data have no room for: an error where it is enabled.
+/// Improved position control for which the drive's process data have no room: an error if it is enabled.
 fn no_way_out(e: &mut Effective<'_>, is_enabled: bool) {
     let (code, severity, how) = match is_enabled {
         true => (codes::NO_WAY_OUT, Severity::Error, "enabled"),

@@ -4,7 +4,7 @@ use crate::axis::{Axis, Location, PositionControl, Width};
 use crate::design::{delay, scale};
 use reference::{axis, call_rate, position_control};
 
-/// Coefficients of position control for one axis; of an axis without it all zero.
+/// Coefficients of position control for one axis; all zero for an axis without it.
 ///
 /// - kv = getriebe.kv * 0.01 1/s (P-AXIS-00099); lag = 1 / kv.
 /// - manipulated_scale = [`scale::manipulated`].
@@ -39,12 +39,12 @@ pub(crate) fn kv(of: &PositionControl) -> f64 {
     f64::from(of.kv) / 100.0
 }
 
-/// Whether an additive velocity of improved position control goes out: its own, or the gantry master's.
+/// Whether an additive velocity of improved position control is output: the axis's own, or the gantry master's.
 fn adds(axis: &Axis, of: &PositionControl) -> bool {
     addition(axis) != axis::Addition::None && (of.location == Location::Cnc || of.velocity.is_some())
 }
 
-/// Where the additive velocity comes from.
+/// The source of the additive velocity.
 pub(crate) fn addition(axis: &Axis) -> axis::Addition {
     match (axis.control.master, axis.control.master_limit) {
         (Some(_), Some(_)) => axis::Addition::Master,

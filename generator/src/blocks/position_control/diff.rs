@@ -5,7 +5,7 @@ use super::design::kv;
 use crate::axis::{Axis, Location, Resolution, Velocity, Width};
 use crate::{design::scale, parameters::words::Words};
 
-/// Its values; none where there is no position control.
+/// The values of position control; empty without it.
 pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.position_control else { return Values::new() };
     let in_cnc = of.location == Location::Cnc;
@@ -26,7 +26,7 @@ pub(crate) fn values(axis: &Axis) -> Values {
     of_part("position control", values)
 }
 
-/// Where the position is controlled, in words.
+/// The place of position control, in words.
 pub(super) fn place(location: Location) -> &'static str {
     match location {
         Location::Cnc => "in the CNC",

@@ -1,4 +1,4 @@
-//! The block `position_control`: the P controller of the CNC, or what a drive that controls the position gets.
+//! The block `position_control`: the P controller of the CNC, or the commands to a drive that controls the position.
 
 pub(crate) mod advice;
 pub(crate) mod check;
@@ -29,7 +29,7 @@ impl Part for PositionControl {
         notes::notes(&designed.axis)
     }
 
-    /// Which terms its sums have.
+    /// The terms of its sums.
     fn terms(&self, axis: &Axis) -> String {
         let of = design::coefficients(axis);
         format!("feedforward {} additive {} torque {} adds {}\n", of.feedforward, of.additive, of.torque, of.adds)

@@ -1,4 +1,4 @@
-//! What each coefficient of position control means physically. No design.
+//! The physical meaning of each coefficient of position control. No design.
 
 use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};

@@ -1,4 +1,4 @@
-//! What is legal in a changeover, but without effect, never reached or misunderstood: warnings. Nothing here is an error.
+//! Warnings about a changeover that is legal, but without effect, never reached or misunderstood. No errors here.
 
 use super::limits::rpm;
 use super::velocities::asks;
@@ -8,7 +8,7 @@ use crate::parameters::{Name, Value};
 use crate::rules::effective::Effective;
 use crate::{blocks::position_control::advice::fits, codes, design::scale, diagnostics::Diagnostic};
 
-/// Says what a user would want to know before the spindle turns.
+/// Warns of what a user should know before the spindle turns.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let Some(spindle) = &axis.control.spindle else { return };
     never(axis, spindle, gear, e);
@@ -22,7 +22,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
 }
 
-/// A velocity that the spindle does not have, or that nobody gave.
+/// Warns of a velocity that the spindle does not reach, or that was not given.
 fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
     let on = spindle.v_velocity_control_on;
     let names = [Name::VVelocityControlOn, Name::VelocityPositionControlOn];
@@ -39,7 +39,7 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
                 ),
             )
         }
-        // Of a default that is not a machine's another message says so.
+        // Another message warns of a default that is not the machine's value.
         Some(given) if f64::from(on) >= axis.ipc.v_max && e.given(v_max).is_some() => {
             let found = format!(
                 "{} is {on}, and vb_max {} (P-AXIS-00212) is not above it: the spindle stays in position control",
@@ -54,7 +54,8 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
     e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
 }
 
-/// In velocity control an additive velocity would come on top of the velocity command; the block of the whole axis puts out none then.
+/// Warns of an additive velocity: in velocity control it would be added to the velocity command. The block of the whole axis
+/// outputs none then.
 fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     let adds = |of: &&Feedforward| of.additive.velocity && !of.global_disable;
     let Some(feedforward) = axis.control.feedforward.as_ref().filter(adds) else { return };
@@ -70,13 +71,13 @@ fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
              none{counted}",
         e.title(mode)
     );
-    // P-AXIS-00255 wins over G137.
+    // P-AXIS-00255 overrides G137.
     let first = if feedforward.default_active { "vorsteuer.default_active FALSE, and " } else { "" };
     let instead = format!("{first}G137 while `loop_closed` is FALSE, or {other}");
     e.warn(codes::ADDS, mode, found, instead);
 }
 
-/// Parameters of another kind of changeover.
+/// Warns of parameters of another kind of changeover.
 fn no_effect(spindle: &Spindle, e: &mut Effective<'_>) {
     use Name::*;
     let sercos = [OpModeForVelocityControl, DriveSettings];
@@ -94,7 +95,7 @@ fn no_effect(spindle: &Spindle, e: &mut Effective<'_>) {
     e.warn(codes::NO_EFFECT, key(*first), found, None);
 }
 
-/// P-AXIS-00833 next to a P-AXIS-00766 of another value.
+/// Warns of P-AXIS-00833 together with a P-AXIS-00766 of another value.
 fn two_weights(e: &mut Effective<'_>) {
     let keys = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting].map(key);
     let [new, old] = keys.map(|key| e.given(key).and_then(|setting| setting.value.clone()));

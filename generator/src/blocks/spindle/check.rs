@@ -1,4 +1,4 @@
-//! The rules of a spindle that changes between position and velocity control, and whether an axis is one.
+//! The rules of a spindle that changes between position and velocity control, and the condition for an axis to be one.
 
 use super::velocities::{self, VELOCITIES};
 use super::{in_drive, limits};
@@ -10,7 +10,7 @@ use crate::rules::drive::{self, Drive};
 use crate::rules::effective::{Effective, as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
-/// Keys of our own that only a changeover uses.
+/// axgen's own keys that only a changeover uses.
 pub(crate) const KEYS: [Name; 7] = [
     Name::ProcessDataObjects,
     Name::DriveSettings,
@@ -21,10 +21,10 @@ pub(crate) const KEYS: [Name; 7] = [
     Name::SpindleBrakeTimeout,
 ];
 
-/// Whether the axis changes over: a spindle (P-AXIS-00018) with a velocity of the changeover. Examples of the manual have no axis
-/// type: an axis without one is taken for a spindle then.
+/// Whether the axis changes over: a spindle (P-AXIS-00018) with a velocity of the changeover. Examples in the manual have no
+/// axis type: such an axis is taken for a spindle.
 pub(crate) fn is_asked_for(e: &mut Effective<'_>) -> bool {
-    // No other function has these keys: a wrong value is wrong on any axis.
+    // No other function has these keys: a wrong value is an error on any axis.
     for own in KEYS.map(key) {
         if e.given(own).is_some() {
             e.validated(own);
@@ -45,7 +45,7 @@ pub(crate) fn is_asked_for(e: &mut Effective<'_>) -> bool {
             true
         }
         Some(Some(Value::Word(word))) if *word == spindle => true,
-        // What cannot be read is said where the type is used.
+        // An unreadable type is reported where it is used.
         Some(None) => false,
         Some(Some(other)) => {
             let found = format!("the axis is {} (P-AXIS-00018), no spindle: {ids} without effect", other.text());
@@ -56,7 +56,7 @@ pub(crate) fn is_asked_for(e: &mut Effective<'_>) -> bool {
     }
 }
 
-/// The changeover of a spindle; none: an error, which has been said.
+/// The changeover of a spindle; `None` after a reported error.
 pub(crate) fn check(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
@@ -109,8 +109,8 @@ pub(crate) fn check(
     })
 }
 
-/// An axis that does not change over: what holds of every spindle whose drive controls the position, and operation modes that it does not
-/// have.
+/// An axis without a changeover: the rules of every spindle whose drive controls the position, and operation modes that it
+/// does not have.
 pub(crate) fn no_changeover(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
@@ -141,7 +141,7 @@ pub(crate) fn no_changeover(
     e.warn(codes::NO_EFFECT, key(*first), found, None);
 }
 
-/// Position control in the CNC: a feedforward of the velocity takes its part of the position lag.
+/// Position control in the CNC: a feedforward of the velocity reduces the position lag.
 fn in_cnc(e: &mut Effective<'_>, feedforward: Option<&Feedforward>) -> Changeover {
     let acts = |of: &&Feedforward| of.sums().velocity && !of.global_disable;
     let Some(of) = feedforward.filter(acts) else {

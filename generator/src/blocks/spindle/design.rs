@@ -11,16 +11,17 @@ use reference::spindle::Coeffs;
 /// Half a turn [0.001 deg].
 const HALF_TURN: f64 = 180_000.0;
 
-/// Cycles by which the test of a spindle whose drive comes on takes longer than one.
+/// Number of extra cycles of the test of a spindle whose drive is switched on.
 const START: u32 = 2;
 
-/// Coefficients of the changeover of one axis; of an axis without it all zero.
+/// Coefficients of the changeover of one axis; all zero for an axis without it.
 ///
 /// ```text
 /// lead_time = (Nd + 1) T + (1 - w) / Kv        position control in the drive, w its feedforward
 /// lead_time = (Nd + 1) T                       velocity control alone: no position controller lags
-/// lead_time = T + 1 / Kv                       position control in the CNC: its loop compares with the same delayed x_actual, so
-///                                              that the delay is part of the lag; while feedforward is active less w / Kv
+/// lead_time = T + 1 / Kv                       position control in the CNC: its loop compares with the delayed
+///                                              x_actual, so the delay is part of the lag; reduced by w / Kv while
+///                                              feedforward is active
 /// ```
 pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
     let Some(of) = &axis.control.spindle else { return Coeffs::default() };
@@ -79,12 +80,12 @@ pub(crate) fn weight(of: &Spindle) -> f64 {
     }
 }
 
-/// The largest velocity of a drive that can tell the direction [0.001 deg/s].
+/// The largest velocity at which a drive can detect the direction [0.001 deg/s].
 pub(crate) fn v_largest(axis: &Axis) -> f64 {
     scale::below(half_turn(axis), axis.real).smaller(sample_limit(axis.real))
 }
 
-/// The velocity at which a drive cannot tell the direction any more [0.001 deg/s].
+/// The velocity from which a drive cannot detect the direction [0.001 deg/s].
 pub(crate) fn half_turn(axis: &Axis) -> f64 {
     HALF_TURN * 1e9 / f64::from(axis.cycle_time_ns)
 }

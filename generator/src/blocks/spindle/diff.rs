@@ -6,7 +6,7 @@ use super::limits::window;
 use super::notes::RPM;
 use crate::axis::{Axis, Changeover};
 
-/// Its values; none where there is no changeover.
+/// The values of the changeover; empty without it.
 pub(crate) fn values(axis: &Axis) -> Values {
     let Some(of) = &axis.control.spindle else { return Values::new() };
     let rpm = |velocity: f64| Some(Value::Number(velocity / RPM, " rpm"));

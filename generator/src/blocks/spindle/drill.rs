@@ -1,14 +1,14 @@
-//! What a self-test leads the changeover through: noise alone would never reach velocity control. No noise.
+//! The sequence of a self-test that goes through the changeover: noise alone would never reach velocity control. No noise.
 
 use super::super::Drill;
 use portable::Extreme;
 use portable::Literal;
 use reference::spindle::Coeffs;
 
-/// M3 above Von, the drive's answer, M19, and the way back; then an error of its own and the reset from it.
+/// M3 above Von, the drive's answer, M19, and the way back; then an error and the reset.
 pub(super) fn through_all_states(coeffs: &Coeffs<f64>) -> Vec<Drill> {
     let speed = 2.0 * coeffs.v_velocity_control_on + 6000.0;
-    // A drive must still be able to tell the direction.
+    // The drive must be able to detect the direction.
     let reached = match coeffs.in_drive {
         true => (coeffs.v_velocity_control_on + coeffs.v_largest.smaller(speed)) / 2.0,
         false => speed,

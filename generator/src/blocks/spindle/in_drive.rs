@@ -9,7 +9,7 @@ use crate::rules::drive;
 use crate::rules::effective::{Effective, as_written, number_as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
-/// The bus of a drive whose mode the CNC changes; none: there is no such drive of the type.
+/// The bus of a drive whose mode the CNC changes; `None` if no drive of this type allows it.
 fn bus_of(drive_type: DriveType) -> Option<Bus> {
     match drive_type {
         DriveType::Sercos => Some(Bus::Sercos),
@@ -19,7 +19,7 @@ fn bus_of(drive_type: DriveType) -> Option<Bus> {
     }
 }
 
-/// The changeover of a drive that controls the position, or has velocity control alone; none: an error, which has been said.
+/// The changeover of a drive that controls the position, or only the velocity; `None` after a reported error.
 pub(super) fn check(
     e: &mut Effective<'_>,
     location: Location,
@@ -54,7 +54,7 @@ pub(super) fn check(
     })
 }
 
-/// Position control in a drive that does not change its operation mode on demand.
+/// Rejects position control in a drive that does not change its operation mode on demand.
 fn no_changeover(e: &mut Effective<'_>) {
     let drive_type: Option<DriveType> = e.validated_word(key(Name::DriveType));
     let mode = key(Name::OperationMode);
@@ -69,7 +69,7 @@ fn no_changeover(e: &mut Effective<'_>) {
     e.report.push(said.allowed("SERCOS or CANOPEN, or position control in the CNC").instead(instead));
 }
 
-/// The operation mode of a drive that has velocity control alone, which stands for both.
+/// The operation mode of a drive with velocity control alone, used for both modes.
 fn one_mode(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
     let name = match bus {
         Bus::Sercos => Name::OpModeForVelocityControl,
@@ -78,7 +78,7 @@ fn one_mode(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
     Some([e.signed(key(name))?; 2])
 }
 
-/// The operation modes of position and of velocity control, which differ: the drive says in which of them it is.
+/// The operation modes of position and velocity control. They must differ, because the drive displays the active one.
 fn modes(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
     let modes = match bus {
         Bus::Sercos => [0, e.signed(key(Name::OpModeForVelocityControl))?],
@@ -112,7 +112,7 @@ fn modes(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
     None
 }
 
-/// Weight of the drive's own feedforward: P-AXIS-00833, which adopts P-AXIS-00766.
+/// Weight of the drive's own feedforward: P-AXIS-00833, which replaces P-AXIS-00766.
 fn weight(e: &mut Effective<'_>) -> Option<u32> {
     let [new, old] = [Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting].map(key);
     if e.given(old).is_some() {
@@ -124,7 +124,8 @@ fn weight(e: &mut Effective<'_>) -> Option<u32> {
     e.integer(new)
 }
 
-/// Conventional feedforward leads the drive's position command by v_feedforward / Kv, which would be a step at each changeover.
+/// Rejects conventional feedforward: it leads the drive's position command by v_feedforward / Kv, which would be a step at
+/// each changeover.
 fn leads(e: &mut Effective<'_>) {
     let at = key(Name::FeedforwardMode);
     let words: Option<Vec<FeedforwardWord>> = e.validated_words(at);
@@ -141,7 +142,7 @@ fn leads(e: &mut Effective<'_>) {
     );
 }
 
-/// Cycles between command and actual value (P-AXIS-00191); manuals do not agree on a default.
+/// Cycles between command and actual value (P-AXIS-00191). The manuals disagree about its default.
 pub(super) fn delay_cycles(e: &mut Effective<'_>, is_alone: bool) -> Option<u32> {
     let delay = key(Name::NbrDelayCycles);
     if is_alone && e.given(delay).is_none() {

@@ -1,4 +1,4 @@
-//! What the cycle time and the deceleration allow: half a revolution in a cycle, and the times of the changeover.
+//! Limits from the cycle time and the deceleration: half a revolution per cycle, and the times of the changeover.
 
 use super::velocities::{Velocities, Velocity, asks};
 use crate::config::values::{Key, key};
@@ -7,11 +7,11 @@ use crate::rules::{drive, effective::Effective};
 use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded};
 use portable::Extreme;
 
-/// Half a revolution [0.001 deg]: a drive cannot tell the direction of a longer way.
+/// Half a revolution [0.001 deg]: a drive cannot detect the direction of a longer movement.
 const HALF_A_REVOLUTION: f64 = 180_000.0;
-/// Single precision counts up to here.
+/// The largest count that is exact in single precision.
 const MOST_CYCLES: u64 = 1 << 24;
-/// In addition to twice the ramp, in the default of the brake's time [ns].
+/// Added to twice the ramp in the default of the brake timeout [ns].
 const BRAKE_RESERVE: u64 = 500_000_000;
 
 /// 0.001 deg/s as revolutions per minute.
@@ -19,15 +19,16 @@ pub(super) fn rpm(velocity: f64) -> f64 {
     rounded(velocity / 6000.0)
 }
 
-/// Around the velocity of position control, half the width [0.001 deg/s].
+/// Half the width of the window around the velocity of position control [0.001 deg/s].
 pub(super) fn window(off: u32, least: f64) -> f64 {
     (f64::from(off) / 100.0).larger(least)
 }
 
-/// At which the block opens its loop [0.001 deg].
+/// The lag at which the block opens its loop [0.001 deg].
 const LARGEST_LAG: f64 = 170_000.0;
 
-/// A loop in the CNC whose lag stays below half a revolution; `weight` is that of its feedforward, and whether it is always active.
+/// Checks that the lag of a loop in the CNC stays below half a revolution. `weight` is that of its feedforward, followed by
+/// whether it is always active.
 pub(super) fn lag(e: &mut Effective<'_>, of: &Velocities, kv_key: Key, kv: u32, (weight, is_always): (f64, bool)) {
     let slower = if of.on.value <= of.largest.value { of.on } else { of.largest };
     let velocity = f64::from(slower.value);
@@ -62,7 +63,7 @@ pub(super) fn lag(e: &mut Effective<'_>, of: &Velocities, kv_key: Key, kv: u32, 
     )));
 }
 
-/// Two steps of a velocity that is an encoder's increments in a cycle [0.001 deg/s]; none: the list has no path resolution.
+/// Twice the velocity of one encoder increment per cycle [0.001 deg/s]; `None` if the list has no path resolution.
 pub(super) fn two_steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Option<f64> {
     let [num, denom] = [Name::WegaufZ, Name::WegaufN].map(|name| (name, [gear, 0]));
     if e.given(num).is_none() || e.given(denom).is_none() {
@@ -71,11 +72,11 @@ pub(super) fn two_steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Opti
     let resolution = scale::resolution(&drive::resolution(e, gear)?);
     // In increments per 0.0001 deg.
     let step = 0.1 / resolution * 1e9 / f64::from(cycle_ns);
-    // A quotient of whole numbers is one that a list can have.
+    // The quotient is rounded, so that it is a number that a list can contain.
     (resolution > 0.0).then_some((2.0 * step * 1e3).round() / 1e3)
 }
 
-/// The window that holds: a default of the encoder's steps, or the one given, with what it needs.
+/// The window in use: by default from the encoder's steps, else the given one, which must be large enough.
 pub(super) fn settled_window(
     e: &mut Effective<'_>,
     cycle_ns: Option<u32>,
@@ -103,7 +104,7 @@ pub(super) fn settled_window(
     Some(least)
 }
 
-/// A spindle without a changeover whose drive controls the position: its largest velocity, where it is given.
+/// A spindle without a changeover whose drive controls the position: checks its largest velocity, if given.
 pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, largest: Key) {
     let Some(velocity) = e.given(largest).and_then(|_| e.validated_integer(largest)) else { return };
     let cycle = f64::from(cycle_ns);
@@ -125,7 +126,7 @@ pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, la
     e.report.push(said.instead("a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000"));
 }
 
-/// A drive that controls the position turns by less than half a revolution in a cycle.
+/// A drive that controls the position must turn by less than half a revolution per cycle.
 pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, least_window: f64) {
     let cycle = f64::from(cycle_ns);
     // In nanoseconds, where 15000 rpm and 2 ms make exactly half a revolution.
@@ -169,7 +170,7 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
     }
 }
 
-/// Within which the drive displays the new mode [ns]: not before its answer can be there.
+/// The time within which the drive displays the new mode [ns]: at least until its answer can arrive.
 pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answer_cycles: Option<u32>) -> Option<u64> {
     let timeout_key = key(Name::SpindleModeTimeout);
     let timeout = e.duration(timeout_key)?;
@@ -191,7 +192,7 @@ pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answe
     Some(timeout)
 }
 
-/// Within which the spindle has braked [ns]: not before its ramp can be over; by default twice as long, and half a second.
+/// The time within which the spindle has braked [ns]: at least its ramp; by default twice the ramp plus half a second.
 pub(super) fn brake_timeout(
     e: &mut Effective<'_>,
     cycle_time: Option<u32>,
@@ -223,14 +224,14 @@ pub(super) fn brake_timeout(
     Some(timeout)
 }
 
-/// The time that the velocity command takes from one velocity down to another [ns].
+/// The time of the velocity command's ramp from one velocity down to another [ns].
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and is not below 0")]
 pub(super) fn ramp(from: f64, to: f64, deceleration: f64) -> u64 {
-    // The product is exact: whole numbers up to 2^31, and nine binary places of a milliard are 0.
+    // The product is exact: whole numbers up to 2^31, and the lowest nine binary digits of 1e9 are 0.
     ((from - to).larger(0.0) * 1e9 / deceleration).ceil() as u64
 }
 
-/// A time that is counted in cycles.
+/// Checks that a time can be counted in cycles.
 fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let longest = MOST_CYCLES * cycle;
     if timeout <= longest {
@@ -239,7 +240,7 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     let at = key(name);
     let how = if e.given(at).is_some() { "is" } else { "has its default," };
     let found = format!("{} {how} {}, {} cycles", e.title(at), time_text(timeout), timeout.div_ceil(cycle));
-    // The default of the brake's time follows from the deceleration.
+    // The default of the brake timeout follows from the deceleration.
     let is_given = e.given(at).is_some() || name != Name::SpindleBrakeTimeout;
     let place = e.place_of(if is_given { at } else { key(Name::SpindleDeceleration) });
     let said = Diagnostic::error(codes::TOO_LONG, place, found);

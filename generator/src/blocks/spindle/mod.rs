@@ -35,7 +35,7 @@ impl Part for Spindle {
         notes::notes(&designed.axis)
     }
 
-    /// The quiet noise keeps within the window of the take-over, so that the spindle stays in position control.
+    /// The quiet noise stays within the window of the takeover, so that the spindle stays in position control.
     fn ranges(&self, designed: &Designed) -> [f64; 2] {
         let coeffs = &designed.spindle;
         [(coeffs.takeover_window / 4.0).clamp(1e-3, 400.0), coeffs.v_velocity_control_on.clamp(6000.0, 2e9)]

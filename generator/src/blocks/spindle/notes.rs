@@ -1,4 +1,4 @@
-//! What each coefficient of the changeover means physically. No design.
+//! The physical meaning of each coefficient of the changeover. No design.
 
 use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};

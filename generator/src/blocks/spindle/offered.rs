@@ -1,4 +1,4 @@
-//! What a drive must have that changes its operation mode: cyclic data, settings; and what of it is missing.
+//! Requirements on a drive that changes its operation mode: cyclic data and settings; and which of them are missing.
 
 use crate::axis::Bus;
 use crate::config::values::key;
@@ -6,10 +6,10 @@ use crate::parameters::Name;
 use crate::parameters::words::{DriveObject, DriveSetting, Words};
 use crate::{codes, diagnostics::Diagnostic, rules::effective::Effective};
 
-/// One of these words, and what it is.
+/// Words of which one is needed, and their meaning.
 pub(super) type Need<T> = (&'static [T], &'static str);
 
-/// Cyclic data; of a drive that has velocity control alone, the velocities.
+/// The required cyclic data; for a drive with velocity control alone, the velocities.
 pub(super) fn objects(bus: Bus, is_alone: bool) -> &'static [Need<DriveObject>] {
     use DriveObject::*;
     match bus {
@@ -36,7 +36,7 @@ pub(super) fn objects(bus: Bus, is_alone: bool) -> &'static [Need<DriveObject>] 
     }
 }
 
-/// Settings; the operation mode of velocity control is one of them.
+/// The required settings; the operation mode of velocity control is one of them.
 pub(super) fn settings(bus: Bus, velocity_mode: i32, is_alone: bool) -> Vec<Need<DriveSetting>> {
     if bus == Bus::CanOpen {
         return Vec::new();
@@ -48,7 +48,7 @@ pub(super) fn settings(bus: Bus, velocity_mode: i32, is_alone: bool) -> Vec<Need
     };
     let rotary: Need<DriveSetting> = (&[DriveSetting::RotaryVelocity], "rotary scaling of velocities");
     if is_alone {
-        // The main mode is the drive's only one.
+        // The main mode is the drive's only mode.
         return if velocity_mode == 0 { vec![rotary] } else { vec![auxiliary, rotary] };
     }
     vec![
@@ -60,7 +60,7 @@ pub(super) fn settings(bus: Bus, velocity_mode: i32, is_alone: bool) -> Vec<Need
     ]
 }
 
-/// What is given is complete: all that is missing is said.
+/// Checks that the given words are complete, and reports all that are missing.
 pub(super) fn check(e: &mut Effective<'_>, bus: Bus, velocity_mode: i32, is_alone: bool) {
     missing(e, Name::ProcessDataObjects, objects(bus, is_alone));
     missing(e, Name::DriveSettings, &settings(bus, velocity_mode, is_alone));

@@ -5,7 +5,7 @@ use crate::parameters::{Name, Value};
 use crate::rules::effective::{Effective, number_as_written};
 use crate::{codes, diagnostics::Diagnostic};
 
-/// What asks for a changeover.
+/// The parameters that ask for a changeover.
 pub(super) const VELOCITIES: [Name; 4] = [
     Name::VVelocityControlOn,
     Name::VPositionControlOn,
@@ -13,7 +13,7 @@ pub(super) const VELOCITIES: [Name; 4] = [
     Name::VelocityPositionControlOff,
 ];
 
-/// Whether a parameter is one of those that ask for a changeover.
+/// Whether a parameter asks for a changeover.
 pub(super) fn asks(name: Name) -> bool {
     VELOCITIES.contains(&name)
 }
@@ -30,13 +30,13 @@ pub(super) struct Velocity {
 pub(super) struct Velocities {
     /// above which velocity control begins
     pub(super) on: Velocity,
-    /// at which position control is taken up again
+    /// at which position control begins again
     pub(super) off: Velocity,
-    /// the largest one
+    /// the largest velocity of the spindle
     pub(super) largest: Velocity,
 }
 
-/// All three, the first not below the second.
+/// All three; the first must not be below the second.
 pub(super) fn check(e: &mut Effective<'_>, gear: u32) -> Option<Velocities> {
     let on = one_of(e, Name::VVelocityControlOn, Name::VelocityPositionControlOn);
     let off = one_of(e, Name::VPositionControlOn, Name::VelocityPositionControlOff);
@@ -53,7 +53,7 @@ pub(super) fn check(e: &mut Effective<'_>, gear: u32) -> Option<Velocities> {
     Some(Velocities { on, off, largest: largest? })
 }
 
-/// A velocity from its parameter, or from the predecessor of that; both with different values: an error.
+/// A velocity from its parameter, or from the predecessor of the parameter; an error if they have different values.
 fn one_of(e: &mut Effective<'_>, new: Name, old: Name) -> Option<Velocity> {
     let [new, old] = [new, old].map(key);
     if e.given(old).is_none() {
@@ -63,7 +63,7 @@ fn one_of(e: &mut Effective<'_>, new: Name, old: Name) -> Option<Velocity> {
     let id = new.0.parameter().id.unwrap_or_default();
     if e.given(new).is_none() {
         let value = old_value?;
-        // Which of the two it came from changes nothing in the block.
+        // The block does not depend on which of the two parameters the value came from.
         e.adopt(new, Value::Integer(i64::from(value)));
         let found = format!("{} is the predecessor of {id}, which takes its value", e.title(old));
         let instead = number_as_written(&e.place_of(old), new, value);

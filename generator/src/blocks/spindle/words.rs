@@ -1,4 +1,4 @@
-//! What the changeover of a spindle will do, in words: from which speeds on, how long it may take, what the drive must have.
+//! The effect of the changeover of a spindle in words: its speeds, its duration, requirements on the drive.
 
 use super::limits::{ramp, rpm, window};
 use super::offered::{objects, one_of, settings};
@@ -8,7 +8,7 @@ use crate::parameters::time_text;
 use crate::parameters::words::{DriveSetting, Words};
 use portable::Extreme;
 
-/// A line each.
+/// The lines of the changeover.
 pub(crate) fn lines(axis: &Axis) -> Vec<String> {
     let Some(spindle) = &axis.control.spindle else { return Vec::new() };
     let mut lines = vec![speeds(spindle), who(spindle), brake(axis, spindle)];
@@ -31,7 +31,7 @@ const SENSORLESS: &str = "velocity control at every speed, as a spindle without 
 const ALONE: &str = "velocity control alone: v_velocity_control_on and v_position_control_on are 0, and the drive has no position control; \
                      M19, S[PUTAX] and G74 are refused (error_id 49)";
 
-/// 0.001 deg/s for people.
+/// A velocity [0.001 deg/s] in a form for readers.
 fn speed(velocity: f64) -> String {
     format!("{} rpm ({} deg/s)", rpm(velocity), digits(velocity / 1000.0))
 }
@@ -73,7 +73,7 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
     )
 }
 
-/// The position lag (1 - w) v / Kv at the velocity at which position control is left: what to measure, once.
+/// The position lag (1 - w) v / Kv at the velocity at which position control ends: to be measured once.
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
     let largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);
     let kv = f64::from(spindle.kv) / 100.0;

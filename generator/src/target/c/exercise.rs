@@ -1,4 +1,5 @@
-//! What the self-test and the runner of a block have in common in C: the noise on its inputs, and the digest of what it shows.
+//! The common parts of the self-test and the runner of a block in C: the noise on its inputs, and the digest of its outputs
+//! and state.
 
 use crate::exercise::Noise;
 use crate::target::LegalBlock;
@@ -9,21 +10,21 @@ use compiler::print::{Printer, c::LANGUAGE};
 use compiler::program::{Type, Variable};
 use portable::RealKind;
 
-/// The functions of the noise and of the digest, and what calls them.
+/// The functions of the noise and of the digest, and their calls.
 #[derive(Template)]
 #[template(path = "c/exercise.c")]
 pub(super) struct CExercise<'a> {
-    /// what the names of the functions begin with
+    /// the beginning of the functions' names
     pub(super) owner: String,
     /// whether integers are drawn in addition to those for the real inputs
     pub(super) draws: bool,
     pub(super) real: &'a str,
     pub(super) bits: usize,
-    /// what the numbers of this real type end with
+    /// the suffix of numbers of this real type
     pub(super) suffix: &'a str,
     /// the factors of the noise: little, full
     pub(super) scales: [String; 2],
-    /// the inputs that get noise, each with what draws it
+    /// the inputs that get noise, each with the expression that draws it
     pub(super) reals: Vec<(&'a str, String)>,
     /// whether the noise of one of them is scaled, because it is not a fraction from 0 to 1
     pub(super) is_scaled: bool,
@@ -31,20 +32,20 @@ pub(super) struct CExercise<'a> {
     pub(super) usual: Vec<(&'a str, String)>,
     /// the input that counts the calls
     pub(super) counter: Option<&'a str>,
-    /// what takes each output, and each part of the state, into the digest
+    /// the statements that add each output, and each part of the state, to the digest
     pub(super) folded: Vec<String>,
-    /// the digests, some in a line
+    /// the digests, several per line
     pub(super) expected: String,
 }
 
 impl CExercise<'_> {
-    /// Whether a real is taken into the digest.
+    /// Whether a real is added to the digest.
     fn folds_reals(&self) -> bool {
         self.folded.iter().any(|call| call.contains("_fold_real("))
     }
 }
 
-/// The exercise as C has it; `owner` is what its functions begin with, `random` where its integers come from.
+/// The exercise in C; `owner` begins the names of its functions, `random` is the source of its integers.
 pub(super) fn of<'p>(
     block: &LegalBlock<'_>,
     printer: &'p Printer<'_>,
@@ -88,7 +89,7 @@ fn fold(owner: &str, of: &str, variable: &Variable, member: &str) -> String {
     }
 }
 
-/// Words in lines that fit.
+/// Words in lines of limited length.
 fn in_lines(words: &[u32]) -> String {
     let words: Vec<String> = words.iter().map(|word| format!("UINT32_C(0x{word:08x})")).collect();
     let in_line = COMMENT_WIDTH / ("UINT32_C(0x00000000), ".len());

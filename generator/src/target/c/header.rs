@@ -1,4 +1,5 @@
-//! The macros of a header that code can compare, and the named values of signals. Structs and functions are in the template.
+//! The macros of a header that a program can compare, and the named values of signals. Structs and functions are in the
+//! template.
 
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use crate::target::{BlockIdentity, LegalBlock, unit};
@@ -8,9 +9,9 @@ use compiler::program::{Origin, Type, Var, Variable};
 use portable::{Literal, RealKind};
 use std::collections::BTreeSet;
 
-/// A macro, without what the names of the block begin with.
+/// A macro, without the beginning of the block's names.
 pub(super) struct Macro {
-    /// above it; empty: said already
+    /// the comment above it; empty if already explained
     pub(super) doc: String,
     pub(super) name: String,
     pub(super) value: String,
@@ -35,7 +36,7 @@ pub(super) fn macros(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<Macro>
     let doc = "digest of the structure: equal for blocks that differ only in the values of their coefficients";
     macros.extend(words("STRUCTURE", &axis.structure_digest, doc));
     let program = &*block.program;
-    // The inputs of a block that takes sets hold a pointer, whose size is the processor's.
+    // The inputs of a block that takes sets contain a pointer, whose size depends on the processor.
     let first = if program.has_set() { "PARAMS" } else { "INPUTS" };
     let in_first: Vec<&Variable> =
         program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set()).collect();
@@ -62,7 +63,7 @@ fn words(name: &str, digest: &str, doc: &str) -> Vec<Macro> {
     (0..4).map(word).collect()
 }
 
-/// The size of a struct where each member is aligned to its size.
+/// The size of a struct in which each member is aligned to its size.
 fn size(members: &[&Variable], real: RealKind) -> usize {
     let bytes = |ty| match (ty, real) {
         (Type::Bool, _) => 1,
@@ -75,11 +76,11 @@ fn size(members: &[&Variable], real: RealKind) -> usize {
         end = end.next_multiple_of(own) + own;
         widest = widest.max(own);
     }
-    // C has no struct without a member.
+    // C does not allow a struct without a member.
     end.max(1).next_multiple_of(widest)
 }
 
-/// The values of signals, a group for those that have values in common; then other enumerations.
+/// The values of signals, one group for signals with common values; then other enumerations.
 pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
     let program = &*outline.block.program;
     let mut groups: Vec<(Vec<Var>, BTreeSet<usize>)> = Vec::new();
@@ -110,7 +111,7 @@ pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
     enumerations
 }
 
-/// Named values in the order of their numbers. What their comments begin with is the name of the signal, if they name one.
+/// Named values in the order of their numbers. A comment that begins with the name of the signal is shortened by it.
 fn group(outline: &Outline<'_>, note: &str, signals: &[Var], constants: &BTreeSet<usize>) -> Group {
     let program = &*outline.block.program;
     let number = |index: usize| match program.constants[index].value {
@@ -136,7 +137,7 @@ fn group(outline: &Outline<'_>, note: &str, signals: &[Var], constants: &BTreeSe
     }
 }
 
-/// Whose values they are.
+/// The signals that have these values.
 fn of_signals(outline: &Outline<'_>, signals: &[Var]) -> String {
     let names = outline.printer.names();
     let name = |signal: &Var| {

@@ -30,7 +30,7 @@ struct CFile<'a, T: Template> {
 #[template(path = "c/header_body.h")]
 struct CHeader<'a> {
     guard: String,
-    /// what the names of macros and enumerators begin with
+    /// the beginning of the names of macros and enumerators
     names: String,
     real: &'a str,
     bits: usize,
@@ -64,7 +64,7 @@ struct CSelfTest<'a> {
 
 /// A block.
 struct CBlock {
-    /// what the names that its caller sees begin with
+    /// the beginning of the names that its caller sees
     prefix: String,
     inputs: Vec<Member>,
     /// the parameter set, if it takes one
@@ -75,13 +75,13 @@ struct CBlock {
     shared: Vec<Group>,
     /// those of `step`
     constants: Vec<Group>,
-    /// those of what stands apart
+    /// constants of the separate function
     constants_apart: Vec<Group>,
     init: String,
-    /// what rarely runs, a function of its own; empty where `step` is one function
+    /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
-    /// what is certain of its range, and its measured response
+    /// its proven range, and its measured response
     certificate: String,
 }
 

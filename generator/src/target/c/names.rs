@@ -1,4 +1,4 @@
-//! What the names of a block in C begin with.
+//! The beginning of a block's names in C.
 
 use crate::target::{BlockIdentity, block_name, own_self_test};
 

@@ -1,4 +1,4 @@
-//! The runner of a block in C: a program for a user's own board, but for how the board prints and counts.
+//! The runner of a block in C: a program for a user's own board, without the board's functions for printing and counting.
 
 use super::exercise::{self, CExercise};
 use super::names;

@@ -1,4 +1,4 @@
-//! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with what all of them use.
+//! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with their common parts.
 
 use super::dialect::Dialect;
 use super::enumeration::{Enumeration, enumerations};

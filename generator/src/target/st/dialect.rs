@@ -1,18 +1,18 @@
-//! What differs between the dialects of Structured Text in their files; what differs in statements, `print/st` says.
+//! The differences between the dialects of Structured Text in their files; differences in statements are in `print/st`.
 
 use compiler::print::Language;
 use compiler::print::st::{PLAIN, SCL};
 
-/// What the files of a dialect do differently around the statements.
+/// The notation of a dialect around the statements.
 pub(super) struct Dialect {
     pub(super) language: &'static Language,
-    /// what the names of function blocks begin with
+    /// the beginning of the names of function blocks
     pub(super) prefix: &'static str,
-    /// around the name of a function block that is the type of a variable
+    /// quotes around the name of a function block that is the type of a variable
     pub(super) quote: &'static str,
-    /// before a variable in a statement
+    /// the mark of a variable in a statement
     pub(super) mark: &'static str,
-    /// what a caller gives to the inputs `mode`, `task_cycle_ns` and `cycle_counter`
+    /// the caller's arguments for the inputs `mode`, `task_cycle_ns` and `cycle_counter`
     pub(super) arguments: [&'static str; 3],
 }
 

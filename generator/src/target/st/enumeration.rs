@@ -10,7 +10,7 @@ use reference::spindle::{Job, SpindleState};
 pub(super) struct Enumeration {
     /// the name of the signal, which follows `E_axgen_`
     pub(super) signal: String,
-    /// whose values these are
+    /// the signal that has these values
     pub(super) note: &'static str,
     pub(super) values: Vec<Value>,
 }
@@ -19,11 +19,11 @@ pub(super) struct Enumeration {
 pub(super) struct Value {
     pub(super) name: String,
     pub(super) number: i32,
-    /// what it means
+    /// its meaning
     pub(super) doc: &'static str,
 }
 
-/// Those of the blocks with these names: the modes in any case, and the outputs of a spindle.
+/// The enumerations of the blocks with these names: always the modes, and the outputs of a spindle.
 pub(super) fn enumerations<'b>(mut blocks: impl Iterator<Item = &'b &'static str>) -> Vec<Enumeration> {
     let mut all = vec![modes()];
     if blocks.any(|block| block.starts_with("spindle")) {

@@ -1,4 +1,4 @@
-//! A block as a dialect lists it, and the comment at the top of its file.
+//! A block in the notation of a dialect, and the comment at the top of its file.
 
 use super::dialect::Dialect;
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
@@ -18,20 +18,20 @@ pub(super) struct Origin<'a> {
     axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
-    /// what is certain of the block, and its measured response
+    /// the proven range of the block, and its measured response
     certificate: String,
     /// an instance with its type
     instance: [String; 2],
-    /// its parameter set, as it is declared; empty: it takes none
+    /// the declaration of its parameter set; empty if it takes none
     set: String,
-    /// what a call of it passes
+    /// the arguments of a call
     arguments: Vec<String>,
 }
 
 /// A block: declarations, numbers, statements.
 pub(super) struct Listing {
     pub(super) name: String,
-    /// around the names of types that are none of the language's
+    /// quotes around the names of types that the language does not define
     pub(super) quote: &'static str,
     pub(super) inputs: Vec<Member>,
     /// the type of its parameter set, if it takes one
@@ -39,16 +39,16 @@ pub(super) struct Listing {
     pub(super) outputs: Vec<Member>,
     pub(super) state: Vec<Member>,
     pub(super) locals: Vec<Member>,
-    /// numbers that stand in the statements
+    /// numbers that are written in the statements
     pub(super) inline: Vec<Group>,
     /// numbers that are declared
     pub(super) declared: Vec<Group>,
-    /// numbers that each cycle assigns anew
+    /// numbers that are assigned again in each cycle
     pub(super) assigned: Vec<Group>,
     pub(super) body: String,
 }
 
-/// The structure that a parameter set is.
+/// The structure of a parameter set.
 pub(super) struct SetType {
     pub(super) name: String,
     pub(super) parts: Vec<Member>,
@@ -60,7 +60,7 @@ pub(crate) fn set_name(axis: &str, block: &str) -> String {
 }
 
 impl Listing {
-    /// The name of the type of its set, as a declaration has it.
+    /// The name of the type of its set, in a declaration.
     pub(super) fn set_name(&self, set: &SetType) -> String {
         format!("{0}{1}{0}", self.quote, set.name)
     }
@@ -70,7 +70,7 @@ impl Listing {
         self.inputs.iter().any(|input| input.name == name)
     }
 
-    /// Whether an input starts with anything but 0 or FALSE.
+    /// Whether an input has a start value other than 0 or FALSE.
     pub(super) fn starts_inputs(&self) -> bool {
         self.inputs.iter().any(|input| !["", "0", "0.0", "FALSE"].contains(&&*input.value))
     }
@@ -137,7 +137,7 @@ impl Origin<'_> {
             "mode" => format!("{input} := {mode}"),
             "task_cycle_ns" => format!("{input} := {cycle}"),
             "cycle_counter" => format!("{input} := {counter}"),
-            // The parts of the set are given together.
+            // The parts of the set are passed together.
             part if part.contains('.') => format!("{0} := {1}{0}{1}", SET, dialect.quote),
             other => format!("{input} := {}{other}", dialect.mark),
         };
@@ -145,7 +145,7 @@ impl Origin<'_> {
         arguments.dedup();
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
-        // In SCL it is a data block: that is what `params-of` writes to.
+        // In SCL the set is a data block, to which `params-of` writes.
         let set = set_name(&self.axis.name, self.block);
         let set = match dialect.quote {
             "" => format!("{SET} : {set};"),

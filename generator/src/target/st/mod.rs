@@ -1,7 +1,7 @@
-//! The files of Structured Text: what they have in common, the comment at the top and a block as a dialect lists it; and the
-//! targets `st` and `scl`, whose files have nothing else.
+//! The files of Structured Text: the common parts, which are the comment at the top and a block in the notation of a
+//! dialect; and the targets `st` and `scl`, which have only these parts.
 //!
-//! Whatever implementations disagree on is not printed: see `docs/structured-text.md`.
+//! Constructs that implementations interpret differently are not printed: see `docs/structured-text.md`.
 
 pub(super) mod codesys;
 mod dialect;
@@ -31,7 +31,7 @@ struct SclFile<'a> {
     block: Listing,
 }
 
-/// The numbers of a signal under their names.
+/// The named values of a signal.
 #[derive(Template)]
 #[template(path = "scl/enumeration.scl")]
 struct SclEnumeration<'a> {
@@ -43,7 +43,8 @@ struct SclEnumeration<'a> {
 #[template(path = "scl/IMPORT.md")]
 struct SclGuide;
 
-/// The function that looks at a sample's exponent bits before it compares it: TwinCAT's file, of which CODESYS takes the parts.
+/// The function that checks the exponent bits of a sample before it compares the sample: TwinCAT's file, of which CODESYS
+/// uses parts.
 #[derive(Template)]
 #[template(path = "twincat/in_range.TcPOU")]
 struct TcInRange<'a> {
@@ -61,7 +62,7 @@ pub(super) fn plain(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
 }
 
-/// A block and its self-test there.
+/// A block and its self-test in this target.
 pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
     own_self_test(listing::name(axis, block, &ST))
 }
@@ -76,7 +77,7 @@ pub(super) fn scl(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     both(axis, block, &SIEMENS, "scl", |origin, block| rendered(origin.file, "", &SclFile { origin, block }))
 }
 
-/// What all axes share there.
+/// The file that all axes share.
 pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
     let of_signal = |of: &Enumeration| {
         let file = &format!("axgen_{}.scl", of.signal);

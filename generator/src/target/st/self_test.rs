@@ -1,5 +1,5 @@
-//! The self-test of a block: a function block that calls it, one sample each cycle, and compares its outputs with those of the
-//! reference.
+//! The self-test of a block: a function block that calls it, one sample per cycle, and compares its outputs with those of
+//! the reference.
 
 use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
@@ -17,7 +17,7 @@ use std::ops::Range;
 /// The signal that turns a block on.
 const ENABLE: &str = "Enable";
 
-/// The name of the self-test of what has a name.
+/// The name of the self-test of a function block.
 pub(super) fn name(tested: &str) -> String {
     format!("{tested}_self_test")
 }
@@ -26,39 +26,39 @@ pub(super) fn name(tested: &str) -> String {
 #[derive(Template)]
 #[template(path = "st/self_test.st")]
 struct Body<'a> {
-    /// before a variable
+    /// the mark before a variable
     mark: &'a str,
     trial: &'a Trial,
     real: &'a str,
     is_single: bool,
     scales: [String; 3],
     small: String,
-    /// names of the inputs that get noise; of a part from 0 to 1 what it is at first
+    /// names of the inputs that get noise; for a fraction from 0 to 1 also its first value
     noise: Vec<(&'a str, Option<String>)>,
     has_parts: bool,
-    /// the factor of noise that is such a part
+    /// the factor of noise for such a fraction
     part: String,
     /// the inputs that are turned
     switches: Vec<Switch<'a>>,
     /// the samples in which an input is out of range or huge, and its value
     jumps: Vec<(&'a Range<usize>, &'a str, String)>,
-    /// a number, and its rounded square
+    /// a number and its square, rounded
     contraction: [String; 2],
     inputs: Vec<&'a str>,
-    /// the parameter set, part by part: some compilers drop the starts of a structure
+    /// the parameter set, part by part: some compilers ignore the start values of a structure
     set: Vec<(&'a str, String)>,
     outputs: &'a [String],
-    /// what is expected from a sample on: names and values
+    /// the expected outputs from a sample on: names and values
     steps: Vec<Step<'a>>,
 }
 
-/// What is expected from a sample on: outputs and their values.
+/// The expected outputs from a sample on, with their values.
 type Step<'a> = (usize, Vec<(&'a str, Cow<'a, str>)>);
 
-/// An input that has some values at some times, else its usual one.
+/// An input with different values at some times, otherwise its usual one.
 struct Switch<'a> {
     name: &'a str,
-    /// its last value, where it counts on from that; else empty
+    /// its last value if it continues to count from there; else empty
     before: String,
     usual: String,
     turns: Vec<(&'a Turn, String)>,
@@ -136,7 +136,7 @@ fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outpu
     let (program, literal) = (&block.program, dialect.language.literal);
     let is_single = program.real == RealKind::F32;
     let real = |value: f64| if is_single { Literal::F32(f32::lit(value)) } else { Literal::F64(value) };
-    // Where the block has the signal Enable, it is what turns it off.
+    // If the block has the signal Enable, it turns the block off.
     let has_enable = program.inputs[0].path == ENABLE;
     let position =
         |variable: &Variable| block.block.program.inputs.iter().position(|input| input.path == variable.path);

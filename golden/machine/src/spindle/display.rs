@@ -1,11 +1,11 @@
-//! The operation mode that a drive displays. What the modes are is the caller's.
+//! The operation mode that a drive displays. The meanings of the modes are not known here.
 
-/// A drive changes its mode after it has been asked for another one in some cycles.
+/// A drive changes its mode after another one has been requested for some cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Display<M> {
-    /// the mode that is displayed
+    /// the displayed mode
     pub mode: M,
-    /// cycles in a row in which another mode has been asked for
+    /// number of consecutive cycles in which another mode has been requested
     pub asked: u32,
 }
 
@@ -15,7 +15,7 @@ impl<M: PartialEq> Display<M> {
         Self { mode, asked: 0 }
     }
 
-    /// One cycle. `after`: the cycles that it answers later than at once; none: it does not answer.
+    /// One cycle. `after`: the number of cycles until it answers; `None` if it does not answer.
     pub fn ask(&mut self, mode: M, after: Option<u32>) {
         self.asked = if mode == self.mode { 0 } else { self.asked.saturating_add(1) };
         if after.is_some_and(|after| self.asked > after) {

@@ -1,5 +1,6 @@
-//! A spindle's drive and the bus to it: actual values some cycles late, operation modes that change some cycles late, a velocity
-//! loop of first order and, in position control, a position loop with the feedforward of the drive. No controller of the CNC.
+//! A spindle's drive and the bus to it: actual values and changes of the operation mode are delayed by some cycles; a
+//! velocity loop of first order and, in position control, a position loop with the feedforward of the drive. No controller
+//! of the CNC.
 //!
 //! ```text
 //! v_target = Kv (x_command - x) + w dx_command/dt      in position control: the steady lag is (1 - w) v / Kv
@@ -13,10 +14,10 @@ use crate::grid::{angle, rate, shortest};
 use crate::line::Line;
 use crate::velocity::{Follows, Velocity};
 
-/// Cycles after which the drive is in a mode that it is asked for.
+/// Cycles until the drive is in a requested mode.
 const MODE_CYCLES: u32 = 3;
 
-/// Numbers of a drive.
+/// The parameters of a drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Setup {
     /// [s]
@@ -27,11 +28,11 @@ pub struct Setup {
     pub kv: f64,
     /// weight of its feedforward
     pub weight: f64,
-    /// the number of the mode in which it controls the position; none: it never does
+    /// the number of the mode with position control; `None` if it has no such mode
     pub position_mode: Option<i32>,
 }
 
-/// What a drive is asked for.
+/// The command to a drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Command {
     pub x: f64,
@@ -39,7 +40,7 @@ pub struct Command {
     pub mode: i32,
 }
 
-/// What a drive shows.
+/// The actual values of a drive.
 #[derive(Clone, Copy, Debug)]
 pub struct Actual {
     /// 0 <= x < 360 000 [0.001 deg]
@@ -48,7 +49,7 @@ pub struct Actual {
     pub mode: i32,
 }
 
-/// A drive that turns.
+/// A drive in operation.
 #[derive(Clone, Debug)]
 pub struct Drive {
     setup: Setup,
@@ -58,12 +59,12 @@ pub struct Drive {
     /// command position of the previous cycle
     x_before: f64,
     display: Display<i32>,
-    /// on the way to the CNC
+    /// values delayed on the way to the CNC
     sent: Line<Actual>,
 }
 
 impl Drive {
-    /// At rest; and what the CNC reads of it.
+    /// The drive at rest, and the values that the CNC reads.
     #[must_use]
     pub fn at(setup: Setup, x: f64) -> (Self, Actual) {
         let mode = setup.position_mode.unwrap_or(0);
@@ -73,7 +74,7 @@ impl Drive {
         (Self { setup, follows, velocity, x, x_before: x, display: Display::of(mode), sent }, rest)
     }
 
-    /// One cycle with a command. Returns what the CNC reads when it computes the next one.
+    /// One cycle with a command. Returns the values that the CNC reads for the next one.
     pub fn step(&mut self, command: Command) -> Actual {
         let Setup { cycle, kv, weight, position_mode, .. } = self.setup;
         self.display.ask(command.mode, Some(MODE_CYCLES));

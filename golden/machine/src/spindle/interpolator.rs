@@ -6,7 +6,7 @@ use crate::profile::{Error, Limits, Mover};
 /// Speed of homing [0.001 deg/s]: 50 rpm.
 const HOMING: f64 = 300_000.0;
 
-/// What the control of the changeover put out in the previous cycle: state, job, commands.
+/// The outputs of the changeover in the previous cycle: state, job, commands.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     pub state: State,
@@ -28,7 +28,7 @@ pub enum State {
     ToPosition,
 }
 
-/// What a spindle is asked for.
+/// The job of a spindle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Job {
     Stop,
@@ -38,12 +38,12 @@ pub enum Job {
     Home,
 }
 
-/// Where the spindle shall be.
+/// The commanded state of the spindle.
 #[derive(Clone, Copy, Debug)]
 pub struct Commanded {
     pub x: f64,
     pub v: f64,
-    /// whether the motion of the job is over
+    /// whether the motion of the job is finished
     pub is_done: bool,
 }
 
@@ -52,9 +52,9 @@ pub struct Interpolator {
     limits: Limits,
     cycle: f64,
     mover: Mover,
-    /// number of the job that it moves for
+    /// number of the job for which it moves
     job: f64,
-    /// where to and how fast, once it stands: it has to turn round
+    /// target and speed after a stop, if it has to reverse
     after_stop: Option<[f64; 2]>,
     last: Commanded,
 }
@@ -66,8 +66,8 @@ impl Interpolator {
         Ok(Self { limits, cycle, mover, job: 0.0, after_stop: None, last: Commanded { x, v: 0.0, is_done: false } })
     }
 
-    /// One cycle. In BRAKE it has no say, and from TO_POSITION it moves on with what the control put out. In VELOCITY only the
-    /// velocity counts: the position stays.
+    /// One cycle. In BRAKE it does not move the spindle, and from TO_POSITION it continues from the outputs of the
+    /// changeover. In VELOCITY only the velocity is used: the position is constant.
     pub fn next(&mut self, seen: &Seen) -> Result<Commanded, Error> {
         match seen.state {
             State::Brake => return Ok(self.last),
@@ -100,8 +100,8 @@ impl Interpolator {
         }
     }
 
-    /// To the next passage of an angle, in the direction of the speed, for which it can brake. In the other direction it stops
-    /// first.
+    /// Plans a motion to the next passage of an angle, in the direction of the speed, at which it can stop. To reverse the
+    /// direction it stops first.
     fn approach(&mut self, target: f64, speed: f64) -> Result<(), Error> {
         let v = self.mover.now().v;
         if v * speed < 0.0 {
@@ -113,7 +113,7 @@ impl Interpolator {
         self.mover.go(target + turns * TURN, speed.abs())
     }
 
-    /// Where it stands, if it brakes now: to a lower speed first, if it is faster.
+    /// The position of a stop if it brakes now; if it is faster than `speed`, it slows down to it first.
     fn stop(&self, speed: f64) -> Result<f64, Error> {
         let mut trial = self.mover.clone();
         let speeds = if trial.now().v.abs() > speed.abs() { [speed, 0.0] } else { [0.0, 0.0] };

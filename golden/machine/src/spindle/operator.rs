@@ -1,24 +1,24 @@
-//! Who stands at a spindle: asks for every job at every speed, switches the drive off, resets, and now and then a sample is bad. All of it
-//! depends on the state of the changeover and on a count, and on nothing else. No drive, no block.
+//! The operator of a spindle: requests every job at every speed, switches the drive off, resets, and occasionally causes a
+//! bad sample. Everything depends only on the state of the changeover and on a count. No drive, no block.
 
 use super::interpolator::State;
 
-/// Cycles for which a drive that is asked for another mode keeps its own, so that the control does not wait any longer.
+/// Cycles for which a drive keeps its mode although another one is requested, so that the timeout of the control expires.
 const STUCK: u32 = 600;
 /// Cycles for which a request is TRUE.
 const REQUESTED: u32 = 2;
 
-/// Whoever asks for jobs, switches the drive and resets.
+/// The operator who requests jobs, switches the drive and resets.
 #[derive(Clone, Debug)]
 pub struct Operator {
     random: u64,
     /// speeds: slow and fast [0.001 deg/s]
     speeds: [f64; 3],
-    /// cycles from 0 to the fastest of them
+    /// cycles from 0 to the fastest speed
     ramp: u32,
     /// cycles until the next request
     pause: u32,
-    /// cycles for which the present one is TRUE
+    /// cycles for which the present request is TRUE
     asked: u32,
     asks: &'static [&'static str],
     /// S word [0.001 deg/s] and position [0.001 deg] of the request
@@ -26,19 +26,19 @@ pub struct Operator {
     pub target: f64,
     /// cycles for which the drive is off
     pub off: u32,
-    /// cycles for which the drive displays its mode as it is
+    /// cycles for which the drive displays an unchanged mode
     pub stuck: u32,
-    /// which sample is bad, and for how many cycles
+    /// the bad sample, and its number of cycles
     bad: Bad,
     bad_for: u32,
-    /// how often each state has begun
+    /// number of times that each state has begun
     entries: [u32; 5],
-    /// cycles for which a fault stands
+    /// number of cycles with a fault
     fault: u32,
     before: State,
 }
 
-/// A sample that is bad.
+/// A bad sample.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bad {
     /// the interpolator's velocity is far too large
@@ -52,7 +52,7 @@ pub enum Bad {
 }
 
 impl Operator {
-    /// Before the first cycle. A slow and a fast speed [0.001 deg/s], and the cycles from 0 to the fast one.
+    /// The state before the first cycle. A slow and a fast speed [0.001 deg/s], and the cycles from 0 to the fast one.
     #[must_use]
     pub fn of(slow: f64, fast: f64, ramp: u32) -> Self {
         Self {
@@ -86,7 +86,7 @@ impl Operator {
         self.bad_for > 0 && self.bad == bad
     }
 
-    /// A number below another one.
+    /// A random number below another one.
     fn below(&mut self, end: u32) -> u32 {
         self.random ^= self.random << 13;
         self.random ^= self.random >> 7;
@@ -99,7 +99,8 @@ impl Operator {
         (f64::from(self.below(65_536)) / 32_768.0 - 1.0) * range
     }
 
-    /// One cycle: what goes on counts down; a state that has just begun may be disturbed. Whether the operator resets.
+    /// One cycle: running counts decrease; a state that has just begun may be disturbed. Returns whether the operator
+    /// resets.
     pub fn next(&mut self, state: State, nothing_waits: bool, has_fault: bool) -> bool {
         for left in [&mut self.off, &mut self.stuck, &mut self.asked, &mut self.bad_for] {
             *left = left.saturating_sub(1);
@@ -116,7 +117,8 @@ impl Operator {
         resets
     }
 
-    /// What goes wrong: each thing in each state, one after the other, where the state begins; now and then within it.
+    /// Causes disturbances: each of them in each state, one after the other, at the beginning of the state; occasionally
+    /// within it.
     fn disturb(&mut self, state: State) {
         let which = if state == self.before {
             self.below(20_000)
@@ -136,7 +138,7 @@ impl Operator {
         }
     }
 
-    /// The next request: every one of them, at every speed; now and then what no spindle can do.
+    /// The next request: every job at every speed; occasionally one that is impossible for any spindle.
     fn ask(&mut self) {
         const ASKED: [&[&str]; 12] = [
             &["m3"],

@@ -1,9 +1,9 @@
-//! Attributes: what one changes in Rust, it does not change in the IR.
+//! Attributes. An attribute that changes an item in Rust would not change its description in the IR.
 
 use crate::reject::Rejections;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
-/// Rejects every attribute inside a function but a doc comment. It looks at the tokens, where none can hide.
+/// Rejects every attribute inside a function except doc comments. Works on the tokens, where no attribute can hide.
 pub fn reject_inside(tokens: TokenStream, rejections: &mut Rejections) {
     let mut tokens = tokens.into_iter().peekable();
     while let Some(token) = tokens.next() {
@@ -34,8 +34,8 @@ fn is_doc(token: &TokenTree) -> bool {
     matches!(group.stream().into_iter().next(), Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Rejects the attributes that may take a field or a variant away while its description stays. An attribute at the item itself
-/// is harmless: rustc evaluates it before it runs the macro.
+/// Rejects attributes that may remove a field or a variant while its description stays. An attribute of the item itself is
+/// harmless: rustc evaluates it before it runs the macro.
 pub fn reject_conditions(attributes: &[syn::Attribute], rejections: &mut Rejections) {
     for attribute in attributes {
         if attribute.path().is_ident("cfg") || attribute.path().is_ident("cfg_attr") {

@@ -8,7 +8,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{BinOp, Expr, Pat, Stmt};
 
-/// Describes a block; the names that it declares end with it.
+/// Describes a block. The names that it declares end with it.
 pub fn describe(block: &syn::Block, wants_value: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     let outer = scope.len();
     let mut statements = Vec::new();
@@ -89,7 +89,7 @@ fn describe_let(local: &syn::Local, scope: &mut Scope, rejections: &mut Rejectio
     TokenStream::new()
 }
 
-/// The type in `Type::default()`: what a struct of a function starts as.
+/// The type in `Type::default()`: the start value of a local struct.
 fn default_of(value: &Expr, scope: &Scope) -> Option<syn::Type> {
     let Expr::Call(call) = expr::bare(value) else { return None };
     let Expr::Path(function) = &*call.func else { return None };
@@ -129,7 +129,7 @@ pub fn expression(expression: &Expr, scope: &mut Scope, rejections: &mut Rejecti
     quote!(::portable::Statement::Expr { value: &#value })
 }
 
-/// Whether a call is one of `note`.
+/// Whether a call is a call of `note`.
 fn is_note(call: &syn::ExprCall) -> bool {
     matches!(&*call.func, Expr::Path(function) if function.path.segments.last().is_some_and(|last| last.ident == "note"))
 }
@@ -146,7 +146,7 @@ fn describe_note(call: &syn::ExprCall, rejections: &mut Rejections) -> TokenStre
     }
 }
 
-/// Whether the operator is `+=` or one of its kind.
+/// Whether the operator is a compound assignment such as `+=`.
 pub fn is_compound(operator: &BinOp) -> bool {
     matches!(
         operator,

@@ -46,7 +46,7 @@ pub fn describe_match(
     quote!(::portable::Expr::Match { scrutinee: &#scrutinee, arms: &[#(#arms),*] })
 }
 
-/// Describes an arm or what follows `else`: a block, or an expression without braces.
+/// Describes the body of an arm or of `else`: a block, or an expression without braces.
 fn describe_body(body: &syn::Expr, wants_value: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     match body {
         syn::Expr::Block(inner) if inner.label.is_none() => {

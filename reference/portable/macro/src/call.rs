@@ -8,7 +8,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::{Expr, GenericArgument, Ident, PathArguments, Type};
 
-/// Describes a call; `alone` says whether it is a whole value, where it may change something.
+/// Describes a call; `alone` says whether the call is a whole value, so that it may change its arguments.
 pub fn describe(call: &syn::ExprCall, alone: bool, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     let mut mutates = false;
     let function = match &*call.func {
@@ -72,7 +72,7 @@ fn no_free_function(function: &syn::ExprPath) -> Option<&'static str> {
         .then_some("a function of a type has no counterpart; write a free portable function")
 }
 
-/// Whether there is nothing but the caller's real type between the angle brackets.
+/// Whether the angle brackets contain only the caller's real type.
 fn is_callers_real(arguments: &PathArguments, scope: &Scope) -> bool {
     let arguments = match arguments {
         PathArguments::None => return true,
@@ -131,7 +131,7 @@ fn numbers(call: &syn::ExprCall, is_mutable: bool, scope: &mut Scope, rejections
     }
 }
 
-/// The name of a borrowed parameter, passed on as it is.
+/// The name of a borrowed parameter that is passed on unchanged.
 fn borrowed<'a>(argument: &'a Expr, scope: &Scope) -> Option<(&'a Ident, Kind)> {
     let Expr::Path(path) = argument else { return None };
     let name = path.path.get_ident()?;

@@ -1,4 +1,4 @@
-//! `copy!(to = from: field, field)`: fields taken over by their names. An assignment for each, in Rust and in the IR alike.
+//! `copy!(to = from: field, field)`: copies fields by name. One assignment per field, in Rust and in the IR.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -8,7 +8,7 @@ use syn::{Expr, ExprAssign, Ident, Token, parse_quote};
 
 const FORM: &str = "fields are taken over by their names; write `copy!(to = from: field, field);`";
 
-/// What a `copy!` stands for, in the order of its fields.
+/// The assignments of a `copy!`, in the order of its fields.
 pub struct Copy(Vec<ExprAssign>);
 
 impl Parse for Copy {
@@ -31,7 +31,7 @@ impl Copy {
     }
 }
 
-/// The assignments, if the macro is a `copy!`. None of a wrong form, which the macro itself rejects.
+/// The assignments, if the macro is a well-formed `copy!`. The macro itself rejects any other form.
 pub fn assignments(call: &syn::Macro) -> Option<Vec<Expr>> {
     call.path.segments.last().filter(|last| last.ident == "copy")?;
     let copy = call.parse_body::<Copy>().unwrap_or(Copy(Vec::new()));

@@ -1,7 +1,7 @@
-//! Expressions: what each becomes in the IR. Why the others are rejected stands in `outside`.
+//! Expressions and their descriptions in the IR. The reasons for rejecting other expressions are in `outside`.
 //!
-//! A call with a mutable argument, an `if` and a `match` may only be a whole value, alone right of `let` or `=` or at a
-//! block's end: languages disagree about when such an operand would run.
+//! A call with a mutable argument, an `if` and a `match` may only be a whole value: alone to the right of `let` or `=`, or
+//! at the end of a block. Languages disagree about when such an operand is evaluated.
 
 use crate::kind::{self, Kind};
 use crate::reject::Rejections;
@@ -21,7 +21,7 @@ pub fn bare(expression: &Expr) -> &Expr {
     }
 }
 
-/// Describes what stands right of `let`: a whole value or an array.
+/// Describes the right side of `let`: a whole value or an array.
 pub fn initial(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     match bare(expression) {
         Expr::Array(array) => {
@@ -36,7 +36,7 @@ pub fn initial(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections
     }
 }
 
-/// Describes a whole value: right of `let` or `=`, or at a block's end.
+/// Describes a whole value: the right side of `let` or `=`, or the end of a block.
 pub fn whole(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     match bare(expression) {
         Expr::Call(call) => call::describe(call, true, scope, rejections),
@@ -46,7 +46,7 @@ pub fn whole(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) 
     }
 }
 
-/// Describes an expression without effect, which may stand anywhere.
+/// Describes an expression without side effects, which may be an operand.
 pub fn operand(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     match bare(expression) {
         Expr::Lit(literal) => describe_literal(&literal.lit, rejections),
@@ -98,7 +98,7 @@ pub fn index(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) 
     }
 }
 
-/// Describes the value of `place += operand`; `place` is described already.
+/// Describes the value of `place += operand`. `place` has already been described.
 pub fn compound(
     binary: &syn::ExprBinary,
     place: &TokenStream,
@@ -117,7 +117,7 @@ pub fn compound(
     }
 }
 
-/// A value that rustc evaluates, and whose type it checks at its own place.
+/// A value that rustc evaluates. A wrong type is an error at the place of the value.
 pub fn constant(value: &(impl ToTokens + Spanned)) -> TokenStream {
     let scalar = quote_spanned!(value.span()=> ::portable::scalar(&#value));
     quote!(::portable::Expr::Constant { value: || #scalar })
@@ -166,7 +166,7 @@ fn describe_path(path: &syn::ExprPath, scope: &Scope, rejections: &mut Rejection
 
 fn describe_unary(unary: &syn::ExprUnary, scope: &mut Scope, rejections: &mut Rejections) -> TokenStream {
     let operator = match (&unary.op, bare(&unary.expr)) {
-        // Rust reads `-2147483648i32` as one number, and the number without its minus would be too large.
+        // Rust reads `-2147483648i32` as one number; without its minus the number would be too large.
         (UnOp::Neg(_), Expr::Lit(syn::ExprLit { lit: Lit::Int(integer), .. })) if integer.suffix() == "i32" => {
             return constant(unary);
         }

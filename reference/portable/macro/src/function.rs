@@ -29,7 +29,7 @@ pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStr
     attribute::reject_inside(signature.to_token_stream(), rejections);
     attribute::reject_inside(function.block.to_token_stream(), rejections);
     if signature.receiver().is_some() {
-        return TokenStream::new(); // in an `impl`, where no module can stand
+        return TokenStream::new(); // inside an `impl`, which cannot contain a module
     }
     let (params, returns, body, assertions) = if rejections.is_empty() {
         (quote!(#(#params),*), returns, body, assertions)
@@ -70,7 +70,7 @@ pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStr
     }
 }
 
-/// Rejects what stands before `fn`.
+/// Rejects qualifiers before `fn`.
 fn qualifiers(signature: &syn::Signature, rejections: &mut Rejections) {
     if let Some(token) = &signature.asyncness {
         rejections.push(token, "a function runs within one cycle; remove `async`");

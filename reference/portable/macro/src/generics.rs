@@ -3,7 +3,7 @@
 use crate::reject::Rejections;
 use syn::{GenericParam, Generics, TypeParam, TypeParamBound};
 
-/// The real type of a function, whose bound says so.
+/// The real type of a function. The parameter must have the bound of a real type.
 pub fn of_function(generics: &Generics, rejections: &mut Rejections) -> Option<syn::Ident> {
     let real = type_parameter(generics, rejections)?;
     if !is_real(real) {
@@ -12,7 +12,7 @@ pub fn of_function(generics: &Generics, rejections: &mut Rejections) -> Option<s
     Some(real.ident.clone())
 }
 
-/// The real type of a struct, which needs no bound.
+/// The real type of a struct. The parameter needs no bound.
 pub fn of_struct(generics: &Generics, rejections: &mut Rejections) -> Option<syn::Ident> {
     let real = type_parameter(generics, rejections)?;
     if !real.bounds.is_empty() && !is_real(real) {

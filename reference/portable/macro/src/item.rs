@@ -1,4 +1,4 @@
-//! Structs and enums: `impl Portable`, which describes the type and takes a value apart. No functions here.
+//! Structs and enums: `impl Portable`, which describes the type and splits a value into scalars. No functions here.
 
 use crate::reject::Rejections;
 use crate::{attribute, generics, name, ty};
@@ -136,7 +136,7 @@ fn check_variant(variant: &syn::Variant, rejections: &mut Rejections) {
     }
 }
 
-/// Stands in for the description of a rejected type, so that its uses are not errors too.
+/// Replaces the description of a rejected type, so that its uses are not reported as well.
 fn undescribed(name: &syn::Ident, generics: &syn::Generics, ty: &TokenStream) -> TokenStream {
     let (bounds, arguments, clause) = generics.split_for_impl();
     quote! {
@@ -162,7 +162,7 @@ pub fn doc(attributes: &[syn::Attribute]) -> String {
         {
             let text = text.value();
             if text.trim().is_empty() {
-                break; // the first paragraph says what it is
+                break; // the first paragraph is the description
             }
             lines.push(text.trim().to_owned());
         }

@@ -1,20 +1,20 @@
-//! What can be seen of a value without rustc's types: enough to reject in the editor what the generator would reject.
+//! What is known of a value without rustc's types: enough to reject in the editor what the generator would reject.
 
 use crate::reject::Rejections;
 use crate::scope::Scope;
 use crate::{expr, real};
 use syn::{BinOp, Expr, Lit};
 
-/// What a name or an expression stands for.
+/// The kind of a name or an expression.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// a scalar, or something that only rustc knows
+    /// a scalar, or a kind that only rustc knows
     Unknown,
     /// a scalar of the real type
     Real,
     /// a scalar of an integer type
     Integer,
-    /// an array of this function
+    /// a local array
     Array,
     /// a parameter `&T`
     Shared,
@@ -22,7 +22,7 @@ pub enum Kind {
     Mutable,
 }
 
-/// What an expression is seen to stand for.
+/// The kind of an expression, as far as its text shows it.
 pub fn classify(expression: &Expr, scope: &Scope) -> Kind {
     match expr::bare(expression) {
         Expr::Path(path) if real::is_path(&path.path, scope) => Kind::Real,
@@ -47,7 +47,7 @@ pub fn classify(expression: &Expr, scope: &Scope) -> Kind {
     }
 }
 
-/// Rejects an operator that its operands do not have in every language.
+/// Rejects an operator that some language does not have for these operands.
 pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Rejections) {
     let kinds = [classify(&binary.left, scope), classify(&binary.right, scope)];
     match binary.op {
@@ -63,8 +63,8 @@ pub fn check_binary(binary: &syn::ExprBinary, scope: &Scope, rejections: &mut Re
     }
 }
 
-/// Rejects a divisor of integers that is not a literal from 1 on: languages differ for a division by 0, and of the smallest
-/// number by -1.
+/// Rejects an integer divisor that is not a literal of at least 1: languages differ for division by 0, and for the smallest
+/// number divided by -1.
 pub fn check_divisor(binary: &syn::ExprBinary, rejections: &mut Rejections) {
     let is_number = match expr::bare(&binary.right) {
         Expr::Lit(syn::ExprLit { lit: Lit::Int(integer), .. }) => {

@@ -29,8 +29,8 @@ use reject::Rejections;
 /// Makes a struct, an enum of unit variants or a function portable.
 ///
 /// The item stays ordinary Rust. A struct or an enum gets an implementation of `portable::Portable`; a function gets a
-/// hidden module of its own name with `Ir<R>::IR`, so that one `use` imports both. Everything outside the subset is an
-/// error at its own place that says what to write instead, all of them at once.
+/// hidden module of its own name with `Ir<R>::IR`, so that one `use` imports both. Everything outside the subset is an error
+/// at its own place that says what to write instead. All errors are reported at once.
 #[proc_macro_attribute]
 pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     let mut rejections = Rejections::default();
@@ -53,15 +53,15 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
     quote!(#original #description #errors).into()
 }
 
-/// `copy!(to = from: field, field);`: takes fields over by their names, each as `to.field = from.field;`.
+/// `copy!(to = from: field, field);` copies fields by name: each is `to.field = from.field;`.
 ///
-/// rustc checks each of them: both have it, and it is of one type.
+/// rustc checks that both structs have the field, with the same type.
 #[proc_macro]
 pub fn copy(fields: TokenStream) -> TokenStream {
     syn::parse::<copy::Copy>(fields).map_or_else(|error| error.to_compile_error(), |copy| copy.expand()).into()
 }
 
-/// The examples of the guide compile, or fail to, as it says.
+/// Checks that the examples of the guide compile or fail as the guide states.
 #[cfg(doctest)]
 #[doc = include_str!("../../../../docs/portable-rust.md")]
 struct Guide;

@@ -1,9 +1,9 @@
-//! Names: what C and Structured Text can take over as it is.
+//! Names that C and Structured Text can use unchanged.
 
 use crate::reject::Rejections;
 use syn::Ident;
 
-/// Rejects a name that other languages cannot carry.
+/// Rejects a name that another language cannot use.
 pub fn check(name: &Ident, rejections: &mut Rejections) {
     let text = name.to_string();
     if text.starts_with("r#") {

@@ -1,5 +1,5 @@
-//! Expressions outside the subset: what to write instead of each. What stands inside them is checked too, so that all
-//! violations are shown at once.
+//! Expressions outside the subset, and what to write instead of each. Their contents are checked too, so that all violations
+//! are reported at once.
 
 use crate::reject::Rejections;
 use crate::scope::Scope;
@@ -91,7 +91,7 @@ pub fn operator(operator: &BinOp) -> &'static str {
     }
 }
 
-/// Where the error is shown: at the word that begins what would fill many lines, else at the whole.
+/// Where the error is shown: at the first word of an expression that may fill many lines, else at the whole expression.
 fn head(expression: &Expr) -> TokenStream {
     match expression {
         Expr::While(each) => each.while_token.to_token_stream(),
@@ -111,7 +111,7 @@ fn head(expression: &Expr) -> TokenStream {
     }
 }
 
-/// Checks what stands inside a rejected expression, as far as it has a meaning without it.
+/// Checks the contents of a rejected expression, as far as they have a meaning without it.
 fn check_inside(expression: &Expr, scope: &mut Scope, rejections: &mut Rejections) {
     match expression {
         Expr::While(each) => {
@@ -157,7 +157,7 @@ fn check_values<'e>(values: impl IntoIterator<Item = &'e Expr>, scope: &mut Scop
     }
 }
 
-/// Checks a value; a number or a place alone is not the reason why what surrounds it is rejected.
+/// Checks a value. A number or a place alone is not the reason why the surrounding expression is rejected.
 fn check_value(value: &Expr, scope: &mut Scope, rejections: &mut Rejections) {
     if !matches!(value, Expr::Lit(_)) && !place::is_place(value, scope) {
         expr::whole(value, scope, rejections);

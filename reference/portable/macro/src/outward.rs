@@ -1,9 +1,9 @@
-//! Paths as they read one module further in, where the IR stands.
+//! Paths as seen from one module further inside, where the IR is.
 
 use proc_macro2::{Group, Ident, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
-/// The tokens as they must read in an inner module: `super::x` becomes `super::super::x`, `self::x` becomes `super::x`.
+/// The tokens for use in an inner module: `super::x` becomes `super::super::x`, `self::x` becomes `super::x`.
 pub fn from_inside(tokens: TokenStream) -> TokenStream {
     let mut moved = TokenStream::new();
     let (mut colon, mut continues) = (false, false);

@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use syn::Pat;
 
-/// Describes the values that choose an arm; none: the wildcard.
+/// Describes the values that choose an arm; empty for the wildcard.
 pub fn describe(pattern: &Pat, rejections: &mut Rejections) -> Vec<TokenStream> {
     match pattern {
         Pat::Wild(_) => Vec::new(),
@@ -21,7 +21,7 @@ pub fn describe(pattern: &Pat, rejections: &mut Rejections) -> Vec<TokenStream> 
             values
         }
         Pat::Path(path) => vec![quote!(|| ::portable::scalar(&#path))],
-        // A name of one segment. It is a constant if it is written as one: rustc then says so if there is none.
+        // A name of one segment in capital letters is a constant: rustc reports an error if it does not exist.
         Pat::Ident(name) if name.by_ref.is_none() && name.subpat.is_none() && is_upper(&name.ident) => {
             vec![quote!(|| ::portable::scalar(&#name))]
         }

@@ -1,4 +1,4 @@
-//! Places: a local or a parameter, or a field or an element of one. What stands in an index is described in `expr`.
+//! Places: a local or a parameter, or a field or an element of one. Indices are described in `expr`.
 
 use crate::reject::Rejections;
 use crate::scope::Scope;

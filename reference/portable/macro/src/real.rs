@@ -1,4 +1,4 @@
-//! Constants of the real type: `R::ZERO`, `R::lit(0.5)` and their kind, which rustc evaluates.
+//! Constants of the real type, such as `R::ZERO` and `R::lit(0.5)`, which rustc evaluates.
 
 use crate::expr;
 use crate::reject::Rejections;
@@ -53,7 +53,7 @@ pub fn describe_call(
     expr::constant(call)
 }
 
-/// Whether rustc knows the value: a literal or the name of a constant, perhaps with a minus.
+/// Whether rustc knows the value: a literal or the name of a constant, optionally with a minus.
 fn is_constant(argument: &Expr, scope: &Scope) -> bool {
     match argument {
         Expr::Unary(syn::ExprUnary { op: syn::UnOp::Neg(_), expr, .. }) => is_constant(expr, scope),
@@ -66,7 +66,7 @@ fn is_constant(argument: &Expr, scope: &Scope) -> bool {
     }
 }
 
-/// Whether a name is written as constants are.
+/// Whether a name has the form of a constant.
 fn is_constant_name(name: &syn::Ident) -> bool {
     !name.to_string().contains(char::is_lowercase)
 }

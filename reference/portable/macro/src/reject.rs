@@ -1,4 +1,4 @@
-//! The violations of the subset that one item has, gathered so that all are shown at once. No rule stands here.
+//! Collects the violations of the subset in one item, so that all are shown at once. No rules here.
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -20,7 +20,7 @@ impl Rejections {
         self.errors.is_empty()
     }
 
-    /// How many violations there are.
+    /// The number of violations.
     pub fn len(&self) -> usize {
         self.errors.len()
     }

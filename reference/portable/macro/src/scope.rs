@@ -1,4 +1,4 @@
-//! The names that are visible at a place of a function, and what each stands for.
+//! The names that are visible at a place of a function, and their kinds.
 
 use crate::kind::Kind;
 use crate::name;
@@ -17,7 +17,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// Of a function, before its parameters.
+    /// The scope of a function, before its parameters.
     pub fn new(function: Ident, real: Option<Ident>) -> Self {
         Self { function, real, names: Vec::new() }
     }
@@ -34,7 +34,7 @@ impl Scope {
         self.names.push((name.clone(), kind));
     }
 
-    /// Enters every name in a pattern that has been rejected, so that their uses are not rejected too.
+    /// Enters every name in a rejected pattern, so that uses of the names are not rejected too.
     pub fn enter_rejected(&mut self, pattern: &impl ToTokens) {
         self.enter_tokens(pattern.to_token_stream());
     }
@@ -49,17 +49,17 @@ impl Scope {
         }
     }
 
-    /// What a parameter or a local stands for; nothing if the name is neither.
+    /// The kind of a parameter or a local; `None` for any other name.
     pub fn kind(&self, name: &Ident) -> Option<Kind> {
         self.names.iter().rev().find(|(known, _)| known == name).map(|(_, kind)| *kind)
     }
 
-    /// How many names are visible: what [`Scope::leave`] takes where their block ends.
+    /// The number of visible names: [`Scope::leave`] takes it at the end of their block.
     pub fn len(&self) -> usize {
         self.names.len()
     }
 
-    /// Forgets the names that were entered since.
+    /// Removes the names that were entered since.
     pub fn leave(&mut self, len: usize) {
         self.names.truncate(len);
     }

@@ -1,4 +1,4 @@
-//! Types: which a parameter, a result, a field or a local may have. What a name stands for, only rustc knows.
+//! The types that a parameter, a result, a field or a local may have. Only rustc knows what a name stands for.
 
 use crate::kind::Kind;
 use crate::reject::Rejections;
@@ -39,7 +39,7 @@ pub fn parameter<'t>(ty: &'t Type, real: Option<&Ident>, rejections: &mut Reject
     }
 }
 
-/// Rejects what a function cannot give.
+/// Rejects a type that a function cannot return.
 pub fn result(ty: &Type, rejections: &mut Rejections) {
     match ty {
         Type::Tuple(tuple) if tuple.elems.is_empty() => {
@@ -50,7 +50,7 @@ pub fn result(ty: &Type, rejections: &mut Rejections) {
     }
 }
 
-/// Rejects what no field, local or element can be.
+/// Rejects a type that a field, a local or an element cannot have.
 pub fn held(ty: &Type, rejections: &mut Rejections) {
     match ty {
         Type::Paren(paren) => held(&paren.elem, rejections),
@@ -103,7 +103,7 @@ fn instead(ty: &Type) -> &'static str {
     }
 }
 
-/// The kind of a scalar whose type is seen to be one.
+/// The kind of a scalar, if the type is recognisable as one.
 pub fn scalar(ty: &Type, real: Option<&Ident>) -> Option<Kind> {
     let Type::Path(path) = ty else { return None };
     let name = path.path.get_ident()?;
@@ -120,7 +120,7 @@ fn has_arguments(path: &syn::TypePath) -> bool {
     path.path.segments.iter().any(|segment| !segment.arguments.is_none())
 }
 
-/// Where only a name is seen, rustc says whether it is a scalar: an error at the type if it is not what it has to be.
+/// For a type that is only a name, lets rustc check that it is a scalar: an error at the type if it is not.
 pub fn assertion(ty: &Type, borrowed: bool, real: Option<&Ident>) -> TokenStream {
     match ty {
         Type::Path(path) if !has_arguments(path) && scalar(ty, real).is_none() => {}

@@ -1,12 +1,12 @@
-//! Values as text that every implementation of Structured Text reads back to the same bits.
+//! Values as text that every implementation of Structured Text reads as the same bits.
 
 use crate::print::language::Level;
 use crate::print::number::decimal;
 use portable::Literal;
 
-/// What one compiler takes as a real literal, although its LREAL has the range of a double.
+/// The smallest magnitude that one compiler accepts as a real literal, although its LREAL has the range of a double.
 const SMALLEST: f64 = 1.18e-38;
-/// The largest magnitude that this compiler takes as a real literal.
+/// The largest magnitude that this compiler accepts as a real literal.
 const LARGEST: f64 = 3.4e38;
 /// 2^120, within these limits.
 const UP: f64 = f64::from_bits((1023 + 120) << 52);
@@ -14,7 +14,7 @@ const UP: f64 = f64::from_bits((1023 + 120) << 52);
 const DOWN: f64 = f64::from_bits((1023 - 120) << 52);
 
 /// The text of a literal. A real has digits on both sides of the point and a signed exponent; a magnitude that some compiler
-/// refuses is a product of powers of two and a number, exact in every step.
+/// rejects becomes a product of powers of two and a number, exact in every step.
 ///
 /// # Panics
 /// If the literal does not exist at run time: the passes have excluded that.
@@ -22,7 +22,7 @@ pub fn literal(value: Literal) -> String {
     match value {
         Literal::Bool(true) => "TRUE".to_owned(),
         Literal::Bool(false) => "FALSE".to_owned(),
-        // To some compilers -2147483648 is minus a number that fits no DINT.
+        // Some compilers read -2147483648 as minus a number that is not a DINT.
         Literal::I32(i32::MIN) => "-2147483647 - 1".to_owned(),
         Literal::I32(value) => value.to_string(),
         Literal::U32(value) => value.to_string(),
@@ -47,13 +47,13 @@ pub(super) fn operand(value: Literal) -> (String, Level) {
 fn real(value: f64, text: String) -> String {
     let magnitude = value.abs();
     if magnitude == 0.0 && value.is_sign_negative() {
-        // To some compilers a sign before 0 is a subtraction from 0.
+        // Some compilers read a sign before 0 as a subtraction from 0.
         return "-1.0 * 0.0".to_owned();
     }
     if magnitude == 0.0 || (SMALLEST..=LARGEST).contains(&magnitude) {
         return text;
     }
-    // The first factor has the digits: each product after it is exact, a subnormal one included.
+    // The first factor has the digits: each product after it is exact, even if it is subnormal.
     let (factor, reciprocal) = if magnitude < SMALLEST { (DOWN, UP) } else { (UP, DOWN) };
     let (mut rest, mut factors) = (value, String::new());
     while !(SMALLEST..=LARGEST).contains(&rest.abs()) {
@@ -64,7 +64,7 @@ fn real(value: f64, text: String) -> String {
     digits(Literal::F64(rest)) + &factors
 }
 
-/// The shortest digits of a REAL that give it whether they are read as a REAL or as an LREAL that is rounded then.
+/// The shortest digits that give this REAL whether they are read as a REAL or as an LREAL that is then rounded.
 fn single(value: f32) -> String {
     let shortest = digits(Literal::F32(value));
     let wide: f64 = shortest.parse().expect("st: a number's digits are a number");
@@ -73,7 +73,7 @@ fn single(value: f32) -> String {
     if rounded.to_bits() == value.to_bits() { shortest } else { digits(Literal::F64(f64::from(value))) }
 }
 
-/// The shortest digits that read back to the same bits, as the standard writes them: `0.1`, `1.0E-30`.
+/// The shortest digits that read back to the same bits, in the notation of the standard: `0.1`, `1.0E-30`.
 fn digits(value: Literal) -> String {
     let text = decimal(value);
     match text.split_once('e') {

@@ -1,5 +1,5 @@
-//! The description of Structured Text and its dialects for the printer. There are more parentheses
-//! than the standard asks for: implementations read `NOT`, signs and mixed operators in more than one way.
+//! The description of Structured Text and its dialects for the printer. There are more parentheses than the standard
+//! requires: implementations interpret `NOT`, signs and mixed operators differently.
 
 mod literal;
 
@@ -12,8 +12,8 @@ use portable::{Intrinsic, Literal, RealKind, Unary};
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// Any compiler of the standard's second edition. Some drop every initial value inside an instance, silently: nothing may
-/// depend on one, and a block's numbers stand in its statements.
+/// Any compiler of the standard's second edition. Some ignore every initial value inside an instance without a message:
+/// nothing may depend on one, and a block's numbers are in its statements.
 pub static PLAIN: Language = Language {
     is_reserved: |name| RESERVED.contains(&*name.to_ascii_lowercase()),
     significant: None,
@@ -47,8 +47,8 @@ pub static PLAIN: Language = Language {
     comment: ["(* ", "   ", " *)"],
 };
 
-/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so that a function looks at
-/// a sample's bits before it is compared.
+/// TwinCAT 3 and CODESYS 3.5, one family of runtimes: a comparison with a NaN can stop them, so a function checks a sample's
+/// bits before the comparison.
 pub static CODESYS: Language = Language { form: form_of_codesys, appearances: declared, ..PLAIN };
 
 /// Siemens SCL for S7-1200 and S7-1500.
@@ -112,7 +112,7 @@ fn form_of_codesys(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
     Some(Form { level: Level::And, text, least: [Level::Any; 2] })
 }
 
-/// The smallest DINT is not a literal everywhere, so a constant must not have this value.
+/// The smallest DINT is not always a valid literal, so a constant must not have this value.
 fn declared(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let appearance = |constant: &Constant| match (constant.origin, constant.value) {
         (Origin::Runtime(_), _) | (_, Literal::I32(i32::MIN)) => Appearance::Inline,
@@ -125,7 +125,7 @@ fn declared(program: &Program, _: &[Signal]) -> Vec<Appearance> {
 fn among_statements(program: &Program, _: &[Signal]) -> Vec<Appearance> {
     let usual = |value| if matches!(value, Literal::F32(_)) { Appearance::Assigned } else { Appearance::Inline };
     let mut appearances: Vec<Appearance> = program.constants.iter().map(|constant| usual(constant.value)).collect();
-    // Digits have no type of their own: an operator or a conversion that has nothing but integer digits would be anything.
+    // Digits have no own type: an operator or a conversion with integer digits only would have an undefined type.
     let is_digits =
         |operand: &Expr| matches!(operand.known(&program.constants), Some(Literal::I32(_) | Literal::U32(_)));
     let mut assign_alone = |part: &Expr| {

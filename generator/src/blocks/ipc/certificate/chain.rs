@@ -1,4 +1,4 @@
-//! The stages of a compiled block as chains of second-order sections, found by single steps from unit states. No bound.
+//! The stages of a compiled block as chains of second-order sections, measured by single steps from unit states. No bound.
 
 use super::super::stage::{self, StageDesign};
 use super::probe::{Probe, Source};
@@ -8,18 +8,18 @@ use crate::design::trapezoidal::Trapezoidal;
 use compiler::program::{Program, Type};
 use portable::RealKind;
 
-/// A stage as it acts: `gain * section[n-1](... section[0](x))`.
+/// A stage as measured: `gain * section[n-1](... section[0](x))`.
 pub(crate) struct Chain {
-    /// the input that it looks at, by its position in the program
+    /// its input, as a position in the program
     pub input: usize,
     /// the sections, in the order of their execution
     pub section: Vec<Section>,
-    /// the weight with its sign; 0 where a limit of 0 mutes the block
+    /// the weight with its sign; 0 if a limit of 0 mutes the block
     pub gain: f64,
 }
 
-/// The chains of stages; `limit` is that of the block: outputs are measured where it does not act. A program of single precision
-/// is measured in double precision: what its rounded coefficients do.
+/// The chains of stages. `limit` is that of the block: outputs are measured where it does not act. A program of single
+/// precision is measured in double precision, which shows the effect of its rounded coefficients.
 pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) -> Vec<Chain> {
     let wide = widened(program);
     let mut probe = Probe::new(&wide, program.real, limit);
@@ -38,15 +38,15 @@ pub(crate) fn measure(program: &Program, stages: &[&StageDesign], limit: f64) ->
     stages.iter().map(chain).collect()
 }
 
-/// Where a section is in the state.
+/// The place of a section in the state.
 pub(crate) struct Place {
-    /// the two values that it remembers
+    /// the two values of its state
     pub s: [usize; 2],
-    /// whether the second one takes the change of its input
+    /// whether the second one is driven by the change of the input
     pub is_by_change: bool,
 }
 
-/// Where a section is in the state: s1 and s2 of a biquad, s1 and p or low of a trapezoidal section.
+/// The place of a section in the state: s1 and s2 of a biquad, s1 and p or low of a trapezoidal section.
 pub(crate) fn place(program: &Program, section: &stage::Section) -> Place {
     let stem = section.element.in_state();
     let at = |name| {
@@ -65,7 +65,7 @@ fn biquads(probe: &mut Probe<'_>, places: &[Place], input: usize, from_input: &[
     let gain = probe.output(&Source::State(places[last].s[0]));
     let section = |i: usize| {
         let [s1, s2] = places[i].s;
-        // What reaches a section directly: the input of the stage, or the s1 before it.
+        // The direct input of a section: the input of the stage, or the s1 before it.
         let reaching = if i == 0 { from_input } else { &columns[i - 1] };
         let b0 = if i < last {
             through(reaching, &columns[i], places[i + 1].s)
@@ -82,14 +82,14 @@ fn biquads(probe: &mut Probe<'_>, places: &[Place], input: usize, from_input: &[
     Chain { input, section: (0..=last).map(section).collect(), gain }
 }
 
-/// b0 of a section: what reaches the next one through it, by what would reach it directly.
+/// b0 of a section: the response of the next section through it, divided by the response to a direct input.
 fn through(reaching: &[f64], direct: &[f64], next: [usize; 2]) -> f64 {
     let by = if direct[next[0]].abs() > direct[next[1]].abs() { next[0] } else { next[1] };
     reaching[by] / direct[by]
 }
 
-/// A step from s1 = 1 leaves s1 = 1 - B and p = -C (2 - B), one from p = 1 leaves s1 = A; with low in the place of p, the
-/// opposite of both.
+/// A step from s1 = 1 leads to s1 = 1 - B and p = -C (2 - B), one from p = 1 to s1 = A. With low instead of p, both have the
+/// opposite sign.
 fn trapezoidal(probe: &mut Probe<'_>, places: &[Place], stage: &StageDesign, input: usize) -> Chain {
     let mut section = |(place, section): (&Place, &stage::Section)| {
         let [s1, second] = place.s;

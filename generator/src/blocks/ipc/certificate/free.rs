@@ -1,4 +1,4 @@
-//! What a second-order section can still do when it is left to itself, in closed form. No step is run.
+//! Bounds of a second-order section without input, in closed form. No step is run.
 
 use portable::Extreme;
 
@@ -63,7 +63,7 @@ impl Free {
             return 0.0;
         }
         let apart = s1.abs() * self.even + slope.abs() * self.odd;
-        // One oscillation of this amplitude, rather than the two of its parts.
+        // One oscillation of this amplitude, which is a tighter bound than the sum of its two parts.
         self.imaginary.map_or(apart, |imaginary| apart.smaller(libm::hypot(s1, slope / imaginary) * self.even))
     }
 

@@ -22,7 +22,7 @@ pub(crate) fn lines(certificate: &Certificate) -> Vec<String> {
     lines
 }
 
-/// The certain bound of what the limit cuts off; none: the block adds nothing, or no bound is certain.
+/// The proven bound of the sum before the limit; `None` if the block adds nothing, or if no bound is proven.
 pub(crate) fn figure(certificate: &Certificate) -> Option<Figure> {
     let Certificate { real, v_max, limit, bound, .. } = certificate;
     let value = bound.v_sum * v_max;
@@ -63,6 +63,6 @@ fn response(stage: usize, points: &[Point]) -> String {
 /// Gain and phase, the latter above -179.9999999 and up to 180 degrees.
 fn polar(h: Complex) -> String {
     let angle = angle(h);
-    let angle = if angle.abs() < 5e-8 { 0.0 } else { angle }; // nothing but rounding
+    let angle = if angle.abs() < 5e-8 { 0.0 } else { angle }; // only rounding
     format!("{} at {} deg", digits(magnitude(h)), digits(angle))
 }

@@ -1,4 +1,4 @@
-//! What a compiled block is certain to keep: the largest values inside it, and its response next to the designed one.
+//! The proven properties of a compiled block: the largest values inside it, and its response compared with the designed one.
 //!
 //! ```text
 //! probe     verified program -> what single steps do
@@ -11,7 +11,7 @@
 //! noise     chain -> signal-to-noise ratio of single precision
 //! lines     all of it in words
 //! ```
-//! Nothing here decides anything; no coefficient is taken from the design, only what it is compared with.
+//! Nothing here decides anything. No coefficient is taken from the design, except to compare with it.
 
 pub(crate) mod chain;
 mod free;
@@ -37,7 +37,7 @@ use portable::RealKind;
 pub(crate) use response::designed;
 use response::{Band, Point};
 
-/// What is certain of a block.
+/// The proven properties of a block.
 pub(crate) struct Certificate {
     pub real: RealKind,
     /// largest velocity of the axis [um/s or 0.001 deg/s] (P-AXIS-00212)
@@ -46,8 +46,8 @@ pub(crate) struct Certificate {
     pub limit: f64,
     /// for inputs within +-1: every bound is proportional to the inputs
     pub bound: norm::Bound,
-    /// the response of each stage, at centre and edges of each filter; none where a limit of 0 mutes the block, since
-    /// nothing can be measured there
+    /// the response of each stage, at centre and edges of each filter; empty if a limit of 0 mutes the block, since nothing
+    /// can be measured there
     pub response: Vec<Band>,
     /// signal-to-noise ratio [dB] of a stage, by its index, in single precision
     pub noise: Vec<(usize, f64)>,
@@ -55,8 +55,8 @@ pub(crate) struct Certificate {
 
 /// Measures the block `ipc` of an axis by single steps of its program and computes its bounds.
 ///
-/// The bounds hold in the block's own arithmetic: for every sequence of samples within the range, from every state that
-/// such a sequence leads to, its roundings included.
+/// The bounds hold in the block's own arithmetic, including its roundings: for every sequence of samples within the range,
+/// and for every state that such a sequence leads to.
 ///
 /// # Panics
 /// If the program is not the block `ipc` of this axis.
@@ -79,13 +79,13 @@ pub(crate) fn certify(designed: &Designed, program: &Program) -> Certificate {
 }
 
 impl Certificate {
-    /// The largest |measured - designed| / |designed| of the points that are shown; none where nothing was measured.
+    /// The largest |measured - designed| / |designed| of the points that are shown; `None` if nothing was measured.
     pub(crate) fn deviation(&self) -> Option<f64> {
         let shown = self.response.iter().filter(|band| band.is_shown);
         shown.flat_map(|band| &band.points).map(Point::deviation).max_by(f64::total_cmp)
     }
 
-    /// Refuses a block whose response is another than the designed one.
+    /// Rejects a block whose response differs from the designed one.
     ///
     /// # Errors
     /// The stage, its frequency, how far it deviates: a defect of the design, of the reference or of a pass.
@@ -107,7 +107,7 @@ impl Certificate {
         Ok(())
     }
 
-    /// Whether no value inside the block overflows for any sample in range.
+    /// Whether every value inside the block stays finite for any sample in range.
     fn is_within_precision(&self) -> bool {
         // An intermediate value is a sum of up to three products of a state and a coefficient of up to 4; in a trapezoidal section,
         // whose C may be larger, each product is a sum of up to four states.
@@ -115,9 +115,9 @@ impl Certificate {
     }
 }
 
-/// How far a response may deviate, but for the rounding of coefficients to single precision: by 1e-6. In double precision that rounding is in it, for
-/// biquads have 1 + a1 + a2 = 4 g^2: a centre moves by a part of 2^-52 / g^2, and at the edge of a band of quality Q the phase by Q times that, in
-/// each of its sections.
+/// The largest deviation of a response apart from the rounding of coefficients to single precision: 1e-6. In double
+/// precision it includes the rounding of coefficients, because biquads have 1 + a1 + a2 = 4 g^2: a centre moves by a part of
+/// 2^-52 / g^2, and the phase at the edge of a band of quality Q by Q times that, in each of its sections.
 pub(crate) fn largest_defect(design: &StageDesign, real: RealKind) -> f64 {
     let moved = |g: f64| match real {
         RealKind::F64 => 4.0 * f64::EPSILON / (g * g),

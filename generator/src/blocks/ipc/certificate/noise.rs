@@ -1,5 +1,5 @@
-//! How far the roundings of single precision, of steps and of coefficients, stay below a vibration: the signal-to-noise ratio of a
-//! stage. No step is run.
+//! The signal-to-noise ratio of a stage: a vibration compared with the roundings of single precision, of steps and of
+//! coefficients. No step is run.
 
 use super::super::stage::StageDesign;
 use super::chain::Chain;
@@ -13,17 +13,18 @@ use crate::number::{decimals, digits};
 use portable::Extreme;
 use portable::RealKind;
 
-/// The vibration, as a part of the velocity of the axis.
+/// The vibration, relative to the velocity of the axis.
 pub(crate) const VIBRATION: f64 = 1.0 / 500.0;
 /// Unit roundoff of single precision.
 const UNIT: f64 = f32::EPSILON as f64 / 2.0;
 
-/// Signal-to-noise ratio [dB] of what a stage adds while the axis moves and vibrates at the stage's f0; none in double precision.
+/// Signal-to-noise ratio [dB] of the output of a stage while the axis moves and vibrates at the stage's f0; `None` in double
+/// precision.
 ///
-/// An operation with the result v errs by at most u |v|, u = 2^-24; its error is taken for white noise of the variance
-/// u^2 v^2 / 3, v^2 the mean square. Each error goes through what is left of its section, whose gain is known in closed form, and
-/// through the sections after it, whose gain is at most what it is at one of their centres or at f0. What the rounding of the
-/// coefficients changes at f0 is added.
+/// An operation with the result v errs by at most u |v|, u = 2^-24. Its error is modelled as white noise of the variance u^2
+/// v^2 / 3, where v^2 is the mean square. Each error passes the rest of its section, whose gain is known in closed form, and
+/// the sections after it, whose gain is at most its value at one of their centres or at f0. The change of the response at f0
+/// by the rounded coefficients is added.
 pub(super) fn of_chain(chain: &Chain, design: &StageDesign) -> Option<f64> {
     let sections = chain.section.iter().map(|section| match section {
         Section::Trapezoidal(section) => Some(*section),
@@ -33,13 +34,13 @@ pub(super) fn of_chain(chain: &Chain, design: &StageDesign) -> Option<f64> {
     Some(ratio(&sections?, design))
 }
 
-/// The same of a stage in single precision, by its designed coefficients.
+/// Signal-to-noise ratio [dB] of a stage in single precision, from its designed coefficients.
 pub(crate) fn of_design(design: &StageDesign) -> f64 {
     let sections: Vec<_> = design.section.iter().map(|section| section.trapezoidal).collect();
     ratio(&sections, design)
 }
 
-/// The ratios of stages, by their indices, in words.
+/// The signal-to-noise ratios of stages, by their indices, in words.
 pub(crate) fn text(stages: &[(usize, f64)], v_max: f64) -> String {
     let stage = |(stage, ratio): &(usize, f64)| format!("stage[{stage}] {} dB", decimals(ratio.floor(), 0));
     let ratios: Vec<_> = stages.iter().map(stage).collect();
@@ -48,7 +49,7 @@ pub(crate) fn text(stages: &[(usize, f64)], v_max: f64) -> String {
     format!("signal-to-noise ratio in single precision, {of}: {}", ratios.join(", "))
 }
 
-/// [dB] of a stage with these sections.
+/// Signal-to-noise ratio [dB] of a stage with these sections.
 fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
     let t = warped(design.stage.f0(), design.cycle_time);
     let (mut offset, mut vibration, mut noise) = (1.0, VIBRATION, 0.0);
@@ -67,14 +68,14 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
     -10.0 * libm::log10(noise / signal + error * error)
 }
 
-/// How far the rounded coefficients take the response away from the designed one at f0, relative to it.
+/// The relative change of the response at f0 by the rounded coefficients.
 fn deviation(sections: &[Trapezoidal], design: &StageDesign, t: f64) -> f64 {
     let gain = Complex::from(in_precision(design.coeffs.gain, RealKind::F32));
     let measured = sections.iter().fold(gain, |h, section| h * section.response(t));
     Point { frequency: design.stage.f0(), designed: designed(design, t), measured, single: None }.deviation()
 }
 
-/// Variance of what a section's own roundings add to its output, for an input with this offset and this amplitude at t.
+/// Variance of the output error of a section from its own roundings, for an input with this offset and this amplitude at t.
 fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64 {
     let Trapezoidal { a, b, c, output, is_by_change } = *section;
     let input = Complex::from(vibration);
@@ -94,7 +95,8 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
             let (h, g) = (2.0 * a / c, c / 2.0);
             let q = Complex { re: u.re / g, im: u.im / g };
             let into_p = square(change) + square(p);
-            // h p, r s1 and their difference err in q, which is a part of the output; g q in u only.
+            // The errors of h p, of r s1 and of their difference enter q, which is a part of the output; that of g q enters
+            // only u.
             let into_q = h * h * square(p) + b * b / g / g * square(s1) + square(q);
             into_p * gain.oscillation([a, 1.0 - a * c], -h)
                 + into_q * gain.oscillation([g, -c * g], -1.0)
@@ -117,7 +119,7 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
             by * by * own
         }
     };
-    // What has the offset of its input is rounded with it.
+    // A sum that contains the offset of its input has a larger rounding error.
     let sum = if output.loses_the_offset() { 0.0 } else { offset * offset + vibration * vibration / 2.0 };
     UNIT * UNIT / 3.0 * (noise + sum)
 }
@@ -132,7 +134,7 @@ struct Gain {
     weight: f64,
     /// k of the oscillation
     k: f64,
-    /// c k / 2: what a p of 1 weighs
+    /// c k / 2: the weight of p = 1
     scale: f64,
 }
 
@@ -142,12 +144,12 @@ impl Gain {
         Self { weight: 1.0 / width, k: width / section.centre(), scale: section.scale() }
     }
 
-    /// From an error that enters s1 and p with these parts, and the band-pass part with `direct`.
+    /// The gain from an error that enters s1 and p with these factors, and the band-pass part with `direct`.
     fn bandpass(&self, [s1, p]: [f64; 2], direct: f64) -> f64 {
         direct * direct + self.weight * (s1 * s1 + self.scale * self.scale * p * p)
     }
 
-    /// The same into the output of the oscillation.
+    /// The gain from an error that enters s1 and p with these factors to the output of the oscillation.
     fn oscillation(&self, [s1, p]: [f64; 2], direct: f64) -> f64 {
         let k = self.k;
         direct * direct + self.weight * ((k * k + 1.0) * s1 * s1 - k * s1 * p + p * p / 4.0)

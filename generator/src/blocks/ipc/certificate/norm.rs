@@ -9,7 +9,7 @@ use portable::Extreme;
 use portable::RealKind;
 use std::collections::BTreeMap;
 
-/// Largest magnitudes for inputs within +-1; infinite where none is certain.
+/// Largest magnitudes for inputs within +-1; infinite if no bound is proven.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bound {
     /// of any state of a section
@@ -18,21 +18,21 @@ pub(crate) struct Bound {
     pub v_sum: f64,
 }
 
-/// Samples times sections that are added up at the most: some 50 us, whatever the parameters.
+/// Limit of samples times sections that are added up: some 50 us for any parameters.
 pub(crate) const BUDGET: usize = 8_192;
-/// Time constants that are worth adding up, as a part of the budget.
+/// Longest time constant for which samples are added up, as a part of the budget.
 const LONG: f64 = 0.5;
-/// Samples from one look at the rest to the next.
+/// Samples from one check of the rest to the next.
 const BLOCK: usize = 64;
-/// A rest of this part of the sum is small enough.
+/// A rest below this part of the sum is small enough.
 const SMALL: f64 = 1e-4;
-/// What the roundings of this computation itself may amount to, many times over.
+/// A generous bound of this computation's own rounding errors.
 const SLACK: f64 = 1e-6;
 
 /// Bounds of the whole block.
 ///
-/// A block starts in the steady state of its input, which an input that was constant for ever has led to: what holds
-/// for every sequence of samples holds from there on too.
+/// A block starts in the steady state of its input. An input that was constant for ever leads to that state, so every bound
+/// for all sequences of samples also holds from there.
 pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     let sections: usize = chains.iter().map(|chain| chain.section.len()).sum();
     let budget = BUDGET / sections.max(1);
@@ -51,7 +51,7 @@ pub(crate) fn bounds(chains: &[Chain], real: RealKind) -> Bound {
     Bound { state, v_sum: (summed + rest) * certain(rounding) }
 }
 
-/// What one stage does with an impulse.
+/// The response of one stage to an impulse.
 pub(crate) struct Run {
     /// v_stage, as far as it was added up
     pub response: Vec<f64>,
@@ -59,7 +59,7 @@ pub(crate) struct Run {
     rest: f64,
     /// bound of the L1 norm to any state
     state: f64,
-    /// factor, at least 1: what the roundings of the block's own arithmetic may add
+    /// factor, at least 1, for the roundings of the block's own arithmetic
     rounding: f64,
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let mut response = Vec::new();
     let mut total = 0.0;
     let mut behind = rest(&sections, 1.0, chain.gain);
-    // Where decay takes far longer than the budget, adding up a part of it gains nothing.
+    // If the decay takes far longer than the budget, adding up a part of it gains nothing.
     if slowest < LONG * budget as f64 {
         while response.len() + BLOCK <= budget {
             let mut signal = [0.0; BLOCK];
@@ -106,8 +106,8 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     Run { response, rest, state, rounding: rounding(&sections, real) }
 }
 
-/// Bound of the sum of all |v_stage| to come, of an input whose |x| to come sum up to `x`; and the bound of the largest
-/// sum of all |state|.
+/// Bounds for an input whose future |x| sum up to `x`: of the sum of all future |v_stage|, and of the largest sum of all
+/// |state|.
 fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
     let mut state = 0.0_f64;
     for Sums { section, free, driven, s, sum } in sections {
@@ -132,11 +132,12 @@ impl Sums {
     }
 }
 
-/// What the roundings of the block may add, as a factor.
+/// The effect of the block's roundings, as a factor.
 ///
-/// A step of a section rounds some eight times, each a unit roundoff u of a value that is at most a few times the
-/// largest of its states: an error of at most e = 32 u max(|s1|, |s2|) in both states. Each such error goes
-/// on like a state of its own: with N = [`Free::sum_of_any`] all of them together add at most e N to the states, those
+/// A step of a section rounds about eight times, each by a unit roundoff u of a value that is at most a few times the
+/// largest of its states: an error of at most e = 32 u max(|s1|, |s2|) in both states. Each error evolves like a state of
+/// its own. With N = [`Free::sum_of_any`], all of them together add at most e N to the states; with the errors that these
+/// cause in turn, the factor is 1 / (1 - 32 u N). If 32 u N is not small, no bound is proven.
 /// that they cause in turn included 1 / (1 - 32 u N). Where that is not small, nothing is certain.
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
     let unit = if real == RealKind::F64 { f64::EPSILON } else { f32::EPSILON.into() } / 2.0;

@@ -1,4 +1,4 @@
-//! Single steps of a compiled block from states that are 0 but for one variable. No section is known here.
+//! Single steps of a compiled block from states in which all variables except one are 0. No section is known here.
 //!
 //! Between its switches the block is linear: such a step shows one column of its state-space matrices. The amplitudes
 //! are powers of two, so that dividing by them rounds nothing.
@@ -9,12 +9,12 @@ use compiler::program::{Program, Variable};
 use portable::Extreme;
 use portable::{Literal, RealKind};
 
-/// What is 1 before a step; everything else is 0. Variables and inputs by their positions in the program.
+/// The variable that is 1 before a step; all others are 0. Variables and inputs by their positions in the program.
 pub(crate) enum Source {
     /// a variable of the state
     State(usize),
     Input(usize),
-    /// an input, all sections but the one of these states at rest at it: they put out 0
+    /// an input, with all sections at rest at it, so that they output 0, except the one with these states
     Alone(usize, [usize; 2]),
 }
 
@@ -25,11 +25,11 @@ pub(crate) struct Probe<'p> {
     /// the real type of the block, which bounds its samples
     samples: RealKind,
     limit: f64,
-    /// before the first cycle
+    /// state before the first cycle
     fresh: Vec<Literal>,
     /// preset, all sections 0
     rest: Vec<Literal>,
-    /// what one step at rest leaves: the constant that keeps sections out of the subnormal range
+    /// state after one step at rest: the constant that keeps sections out of the subnormal range
     still: Vec<f64>,
     inputs: Vec<Literal>,
     outputs: Vec<Literal>,
@@ -38,7 +38,7 @@ pub(crate) struct Probe<'p> {
 }
 
 impl<'p> Probe<'p> {
-    /// For a block with samples of this real type; the program may compute with another one.
+    /// A probe for a block with samples of this real type; the program may compute with another one.
     ///
     /// # Panics
     /// If the program is not the block `ipc`.
@@ -47,7 +47,7 @@ impl<'p> Probe<'p> {
             let found = variables.iter().position(|variable| variable.path == path);
             found.unwrap_or_else(|| panic!("certificate: the block has no {path}"))
         };
-        // What the caller may tune is as it is designed.
+        // The tunable values have their designed start values.
         let start =
             |input: &Variable| if program.is_fraction(input) { literal(1.0, program.real) } else { input.start };
         let mut inputs: Vec<_> = program.inputs.iter().map(start).collect();
@@ -63,7 +63,7 @@ impl<'p> Probe<'p> {
         Self { machine, real: program.real, samples, limit, fresh, rest, still, inputs, outputs, v_add, limited }
     }
 
-    /// The largest amplitude: within the sample limit, 1e15 or 1e9, and far above what a section at rest holds.
+    /// The largest amplitude: within the sample limit, 1e15 or 1e9, and far above the state of a section at rest.
     fn large(&self) -> f64 {
         libm::ldexp(1.0, if self.samples == RealKind::F64 { 49 } else { 29 })
     }
@@ -76,7 +76,7 @@ impl<'p> Probe<'p> {
         self.machine.state().iter().zip(&self.still).map(of).collect()
     }
 
-    /// The output of the step, for a source of 1: measured where the limit does not act, nor what makes a small sum 0.
+    /// The output of the step for a source of 1, measured where neither the limit nor the suppression of small sums acts.
     pub(crate) fn output(&mut self, source: &Source) -> f64 {
         if self.limit <= 0.0 {
             return 0.0;

@@ -1,5 +1,5 @@
-//! Gain and phase of a stage: as its compiled sections have it, and as the formulas of its filters do. No rounding of
-//! a coefficient is in the designed values.
+//! Gain and phase of a stage: from its compiled sections, and from the formulas of its filters. The designed values contain
+//! no rounding of a coefficient.
 
 use super::super::filter as kinds;
 use super::super::filter::FilterDesign;
@@ -13,15 +13,15 @@ use crate::design::trapezoidal::Trapezoidal;
 use portable::Extreme;
 use portable::RealKind;
 
-/// The response of a stage at one frequency: from the velocity that it looks at to what it adds.
+/// The response of a stage at one frequency, from its input velocity to its output.
 pub(crate) struct Point {
     /// frequency [Hz]
     pub frequency: f64,
-    /// by the formulas
+    /// from the formulas
     pub designed: Complex,
-    /// by the compiled block
+    /// from the compiled block
     pub measured: Complex,
-    /// by the coefficients of single precision before and after their rounding; none: the block has double precision
+    /// from the coefficients of single precision before and after their rounding; `None` in double precision
     pub single: Option<[Complex; 2]>,
 }
 
@@ -31,7 +31,8 @@ impl Point {
         relative(self.measured, self.designed)
     }
 
-    /// The same without what the rounding to single precision costs: from the formulas to the coefficients, and from the rounded ones to the block.
+    /// The deviation without the rounding to single precision: from the formulas to the coefficients, and from the rounded
+    /// coefficients to the block.
     pub(crate) fn defect(&self) -> f64 {
         match self.single {
             None => self.deviation(),
@@ -44,7 +45,7 @@ impl Point {
 pub(crate) struct Band {
     /// the index of the stage
     pub stage: usize,
-    /// whether the filter lets a band pass alone: its points are shown
+    /// whether the filter is selective: its points are shown
     pub is_shown: bool,
     /// centre, lower and upper edge
     pub points: [Point; 3],
@@ -71,8 +72,8 @@ pub(super) fn bands(of: &StageDesign, chain: &Chain, real: RealKind) -> Vec<Band
 
 /// The designed response at t = tan(pi f Ts): -weight, the simulated oscillation, the filters.
 ///
-/// The oscillation is (g^2 + j k g t) / (g^2 - t^2 + j k g t), g the warped f0 of the first band-pass, k = 2 D. What a filter is stands in its
-/// file ([`kinds`]).
+/// The oscillation is (g^2 + j k g t) / (g^2 - t^2 + j k g t), g the warped f0 of the first band-pass, k = 2 D. The formula
+/// of a filter is in the file of its type ([`kinds`]).
 pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     let stage = &of.stage;
     let mut h = Complex::from(-stage.weight());
@@ -88,7 +89,7 @@ pub(crate) fn designed(of: &StageDesign, t: f64) -> Complex {
     h
 }
 
-/// The response by the coefficients of single precision, before and after their rounding.
+/// The response from the coefficients of single precision, before and after their rounding.
 fn single(of: &StageDesign, t: f64) -> [Complex; 2] {
     let gain = of.coeffs.gain;
     let by = |gain: f64, section: fn(&super::super::stage::Section) -> &Trapezoidal| {
@@ -114,8 +115,8 @@ fn of_section(section: &Section, t: f64) -> Complex {
     }
 }
 
-/// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + step, where step = 2 j t / (1 - j t) is known without a
-/// cancellation: a low frequency costs no digits here.
+/// b0 + (z from_x[0] + from_x[1]) / (z^2 + a1 z + a2), z = 1 + step, where step = 2 j t / (1 - j t) is computed without
+/// cancellation: a low frequency loses no digits here.
 fn of_biquad(section: &Biquad, t: f64) -> Complex {
     let step = Complex { re: 0.0, im: 2.0 * t } / Complex { re: 1.0, im: -t };
     let Biquad { b0, a1, a2, from_x } = *section;

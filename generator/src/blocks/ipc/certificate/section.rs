@@ -1,19 +1,19 @@
-//! Second-order sections as they act: a step, and what is certain of all the steps to come. Nothing is measured here.
+//! Second-order sections as measured: a step, and bounds of all future steps. Nothing is measured here.
 
 use super::free::{Denominator, Free};
 use crate::design::section::at_dc_and_nyquist;
 use crate::design::trapezoidal::Trapezoidal;
 use portable::Extreme;
 
-/// A section as it acts.
+/// A section as measured.
 #[derive(Clone, Copy)]
 pub(crate) enum Section {
     Biquad(Biquad),
     Trapezoidal(Trapezoidal),
 }
 
-/// `y = s1 + b0 x; s1 = s2 - a1 s1 + from_x[0] x; s2 = from_x[1] x - a2 s1`, on the right the old values. In the form of the
-/// coefficients `from_x` is `[b1 - a1 b0, b2 - a2 b0]`.
+/// `y = s1 + b0 x; s1 = s2 - a1 s1 + from_x[0] x; s2 = from_x[1] x - a2 s1`, with the old values on the right. In terms of
+/// the coefficients, `from_x` is `[b1 - a1 b0, b2 - a2 b0]`.
 #[derive(Clone, Copy)]
 pub(crate) struct Biquad {
     pub b0: f64,
@@ -23,11 +23,11 @@ pub(crate) struct Biquad {
     pub from_x: [f64; 2],
 }
 
-/// Bounds of sums of magnitudes, of all values to come.
+/// Bounds of the sums of all future magnitudes.
 pub(super) struct Coming {
     /// of the output
     pub y: f64,
-    /// of the two values that the section remembers
+    /// of the two values of the state
     pub s: [f64; 2],
 }
 
@@ -45,7 +45,7 @@ impl Section {
         }
     }
 
-    /// One step; what it remembers are s1 and s2, or s1 and low.
+    /// One step. The state is s1 and s2, or s1 and low.
     pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
         match self {
             Self::Biquad(Biquad { b0, a1, a2, from_x }) => {
@@ -57,12 +57,13 @@ impl Section {
         }
     }
 
-    /// What the block has in memory after a step: of a section by change p and the input, so that their sum bounds both.
+    /// The values in the block's memory after a step. A section driven by the change of its input holds p and the input, so
+    /// that their sum bounds both.
     pub(super) fn held(&self, s: [f64; 2], x: f64) -> [f64; 2] {
         [s[0].abs(), s[1].abs() + if self.is_by_change() { x.abs() } else { 0.0 }]
     }
 
-    /// Bounds for a section that is left to itself in a state, the present values included.
+    /// Bounds for a section without input, from a state, including the present values.
     pub(super) fn coming(&self, free: &Free, s: [f64; 2]) -> Coming {
         match self {
             Self::Biquad(Biquad { a2, .. }) => {
@@ -73,7 +74,7 @@ impl Section {
                 let mut next = s;
                 let now = section.step(&mut next, 0.0);
                 let then = section.step(&mut next.clone(), 0.0);
-                // Each value goes on as that of a biquad would whose s1 it is.
+                // Each value evolves like the s1 of a biquad.
                 let sum = |now: f64, then: f64| free.sum(now, then + 2.0 * free.half * now);
                 Coming { y: sum(now, then), s: [sum(s[0], next[0]), sum(s[1], next[1])] }
             }
@@ -91,13 +92,13 @@ impl Section {
                 let mut s = [0.0; 2];
                 let y = section.step(&mut s, 1.0);
                 let Coming { y: later, s: [s1, low] } = self.coming(free, s);
-                // Once the input is over, an all-pass and the oscillation put out what their band-pass part leaves.
+                // After the end of the input, an all-pass and the oscillation output the decay of their band-pass part.
                 Coming { y: y.abs() + later, s: [s1, low + if self.is_by_change() { 1.0 } else { 0.0 }] }
             }
         }
     }
 
-    /// Bound of the sum of all that errors of 1 in both remembered values, in the units of the first, lead to.
+    /// Bound of the sum of all effects of errors of 1 in both state values, in the units of the first.
     pub(super) fn sum_of_any(&self, free: &Free) -> f64 {
         match self {
             Self::Biquad(_) => free.sum_of_any(),

@@ -1,11 +1,11 @@
-//! A program of single precision as one of double precision with the same numbers: what its rounded coefficients do, without the
-//! roundings of its steps. Nothing is measured here.
+//! A program of single precision as one of double precision with the same numbers: the effect of its rounded coefficients,
+//! without the roundings of its steps. Nothing is measured here.
 
 use compiler::program::{Expr, Program, map_expressions};
 use portable::{Literal, RealKind};
 use std::borrow::Cow;
 
-/// The program in double precision; one that is in double precision is itself.
+/// The program in double precision; unchanged if it is already in double precision.
 pub(super) fn widened(program: &Program) -> Cow<'_, Program> {
     if program.real == RealKind::F64 {
         return Cow::Borrowed(program);

@@ -1,4 +1,4 @@
-//! An all-pass: all that the generator knows of it.
+//! An all-pass: its rule, design, response and words.
 
 use super::kind::{FilterKind, Numbers};
 use super::rules::f0;
@@ -19,7 +19,7 @@ pub(crate) struct Allpass {
     pub q_factor: f64,
 }
 
-/// The all-pass that the parameters describe; none: an error, which has been said.
+/// The all-pass that the parameters describe; `None` after a reported error.
 pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
     let f0 = f0(e, index, cycle_time);
     let q_factor = e.real((Name::FilterQ, index));
@@ -49,7 +49,7 @@ impl FilterKind for Allpass {
         )
     }
 
-    /// The note of the filter says all.
+    /// The note of the filter covers its section.
     fn note_of_section(&self, _: usize, _: [String; 3]) -> Option<String> {
         None
     }

@@ -1,4 +1,4 @@
-//! A band-pass of order 1 to 3: all that the generator knows of it.
+//! A band-pass of order 1 to 3: its rule, design, response and words.
 
 use super::kind::{FilterKind, Numbers, range};
 use super::rules::f0;
@@ -17,13 +17,13 @@ use reference::{bandpass, filter};
 /// A band-pass.
 pub(crate) struct Bandpass {
     pub prototype: Prototype,
-    /// how many sections
+    /// the number of sections
     pub order: usize,
     pub f0: f64,
     pub q_factor: f64,
 }
 
-/// The band-pass that the parameters describe; none: an error, which has been said.
+/// The band-pass that the parameters describe; `None` after a reported error.
 pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
     let prototype = prototype(e, index);
     let order = e.integer((Name::FilterOrder, index));
@@ -33,7 +33,7 @@ pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u3
     Some(Filter::Bandpass { prototype: prototype?, order, f0: f0?, q_factor: q_factor? })
 }
 
-/// The prototype; after the first filter it has no default.
+/// The prototype. It has a default only in the first filter.
 fn prototype(e: &mut Effective<'_>, index: [u32; 2]) -> Option<Prototype> {
     let key = (Name::FilterPrototype, index);
     let parameter = key.0.parameter();
@@ -56,7 +56,7 @@ impl FilterKind for Bandpass {
         format!("{} {} order {}", FilterType::Bandpass.name(), self.prototype.name(), self.order)
     }
 
-    /// The table has frequency and quality factor in columns of their own.
+    /// The table has separate columns for frequency and quality factor.
     fn in_table(&self) -> String {
         self.words()
     }
@@ -92,7 +92,7 @@ impl FilterKind for Bandpass {
         if order != self.order {
             parts.push(format!("order {} -> {order}", self.order));
         }
-        // All prototypes of order 1 are the same filter.
+        // All prototypes are equal for order 1.
         if prototype != self.prototype && order.max(self.order) > 1 {
             parts.push(format!("{} -> {}", self.prototype.name(), prototype.name()));
         }

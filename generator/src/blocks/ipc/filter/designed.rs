@@ -1,9 +1,9 @@
-//! A filter as it is designed: where it lies. No coefficient.
+//! A designed filter and its band. No coefficient.
 
 use crate::axis::Filter;
 use crate::design::band::Band;
 
-/// A filter and where it lies.
+/// A filter and its edges.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct FilterDesign {
     pub index: usize,

@@ -1,6 +1,7 @@
-//! A filter of a stage, by its type: a file for each holds its rule, design, response and words. What they share is here.
+//! A filter of a stage, by its type: a file for each type has its rule, design, response and words. The common part is here.
 //!
-//! A new type is a word ([`FilterType`]), a variant ([`Filter`]) and a file beside `bandpass.rs`; [`of`] and [`read`] do not compile without it.
+//! A new type needs a word ([`FilterType`]), a variant ([`Filter`]) and a file next to `bandpass.rs`; [`of`] and [`read`] do
+//! not compile without it.
 
 mod allpass;
 mod bandpass;
@@ -31,7 +32,7 @@ pub(crate) fn of(filter: &Filter) -> Option<Box<dyn FilterKind>> {
     }
 }
 
-/// The filter that the parameters describe; none: an error, which has been said.
+/// The filter that the parameters describe; `None` after a reported error.
 pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<Filter> {
     match e.word((Name::FilterType, index))? {
         FilterType::NoFilter => Some(Filter::NoFilter),
@@ -40,7 +41,7 @@ pub(super) fn read(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u3
     }
 }
 
-/// Whether a filter lets a band pass alone.
+/// Whether a filter passes only a band.
 pub(crate) fn is_selective(filter: &Filter) -> bool {
     of(filter).is_some_and(|kind| kind.is_selective())
 }
@@ -81,7 +82,8 @@ pub(crate) fn difference(both: [Option<&FilterDesign>; 2]) -> Option<String> {
     Some(format!("{which}{}", parts.join(", ")))
 }
 
-/// Centre, quality factor and edges; the edges move with the cycle time too, by the warping of the frequency axis.
+/// Changes of centre, quality factor and edges. The edges also depend on the cycle time, because the frequency axis is
+/// warped.
 fn bands([f0_old, q_old]: [f64; 2], [f0_new, q_new]: [f64; 2], edges: [[f64; 2]; 2]) -> Vec<String> {
     let mut parts = Vec::new();
     if !is_same(f0_old, f0_new) {

@@ -1,13 +1,13 @@
-//! The rule that all types of filters share.
+//! The rule that applies to all types of filters.
 
 use crate::parameters::{Name, real_text, time_text};
 use crate::rules::effective::Effective;
 use crate::{codes, number::rounded};
 
-/// The highest f0 * Ts: above, the tangent that the design is made of runs into its pole.
+/// The highest f0 * Ts: above it the tangent in the design approaches its pole.
 pub(super) const MAX_F0_TS: f64 = 0.45;
 
-/// The frequency, which the cycle time bounds from above.
+/// The frequency, whose upper bound depends on the cycle time.
 pub(super) fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
     let key = (Name::FilterF0, index);
     let f0 = e.real(key)?;

@@ -1,4 +1,4 @@
-//! The target `twincat`: function blocks, what they share, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
+//! The target `twincat`: function blocks, their common files, and TcUnit suites, in the folders of a TwinCAT 3 PLC project.
 
 mod project;
 mod suite;
@@ -17,13 +17,13 @@ use portable::RealKind;
 use std::fmt::Write;
 use uuid::{Uuid, uuid};
 
-/// Where the files lie, below the output folder.
+/// The folder of the files, below the output folder.
 const FOLDER: &str = "twincat";
-/// The folder of what the machine runs.
+/// The folder of the objects that the machine runs.
 const POUS: &str = "POUs";
 /// The folder of its types.
 const DUTS: &str = "DUTs";
-/// The folder of what only tests need.
+/// The folder of the objects that only tests need.
 const TESTS: &str = "Tests";
 
 static TWINCAT: Dialect = Dialect {
@@ -31,7 +31,7 @@ static TWINCAT: Dialect = Dialect {
     prefix: "FB_",
     quote: "",
     mark: "",
-    // The block takes the counter of its task where it is given 0.
+    // The block reads the counter of its task if 0 is passed.
     arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime", "0"],
 };
 
@@ -89,7 +89,7 @@ fn block_name(axis: &str, block: &str) -> String {
     listing::name(axis, block, &TWINCAT)
 }
 
-/// The bit string of a real's size.
+/// The bit string with the size of a real.
 fn word_name(real: RealKind) -> &'static str {
     match real {
         RealKind::F64 => "LWORD",
@@ -108,7 +108,7 @@ pub(super) fn in_range(real: RealKind) -> TcInRange<'static> {
     TcInRange { id: guid("POU", &name), name, real, word, exponent }
 }
 
-/// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that the same object has the same in every run.
+/// The GUID of an object of some kind, in braces: version 5 of `KIND NAME`, so that it is equal in every run.
 fn guid(kind: &str, name: &str) -> String {
     Uuid::new_v5(&NAMESPACE, format!("{kind} {name}").as_bytes()).braced().to_string()
 }
@@ -117,7 +117,7 @@ fn rendered(folder: &str, file: &str, template: &impl Template) -> File {
     target::rendered(&format!("{FOLDER}/{folder}/{file}"), BYTE_ORDER_MARK, template)
 }
 
-/// The escaper of TwinCAT's files: in a CDATA section only the mark that ends it has to be taken apart.
+/// The escaper of TwinCAT's files: only the end mark of a CDATA section has to be split.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cdata;
 

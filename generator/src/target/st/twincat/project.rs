@@ -1,4 +1,5 @@
-//! What all axes of a set share in TwinCAT: the function, the enumerations, the test program, the project's entries, the guide.
+//! The files that all axes of a set share in TwinCAT: the function, the enumerations, the test program, the project's
+//! entries, the guide.
 
 use super::{DUTS, FOLDER, POUS, TESTS, block_name, guid, in_range, rendered, suite};
 use crate::target::st::enumeration::{Enumeration, enumerations};
@@ -23,13 +24,13 @@ pub(super) struct TcProgram {
     pub(super) suites: Vec<String>,
 }
 
-/// What a project file has to name.
+/// The entries of a project file.
 #[derive(Template)]
 #[template(path = "twincat/plcproj_entries.xml")]
 struct TcProject {
-    /// what the machine runs
+    /// objects that the machine runs
     objects: Vec<String>,
-    /// what only the tests need
+    /// objects that only the tests need
     tests: Vec<String>,
 }
 
@@ -41,7 +42,7 @@ struct TcGuide;
 pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     let names = |unit: &Unit<'_>| unit.blocks.iter().map(|block| block_name(unit.axis, block)).collect::<Vec<_>>();
     let mut blocks: Vec<String> = units.iter().flat_map(names).collect();
-    // By name, so that an axis can move in the set.
+    // Sorted by name, so that the order of the axes in the set does not matter.
     blocks.sort();
     let enumeration = |of: &Enumeration| {
         let name = &format!("E_axgen_{}", of.signal);
@@ -61,7 +62,7 @@ pub(crate) fn shared(units: &[Unit<'_>]) -> Vec<File> {
     files
 }
 
-/// What the project file has to name: the shared files, and those of every block.
+/// The entries of the project file: the shared files, and those of every block.
 fn project(shared: &[File], blocks: &[String], params: impl Iterator<Item = String>) -> File {
     let of_block = |block: &String| {
         let (suite, test) = (suite::suite_name(block), self_test::name(block));

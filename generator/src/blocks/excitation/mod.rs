@@ -1,0 +1,84 @@
+//! The block `excitation`: a maximum-length sequence on the commanded velocity, to measure the response of the drive.
+
+pub(crate) mod check;
+mod design;
+mod notes;
+
+use super::values::{Value, Values, of_part};
+use super::{Certified, Design, Drill, Figure, Part, Summary};
+use crate::axis::Axis;
+use crate::blocks::designed::Designed;
+use crate::design::rounding::literal;
+use compiler::pass::Defect;
+use compiler::program::Program;
+use portable::Literal;
+use reference::excitation::{Coeffs, Excitation};
+
+impl Design for Excitation {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        design::coefficients(&designed.axis)
+    }
+}
+
+impl Part for Excitation {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
+        axis.excitation.is_some()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "ex"
+    }
+
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
+        notes::notes(&designed.axis)
+    }
+
+    fn ranges(&self, designed: &Designed) -> [f64; 2] {
+        let amplitude = amplitude(designed);
+        [amplitude / 16.0, 4.0 * amplitude]
+    }
+
+    /// The button is released and pressed; the motor moves on, then turns round. A second start in the other direction is released.
+    fn drill(&self, designed: &Designed) -> Vec<Drill> {
+        let speed = 4.0 * amplitude(designed);
+        let part = |input, value, samples| Drill { input, value, samples };
+        vec![
+            part("hold_to_run", Literal::Bool(false), 0..2),
+            part("v_motor", Literal::F64(speed), 0..24),
+            part("v_motor", Literal::F64(-speed), 24..64),
+            part("hold_to_run", Literal::Bool(false), 40..42),
+            part("hold_to_run", Literal::Bool(false), 52..58),
+        ]
+    }
+
+    fn summary(&self, designed: &Designed) -> Summary {
+        Summary { lines: notes::lines(&designed.axis), ..Summary::default() }
+    }
+
+    fn values(&self, designed: &Designed) -> Values {
+        let Some(of) = &designed.axis.excitation else { return Values::new() };
+        let number = |value: u32, unit| Some(Value::Number(f64::from(value), unit));
+        let unit = if designed.axis.control.is_rotary { " 0.001 deg/s" } else { " um/s" };
+        let values = [
+            ("amplitude", Some(Value::Number(of.amplitude, unit))),
+            ("bits", number(of.sequence.bits(), "")),
+            ("clock", number(of.sequence.clock(), " cycles")),
+            ("periods", number(of.periods, "")),
+        ];
+        of_part("excitation", values)
+    }
+
+    fn limit(&self, designed: &Designed) -> Option<Figure> {
+        let value = literal(amplitude(designed), designed.axis.real);
+        let doc = format!("largest |v_excite| [{}]", designed.axis.control.velocity_unit());
+        Some(Figure { name: "V_EXCITE_LIMIT", doc, value })
+    }
+
+    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
+        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
+    }
+}
+
+fn amplitude(designed: &Designed) -> f64 {
+    designed.axis.excitation.map_or(1.0, |of| of.amplitude)
+}
