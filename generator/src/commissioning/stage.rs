@@ -84,7 +84,7 @@ fn seen_in(mode: Mode) -> String {
     match mode {
         Mode::Direct { .. } => format!("`{}`", mode.source()),
         Mode::Indirect { .. } | Mode::SetPoint { .. } => {
-            "`a_load` (this vibration need not show in `v_motor`); without a sensor, of `following_error`".to_owned()
+            "`a_load` (this vibration may be invisible in the velocity of the motor); without a sensor, of `following_error`".to_owned()
         }
     }
 }

@@ -291,12 +291,7 @@ pub const WAYS: &[Way] = &[
     whole(
         "so is what axes shared",
         &[Set(A, "scl", &["X stage"]), Run(A), Delete("axgen.manifest"), Set(A, "c", &["X"])],
-        &[
-            "? IMPORT_SCL.md",
-            "? axgen_mode.scl",
-            "? axis_x_ipc.scl",
-            "? axis_x_ipc_self_test.scl",
-        ],
+        &["? IMPORT_SCL.md", "? axgen_mode.scl", "? axis_x_ipc.scl", "? axis_x_ipc_self_test.scl"],
     ),
     whole("nothing goes", &[Set(A, "c", &["X"]), Run(A), Delete("axgen.manifest")], &[]),
     Way {
