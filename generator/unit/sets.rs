@@ -62,6 +62,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
         let v_add_max_fact = u32::try_from(random.below(2001)).expect("below 2001");
         let v_max = libm::round(1.0 + 2e6 * random.unit());
         Axis {
+            excitation: None,
             short_names: false,
             counts_calls: false,
             name: "X".to_owned(),
@@ -80,6 +81,7 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
             },
             control: crate::axis::Control::default(),
             canonical: String::new(),
+            excitation: None,
             drive: Default::default(),
             canonical_of: Default::default(),
         }

@@ -269,7 +269,7 @@ def stimulus(inputs, samples):
     for n in range(samples):
         if left == 0:
             mode = rng.choice([OFF, ON, ON, ON, DRYRUN, DRYRUN, 3, -1, 2**31 - 1]) if rng.random() < 0.6 else ON
-            # Twice the largest velocity leads to no sum that is a fault: tests/tests/disturbed_states.rs has those.
+            # Twice the largest velocity leads to no sum that is a fault: tests/tests/blocks/disturbed_states.rs has those.
             amplitude = rng.choice([0.0, 0.0, 1.0e-9, 1.0, 1.0e5, 1.0e5, 5.0e5, 1.0e6])
             left = rng.randint(1, 3 if mode not in (OFF, ON, DRYRUN) else 4000 if amplitude == 0.0 else 400)
         left -= 1

@@ -248,7 +248,7 @@ def stimulus(axis, samples):
             "x_actual": x_command + 0.01 * amplitude * rng.uniform(-1.0, 1.0),
             "v_interpolator": amplitude * rng.uniform(-1.0, 1.0),
             "a_interpolator": 0.1 * amplitude * rng.uniform(-1.0, 1.0),
-            # Twice the largest velocity leads to no sum that is a fault: tests/tests/disturbed_states.rs has those.
+            # Twice the largest velocity leads to no sum that is a fault: tests/tests/blocks/disturbed_states.rs has those.
             "v_motor": min(amplitude, 1.0e6) * math.cos(0.33 * n) * rng.uniform(0.5, 1.0),
             "mode": mode,
             "feedforward_active": active,

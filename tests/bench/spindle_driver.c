@@ -232,7 +232,7 @@ static void disturb(void)
     if (lasts[10] > 0u) {
         inputs.v_motor = random_below(2u) == 0u ? bad_sample() : 1.0e8 * noise();
     }
-    /* Twice the largest velocity leads to no sum that is a fault: tests/tests/disturbed_states.rs has those. */
+    /* Twice the largest velocity leads to no sum that is a fault: tests/tests/blocks/disturbed_states.rs has those. */
     if (fabs(inputs.v_motor) <= 1.0e15 && fabs(inputs.v_motor) > 6.0e7) {
         inputs.v_motor = inputs.v_motor > 0.0 ? 6.0e7 : -6.0e7;
     }

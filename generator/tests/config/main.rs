@@ -8,21 +8,16 @@ mod every_rule;
 mod examples;
 mod excitation;
 mod files;
-mod gantry;
-mod gear;
 mod inert;
 mod lines;
 mod list;
 mod looks_wrong;
+mod messages;
 mod phase;
-mod rules;
 mod set;
 mod spellings;
-mod spindle;
-mod spindle_drive;
 mod spindle_limits;
 mod spindle_words;
-mod values;
 mod wording;
 
 use generator::config::{ListOptions, Unreadable};
@@ -75,16 +70,6 @@ const IPC: &str = "lr_param.improved_position_control.";
 /// Line for line.
 fn assert_said(said: &str, expected: &[&str]) {
     assert_eq!(said.lines().collect::<Vec<_>>(), expected);
-}
-
-/// Blocks, with an empty line between: after `> ` what is given, below it what is said about it.
-fn assert_transcript(say: impl Fn(&str) -> String, transcript: &str) {
-    for block in transcript.trim_matches('\n').split("\n\n") {
-        let lines: Vec<&str> = block.lines().collect();
-        let given: Vec<&str> = lines.iter().map_while(|line| line.strip_prefix("> ")).collect();
-        assert!(!given.is_empty(), "nothing is given: {block}");
-        assert_eq!(say(&given.join("\n")).lines().collect::<Vec<_>>(), lines[given.len()..], "{block}");
-    }
 }
 
 /// A DIRECT stage that nothing is said about, without what the test itself gives.

@@ -1,5 +1,5 @@
 //! Files as machines, manuals and people have them: what is read from them, what is said of them, and that they come back to the byte.
-//! `AXGEN_BLESS=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew; read their difference.
+//! `UPDATE_EXPECT=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew; read their difference.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -79,13 +79,7 @@ fn exported(files: &[File<'_>]) -> Vec<u8> {
     list.unwrap_or_else(|| panic!("{report}"))
 }
 
-/// Compares with a transcript next to these tests, or writes it.
+/// Compares with a transcript next to these tests.
 fn assert_transcript(name: &str, said: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real_files").join(name);
-    if std::env::var_os("AXGEN_BLESS").is_some() {
-        std::fs::write(path, said).unwrap();
-    } else {
-        let expected = std::fs::read_to_string(path).unwrap();
-        assert!(expected == said, "{name} differs; AXGEN_BLESS=1 writes it anew\n{said}");
-    }
+    transcript::equals(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/real_files").join(name), said);
 }

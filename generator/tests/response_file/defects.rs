@@ -149,5 +149,5 @@ fn each_defect_gets_its_verdict() {
     let all: Vec<(&str, String)> = read.chain(of_the_open_plant()).collect();
     let found: String = all.iter().map(|(name, said)| format!("> {name}\n{said}\n")).collect();
     assert!(all.iter().all(|(_, said)| said.contains("error[")), "{found}");
-    assert_eq!(found.trim_end(), include_str!("defects.txt").trim_end(), "\n{found}");
+    transcript::equals(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/response_file/defects.txt"), &found);
 }

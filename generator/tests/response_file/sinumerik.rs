@@ -253,7 +253,7 @@ fn each_defect_gets_its_verdict() {
     let all: Vec<(&str, String)> = files.into_iter().map(|(name, text)| (name, said(&text, COMMAND))).collect();
     let found: String = all.iter().map(|(name, said)| format!("> {name}\n{said}\n")).collect();
     assert!(all.iter().all(|(_, said)| said.contains("error[")), "{found}");
-    assert_eq!(found.trim_end(), include_str!("sinumerik.txt").trim_end(), "\n{found}");
+    transcript::equals(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/response_file/sinumerik.txt"), &found);
 }
 
 /// A file that is damaged in some byte is read or refused.

@@ -40,6 +40,7 @@ fn rack_and_pinion(real: RealKind) -> Axis {
 /// An axis with a limit of 530000.
 fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
     Axis {
+        excitation: None,
         short_names: false,
         counts_calls: false,
         name: "X".to_owned(),
@@ -58,6 +59,7 @@ fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
         },
         control: crate::axis::Control::default(),
         canonical: String::new(),
+        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     }

@@ -110,6 +110,7 @@ fn rack_and_pinion() -> Axis {
         None,
     ];
     Axis {
+        excitation: None,
         short_names: false,
         counts_calls: false,
         name: "X".to_owned(),
@@ -128,6 +129,7 @@ fn rack_and_pinion() -> Axis {
         },
         control: crate::axis::Control::default(),
         canonical: String::new(),
+        excitation: None,
         drive: Default::default(),
         canonical_of: Default::default(),
     }

@@ -18,7 +18,9 @@ pub(super) fn stimulus(axis: &Axis, block: &Program) -> Stimulus {
     let signal = reals(axis).into_iter().zip(1..).filter(|((name, _), _)| has(name));
     let signal = signal.map(|((name, largest), seed)| (name.to_owned(), components(axis, seed, largest))).collect();
     let mut event: Vec<Event> = events().into_iter().filter(|event| has(&event.signal)).collect();
-    event.extend(axis.excitation.iter().filter(|_| has("hold_to_run")).flat_map(excited));
+    event.extend(
+        axis.excitation.iter().filter(|_| has("hold_to_run")).flat_map(excited).filter(|event| has(&event.signal)),
+    );
     event.extend(boundaries::events(block, axis.real, FIRST_BOUNDARY));
     Stimulus { signal, event }
 }
@@ -82,6 +84,8 @@ fn excited(of: &Excitation) -> Vec<Event> {
         event("v_motor", "nan", 2_300, 1, 7_000),
         event("task_cycle_ns", "1", 3_300, 2, 11_000),
         event("v_motor", &speed, 5_000, whole, 0),
+        event("task_cycle_ns", "0", 5_000, whole, 0),
+        event("cycle_counter", "counts+1", 5_000, whole, 0),
         event("hold_to_run", "0", 5_000, 2, 0),
         event("hold_to_run", "1", 5_002, whole, 0),
     ]

@@ -12,7 +12,7 @@ const HEAD: &str = "| no. | the input | what is said first | exit |\n| --- | ---
 
 /// Whether the document is to be written.
 pub fn is_written() -> bool {
-    std::env::var_os("AXGEN_BLESS").is_some_and(|value| value == "1")
+    std::env::var_os("UPDATE_EXPECT").is_some_and(|value| value == "1")
 }
 
 /// The rows by their input.

@@ -1,7 +1,7 @@
 //! Hostile and broken input through the real command, one test a row; `docs/hostile-input.md` is the list of them, and is
 //! read here, so that it cannot say anything else than what happens.
 //!
-//! `AXGEN_BLESS=1 cargo test -p axgen --test hostile` writes the document anew.
+//! `UPDATE_EXPECT=1 cargo test -p axgen --test hostile` writes the document anew.
 
 #![cfg(unix)]
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]

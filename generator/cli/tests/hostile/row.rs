@@ -55,7 +55,7 @@ pub fn check(row: &Row) {
         assert_eq!(
             Some(seen),
             document::read().remove(row.input),
-            "{}: AXGEN_BLESS=1 writes the document anew",
+            "{}: UPDATE_EXPECT=1 writes the document anew",
             row.input
         );
     }

@@ -4,9 +4,9 @@
  * block       excitation
  * real type   float
  * cycle time  250000 ns
- * parameters  670fef3a2abe79e988ab285154bbcfb5
- * structure   90a4cb8507a8348b913f8980e3c26fc8
- * checksum    95cfdff6121b309f025841d6eecd8192
+ * parameters  52ea14ef8d627d811e349af939f96b4b
+ * structure   8e6964ca7d1a0dde298f6b5fe0af66c0
+ * checksum    b09dceae025c3e71c27668ca4dd4b7b5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_excitation.h"
@@ -79,15 +79,15 @@ void axis_f_excitation_step(
 {
     /* cycle time 250 us; the coefficients are valid only for this cycle time */
     static const uint32_t cycle_time_ns = 250000u; /* cycle time that all coefficients were designed for [ns] */
-    static const uint32_t ones = 2047u; /* clocks of a period 2^n - 1; as a register: all bits are 1 */
-    static const uint32_t front = 1024u; /* front bit of the register as a number, 2^(n - 1) */
+    static const uint32_t ones = 511u; /* clocks of a period 2^n - 1; as a register: all bits are 1 */
+    static const uint32_t front = 256u; /* front bit of the register as a number, 2^(n - 1) */
     static const uint32_t clock = 8u; /* cycles of a clock c */
 
-    /* key excitation.periods: measured periods of 16376 cycles, after one that settles */
+    /* key excitation.periods: measured periods of 4088 cycles, after one that settles */
     static const uint32_t periods = 4u; /* periods that are measured M, after one that settles */
 
-    /* key excitation.amplitude: command steps of 4 deg/s; move at 5 deg/s or faster in one direction: 102.85 deg at
-     * this speed; 4 periods measured after one that settles, 20.57 s in all */
+    /* key excitation.amplitude: command steps of 4 deg/s; move at 5 deg/s or faster in one direction: 26.05 deg at
+     * this speed; 4 periods measured after one that settles, 5.21 s in all */
     static const float amplitude = 2000.0f; /* amplitude A */
 
     /* fade of the excitation: 0.1 s */
@@ -277,7 +277,7 @@ void axis_f_excitation_step(
                 state->cycle = 1u;
                 const uint32_t register_value = state->register_value;
                 const uint32_t last = register_value % 2u;
-                const uint32_t sum = last + ((register_value / 4u) % 2u);
+                const uint32_t sum = last + ((register_value / 16u) % 2u);
                 const uint32_t next = sum % 2u;
                 uint32_t register_next;
                 if (next > 0u) {

@@ -4,9 +4,9 @@
  * block       excitation
  * real type   float
  * cycle time  250000 ns
- * parameters  670fef3a2abe79e988ab285154bbcfb5
- * structure   90a4cb8507a8348b913f8980e3c26fc8
- * checksum    ab9b1c53b0ab6df00688867d91aa305e
+ * parameters  52ea14ef8d627d811e349af939f96b4b
+ * structure   8e6964ca7d1a0dde298f6b5fe0af66c0
+ * checksum    0ad9726b65578ae3b3e5f08f655ace62
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_EXCITATION_H
@@ -27,15 +27,15 @@ extern "C" {
 /* largest |v_excite| [0.001 deg/s] */
 #define AXIS_F_EXCITATION_V_EXCITE_LIMIT 2000.0f
 /* digest of the parameters, as in the head of this file */
-#define AXIS_F_EXCITATION_PARAMETERS_0 0x670fef3au
-#define AXIS_F_EXCITATION_PARAMETERS_1 0x2abe79e9u
-#define AXIS_F_EXCITATION_PARAMETERS_2 0x88ab2851u
-#define AXIS_F_EXCITATION_PARAMETERS_3 0x54bbcfb5u
+#define AXIS_F_EXCITATION_PARAMETERS_0 0x52ea14efu
+#define AXIS_F_EXCITATION_PARAMETERS_1 0x8d627d81u
+#define AXIS_F_EXCITATION_PARAMETERS_2 0x1e349af9u
+#define AXIS_F_EXCITATION_PARAMETERS_3 0x39f96b4bu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_F_EXCITATION_STRUCTURE_0 0x90a4cb85u
-#define AXIS_F_EXCITATION_STRUCTURE_1 0x07a8348bu
-#define AXIS_F_EXCITATION_STRUCTURE_2 0x913f8980u
-#define AXIS_F_EXCITATION_STRUCTURE_3 0xe3c26fc8u
+#define AXIS_F_EXCITATION_STRUCTURE_0 0x8e6964cau
+#define AXIS_F_EXCITATION_STRUCTURE_1 0x7d1a0ddeu
+#define AXIS_F_EXCITATION_STRUCTURE_2 0x298f6b5fu
+#define AXIS_F_EXCITATION_STRUCTURE_3 0xe0af66c0u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_F_EXCITATION_INPUTS_SIZE 16u
 #define AXIS_F_EXCITATION_OUTPUTS_SIZE 20u

@@ -33,13 +33,22 @@ use reject::Rejections;
 /// at its own place that says what to write instead. All errors are reported at once.
 #[proc_macro_attribute]
 pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
+    let original = proc_macro2::TokenStream::from(item.clone());
+    let (description, rejections) = describe(attribute.into(), item.into());
+    let errors = rejections.into_compile_errors();
+    quote!(#original #description #errors).into()
+}
+
+/// The description of an item, and what is rejected of it.
+fn describe(
+    attribute: proc_macro2::TokenStream,
+    item: proc_macro2::TokenStream,
+) -> (proc_macro2::TokenStream, Rejections) {
     let mut rejections = Rejections::default();
     if !attribute.is_empty() {
-        let arguments = proc_macro2::TokenStream::from(attribute);
-        rejections.push(arguments, "#[portable] takes no arguments; write #[portable]");
+        rejections.push(attribute, "#[portable] takes no arguments; write #[portable]");
     }
-    let original = proc_macro2::TokenStream::from(item.clone());
-    let description = match syn::parse::<syn::Item>(item) {
+    let description = match syn::parse2::<syn::Item>(item) {
         Ok(syn::Item::Fn(function)) => function::describe(&function, &mut rejections),
         Ok(syn::Item::Struct(item)) => item::describe_struct(&item, &mut rejections),
         Ok(syn::Item::Enum(item)) => item::describe_enum(&item, &mut rejections),
@@ -49,8 +58,7 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
         }
         Err(error) => error.to_compile_error(),
     };
-    let errors = rejections.into_compile_errors();
-    quote!(#original #description #errors).into()
+    (description, rejections)
 }
 
 /// `copy!(to = from: field, field);` copies fields by name: each is `to.field = from.field;`.
@@ -60,6 +68,10 @@ pub fn portable(attribute: TokenStream, item: TokenStream) -> TokenStream {
 pub fn copy(fields: TokenStream) -> TokenStream {
     syn::parse::<copy::Copy>(fields).map_or_else(|error| error.to_compile_error(), |copy| copy.expand()).into()
 }
+
+#[cfg(test)]
+#[path = "../unit/refused.rs"]
+mod refused;
 
 /// Checks that the examples of the guide compile or fail as the guide states.
 #[cfg(doctest)]

@@ -25,6 +25,12 @@ impl Rejections {
         self.errors.len()
     }
 
+    /// The violations.
+    #[cfg(test)]
+    pub fn errors(&self) -> &[syn::Error] {
+        &self.errors
+    }
+
     /// One `compile_error!` for each violation.
     pub fn into_compile_errors(self) -> TokenStream {
         self.errors.into_iter().map(|error| error.to_compile_error()).collect()

@@ -1,6 +1,5 @@
 //! Refused by name: words of NC languages that are not read, each said once with its first place and the number of them.
 
-use crate::refused::refuses;
 use crate::support::said;
 
 /// A line with such a word: what is reported for it.
@@ -49,16 +48,4 @@ fn each_word_says_what_it_is() {
         let start = format!("1:{column}: error: found `{word}`, {what}");
         assert!(said.iter().any(|said| said.starts_with(&start)), "{line}: {start}\n{said:#?}");
     }
-}
-
-/// A program with an arc has thousands of them, and words that follow from one are not said.
-#[test]
-fn each_word_once_with_the_number_of_them() {
-    refuses(&[(
-        "G0 X1\nG2 X1 Y2 I5\nG2 X5 Y5 R2\nG3 X1 Y2 J1\nG2 X0 Y0 R1\nM30",
-        &[
-            "2:1: error: found `G2`, an arc (the first of 3); {allowed}; write straight moves, as a CAM system writes them with arcs switched off",
-            "4:1: error: found `G3`, an arc; {allowed}; write straight moves, as a CAM system writes them with arcs switched off",
-        ],
-    )]);
 }

@@ -1,49 +1,12 @@
-//! What is refused, rule by rule: a text, and all that is reported for it.
+//! What is refused: `texts/*.txt`, each rule with a text and all that is reported for it. No rule stands here.
 
-mod at_once;
-mod case;
-mod declarations;
-mod files;
-mod instances;
-mod lexical;
 mod names;
-mod numbers;
-mod operators_and_calls;
-mod single_precision;
-mod statements;
-mod types;
-mod unary;
+mod scl;
 
-use crate::support::said;
+use crate::support::{block, said, said_with};
 use portable::RealKind;
-use st::Dialect;
-
-/// Where the text of a row stands.
-#[derive(Clone, Copy)]
-pub enum Part {
-    /// in the body of a block with variables of each type, from line 14 on
-    Body,
-    /// the same, whose reals are `REAL`
-    Single,
-    /// before the body of a block with one output, from line 5 on
-    Declared,
-    /// it is a file
-    Whole,
-}
-
-/// A rule, a text that breaks it, and what is reported.
-pub struct Row {
-    /// the rule
-    pub rule: &'static str,
-    /// where the text stands
-    pub part: Part,
-    /// what a real is
-    pub real: RealKind,
-    /// the text
-    pub text: &'static str,
-    /// what is reported
-    pub said: &'static [&'static str],
-}
+use st::{Block, Dialect};
+use std::path::Path;
 
 const VARIABLES: &str = "FUNCTION_BLOCK probe
 VAR_INPUT
@@ -60,35 +23,62 @@ VAR_OUTPUT
 END_VAR
 ";
 
-/// A text in its part.
-pub fn file(part: Part, text: &str) -> String {
-    let body = format!("{VARIABLES}{text}\nEND_FUNCTION_BLOCK\n");
-    match part {
-        Part::Body => body,
-        Part::Single => body.replace("LREAL;", "REAL;"),
-        Part::Declared => {
-            let output = "VAR_OUTPUT\n    y : LREAL;\nEND_VAR\n";
-            format!("FUNCTION_BLOCK probe\n{output}{text}\ny := 1.0;\nEND_FUNCTION_BLOCK\n")
-        }
-        Part::Whole => text.to_owned(),
-    }
-}
+/// Another block, for instances of it.
+const GAIN: &str = "FUNCTION_BLOCK gain
+VAR_INPUT
+    x : LREAL;
+    n : DINT;
+    w : LREAL;
+END_VAR
+VAR_OUTPUT
+    y : LREAL;
+END_VAR
+VAR
+    k : LREAL;
+END_VAR
+k := 2.0;
+y := k * x;
+END_FUNCTION_BLOCK
+";
 
-/// Asks for each row's messages.
-pub fn refuses(rows: &[Row]) {
-    for row in rows {
-        let text = file(row.part, row.text);
-        assert_eq!(said(Dialect::Plain, &text, "probe", row.real), row.said, "{}:\n{text}", row.rule);
-    }
+fn gain(real: RealKind) -> Block {
+    let text = if real == RealKind::F32 { GAIN.replace("LREAL", "REAL") } else { GAIN.to_owned() };
+    block(Dialect::Plain, &text, "gain", real)
 }
 
 #[test]
-fn the_text_around_the_rows_is_taken() {
-    for (part, text, real) in [
-        (Part::Body, "y := x;", RealKind::F64),
-        (Part::Single, "y := x;", RealKind::F32),
-        (Part::Declared, "", RealKind::F64),
-    ] {
-        assert_eq!(said(Dialect::Plain, &file(part, text), "probe", real), [""; 0]);
+fn what_is_reported() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/st/refused/texts");
+    for file in folder.read_dir().expect("the texts") {
+        let file = file.expect("a file");
+        transcript::compare(file.path(), |form, text| reported(form, text).join("\n"));
+    }
+}
+
+/// What is reported about a text, by the form, which says where it stands:
+///
+/// - `body`: in a block with variables of each type, from line 14 on
+/// - `instance`: the same, with a `gain` named `g`, from line 17 on
+/// - `declared`: before the body of a block with one output, from line 5 on
+/// - `declared instance`: the same, where the text may have a `gain`
+/// - `file`, `TwinCAT`: it is a file
+pub fn reported(form: &str, text: &str) -> Vec<String> {
+    let (form, real) = form.strip_suffix(" of REAL").map_or((form, RealKind::F64), |form| (form, RealKind::F32));
+    let body = |variables: &str| {
+        let text = format!("{VARIABLES}{variables}{text}\nEND_FUNCTION_BLOCK\n");
+        if real == RealKind::F32 { text.replace("LREAL;", "REAL;") } else { text }
+    };
+    let declared = || {
+        let output = "VAR_OUTPUT\n    y : LREAL;\nEND_VAR\n";
+        format!("FUNCTION_BLOCK probe\n{output}{text}\ny := 1.0;\nEND_FUNCTION_BLOCK\n")
+    };
+    match form {
+        "body" => said(Dialect::Plain, &body(""), "probe", real),
+        "instance" => said_with(Dialect::Plain, &body("VAR\n    g : gain;\nEND_VAR\n"), "probe", real, &[gain(real)]),
+        "declared" => said(Dialect::Plain, &declared(), "probe", real),
+        "declared instance" => said_with(Dialect::Plain, &declared(), "probe", RealKind::F64, &[gain(real)]),
+        "file" => said(Dialect::Plain, text, "probe", real),
+        "TwinCAT" => said(Dialect::TwinCat, text, "probe", real),
+        other => panic!("no such form: {other}"),
     }
 }

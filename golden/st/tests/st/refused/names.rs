@@ -1,9 +1,6 @@
 //! Refused: the names that are to be avoided, all of them.
 
-use super::{Part, file};
-use crate::support::said;
-use portable::RealKind;
-use st::Dialect;
+use super::reported;
 
 /// Words that some compiler takes for its own, in whatever case.
 const AVOIDED: &str = "
@@ -17,8 +14,7 @@ const AVOIDED: &str = "
 #[test]
 fn each_is_refused_as_a_variable() {
     for name in AVOIDED.split_ascii_whitespace().flat_map(|name| [name.to_owned(), name.to_ascii_uppercase()]) {
-        let text = file(Part::Declared, &format!("VAR\n    {name} : BOOL;\nEND_VAR"));
-        let said = said(Dialect::Plain, &text, "probe", RealKind::F64);
+        let said = reported("declared", &format!("VAR\n    {name} : BOOL;\nEND_VAR"));
         assert!(!said.is_empty(), "{name}");
         assert!(said.iter().all(|said| said.starts_with("6:5: found the name ")), "{name}: {said:?}");
     }
@@ -29,7 +25,6 @@ fn names_that_only_look_like_them_are_taken() {
     for name in
         ["on_time", "gate", "mode", "limits", "stage0_filter0_section0_s1", "x_to_y", "_x", "value", "real_part"]
     {
-        let text = file(Part::Declared, &format!("VAR\n    {name} : BOOL;\nEND_VAR"));
-        assert_eq!(said(Dialect::Plain, &text, "probe", RealKind::F64), [""; 0], "{name}");
+        assert_eq!(reported("declared", &format!("VAR\n    {name} : BOOL;\nEND_VAR")), [""; 0], "{name}");
     }
 }

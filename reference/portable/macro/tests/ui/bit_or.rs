@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-fn either(a: bool, b: bool) -> bool {
-    a | b
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-const fn next(count: u32) -> u32 {
-    count + 1u32
-}
-
-fn main() {}

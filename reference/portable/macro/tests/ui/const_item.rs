@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-const STAGES: usize = 3;
-
-fn main() {}

@@ -1,9 +1,0 @@
-use portable::portable;
-
-#[portable]
-enum Mode {
-    Off = 1,
-    On,
-}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-enum Mode {}
-
-fn main() {}

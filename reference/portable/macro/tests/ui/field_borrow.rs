@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State {
-    count: &'static u32,
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State<R> {
-    x: (R, R),
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::portable;
-
-struct Counter;
-
-#[portable]
-impl Counter {}
-
-fn main() {}

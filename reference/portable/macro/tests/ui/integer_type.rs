@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State {
-    count: u8,
-}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-mod section {}
-
-fn main() {}

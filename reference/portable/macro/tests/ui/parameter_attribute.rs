@@ -1,8 +1,0 @@
-use portable::{Real, portable};
-
-#[portable]
-fn twice<R: Real>(#[allow(unused)] x: R) -> R {
-    x + x
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::{Real, portable};
-
-#[portable]
-fn is_still<R: Real>(x: R) -> bool {
-    x == R::ZERO
-}
-
-fn main() {}

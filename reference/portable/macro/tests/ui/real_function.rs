@@ -1,8 +1,0 @@
-use portable::{Real, portable};
-
-#[portable]
-fn zero<R: Real>() -> R {
-    R::default()
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::{Real, portable};
-
-#[portable]
-fn first<R: Real>(x: &[R]) -> R {
-    x[0]
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State<R: Copy> {
-    x: R,
-}
-
-fn main() {}

@@ -1,9 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State<R, S> {
-    x: R,
-    y: S,
-}
-
-fn main() {}

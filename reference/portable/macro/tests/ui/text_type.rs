@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct State {
-    unit: char,
-}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-trait Filter {}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct Pair<R>(R, R);
-
-fn main() {}

@@ -1,8 +1,0 @@
-#![allow(unused)]
-
-use portable::{Real, portable};
-
-#[portable]
-fn run<R: Real>(x: (R, R)) {}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-type Count = u32;
-
-fn main() {}

@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-fn twice<R: Copy>(x: R) -> R {
-    x
-}
-
-fn main() {}

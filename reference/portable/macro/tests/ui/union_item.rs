@@ -1,8 +1,0 @@
-use portable::portable;
-
-#[portable]
-union Bits {
-    integer: u32,
-}
-
-fn main() {}

@@ -1,6 +1,0 @@
-use portable::portable;
-
-#[portable]
-struct Empty;
-
-fn main() {}
