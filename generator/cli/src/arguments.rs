@@ -389,6 +389,18 @@ pub struct SimulateArguments {
     /// SVG file for the picture
     #[arg(long, value_name = "FILE")]
     pub picture: Option<PathBuf>,
+    /// CSV file for the moves with every stage off, as a recorder on the controller would save them, for `measure` and `tune`
+    #[arg(long, value_name = "FILE")]
+    pub moves: Option<PathBuf>,
+    /// CSV file for a move with the block `excitation`, as a recorder would save it
+    #[arg(long, value_name = "FILE")]
+    pub excited: Option<PathBuf>,
+    /// Speed of the move with the excitation: 20mm/s [default: 4 amplitudes]
+    #[arg(long, value_name = "SPEED", value_parser = simulate::speed, requires = "excited")]
+    pub speed: Option<f64>,
+    /// Noise of the recorded velocity and acceleration, rms, as a part of their peak: 0.1% [default: none]
+    #[arg(long, value_name = "PART", value_parser = simulate::noise)]
+    pub noise: Option<f64>,
     /// Replace any files of these names, not only earlier outputs of this command
     #[arg(long)]
     pub force: bool,

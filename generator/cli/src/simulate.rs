@@ -8,8 +8,9 @@ use crate::one_file::{self, Rule};
 use crate::output;
 use crate::run::block_of;
 use crate::times;
+use generator::blocks::{self, Designed};
 use generator::codes;
-use golden::simulate::{self, Moved, picture, text};
+use golden::simulate::{self, Moved, picture, recording, text};
 use golden::svg;
 use std::path::PathBuf;
 
@@ -24,17 +25,33 @@ pub fn dwell(text: &str) -> Result<f64, String> {
     time.filter(|time| (SHORTEST..=LONGEST).contains(time)).ok_or_else(allowed)
 }
 
+/// A speed of `--speed` [m/s]: `20mm/s`.
+pub fn speed(text: &str) -> Result<f64, String> {
+    let speed = times::seconds(text, &[("um/s", 1e-6), ("mm/s", 1e-3), ("m/s", 1.0)]);
+    let allowed = || "a speed above 0 and up to 10m/s is allowed: 20mm/s".to_owned();
+    speed.filter(|speed| *speed > 0.0 && *speed <= 10.0).ok_or_else(allowed)
+}
+
+/// A part of `--noise`: `0.1%`.
+pub fn noise(text: &str) -> Result<f64, String> {
+    let part = times::seconds(text, &[("%", 1e-2)]).filter(|part| (0.0..=1.0).contains(part));
+    part.ok_or_else(|| "a part from 0% to 100% is allowed: 0.1%".to_owned())
+}
+
 /// Runs the command.
-pub fn run(
+pub fn run<'a>(
     arguments: &SetArguments,
     format: Format,
     axis: Option<&str>,
     drive: &DriveArguments,
-    to: &SimulateArguments,
+    to: &'a SimulateArguments,
 ) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     let designed = input::axis(&set, axis)?;
-    block_of(designed, "ipc")?;
+    let has_stages = blocks::names(&designed.axis).contains(&"ipc");
+    if !has_stages && to.moves.is_none() && to.excited.is_none() || to.csv.is_some() || to.picture.is_some() {
+        block_of(designed, "ipc")?;
+    }
     let moved = if to.plant.is_some() { Moved::Demonstration } else { Moved::Drive };
     if moved == Moved::Demonstration && designed.axis.control.is_rotary {
         return Err(Exit::input(
@@ -43,21 +60,43 @@ pub fn run(
             "the demonstration plant is a translatory axis, this one is rotary",
         ));
     }
-    let is_csv = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
-    let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let [of_csv, of_picture] = [Rule::own(to.force, &is_csv), Rule::own(to.force, &is_picture)];
-    one_file::told_apart(&to.csv.iter().chain(&to.picture).map(PathBuf::as_path).collect::<Vec<_>>())?;
-    for (out, rule) in [(to.csv.as_deref(), of_csv), (to.picture.as_deref(), of_picture)] {
-        let Some(out) = out else { continue };
+    let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
+    let [is_csv, is_picture, is_recording] = [text::HEAD, svg::HEAD, recording::HEAD].map(begins);
+    let [of_csv, of_picture, of_recording] =
+        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::own(to.force, begins));
+    let all = [(&to.csv, of_csv), (&to.picture, of_picture), (&to.moves, of_recording), (&to.excited, of_recording)];
+    let asked: Vec<_> = all.into_iter().filter_map(|(out, rule)| Some((out.as_deref()?, rule))).collect();
+    one_file::told_apart(&asked.iter().map(|(out, _)| *out).collect::<Vec<_>>())?;
+    for (out, rule) in asked {
         one_file::kept_apart(out, [arguments.set.as_path()])?;
         rule.allows(out)?;
     }
-    let simulation =
-        simulate::run(designed, moved, to.dwell).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    let csv = to.csv.as_deref().map(|path| one_file::stage(path, text::csv(&simulation).as_bytes(), of_csv));
-    let drawn = |path| one_file::stage(path, picture::svg(&simulation, &designed.axis.name).as_bytes(), of_picture);
-    let staged = [csv.transpose()?, to.picture.as_deref().map(drawn).transpose()?];
-    one_file::commit(staged.into_iter().flatten())?;
+    let noise = to.noise.unwrap_or(0.0);
+    let mut staged = Vec::new();
+    let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
+        let Some(out) = out else { return Ok(()) };
+        staged.push(one_file::stage(out, text()?.as_bytes(), rule)?);
+        Ok(())
+    };
+    stage(&to.moves, of_recording, &|| Ok(recording::moves(designed, moved, to.dwell, noise)))?;
+    stage(&to.excited, of_recording, &|| excited(designed, moved, to.speed, noise))?;
+    let simulation = has_stages.then(|| simulate::run(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)));
+    if let Some(simulation) = &simulation {
+        stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
+        stage(&to.picture, of_picture, &|| Ok(picture::svg(simulation, &designed.axis.name)))?;
+    }
+    one_file::commit(staged)?;
+    let Some(simulation) = simulation else { return Ok(Exit::Done) };
     output::print(text::table(&simulation, designed))?;
     Ok(if text::is_unstable(&simulation) { Exit::Different } else { Exit::Done })
+}
+
+/// A recording of a move with the excitation of the axis.
+fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, Exit> {
+    block_of(designed, "excitation")?;
+    recording::excited(designed, moved, speed, noise).map_err(|why| Exit::input(codes::USAGE, "--excited", why))
+}
+
+fn defect(why: &str) -> ! {
+    panic!("a defect of axgen: {why}")
 }

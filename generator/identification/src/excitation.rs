@@ -13,7 +13,7 @@ pub const PERIODS: usize = 8;
 /// Default amplitude, for velocities in m/s.
 pub const AMPLITUDE: f64 = 2e-3;
 /// Rise time and fall time of the excitation [s].
-const FADE: f64 = 0.1;
+pub const FADE: f64 = 0.1;
 /// Minimum number of lines within the half-power width of a vibration.
 const LINES_IN_WIDTH: f64 = 4.0;
 /// Minimum speed of the move during the excitation, in amplitudes: friction keeps its sign.

@@ -15,7 +15,8 @@ pub struct Excitation {
 
 impl Excitation {
     /// At a cycle time [s]: what a start of it means for the machine.
-    pub(crate) fn at(&self, cycle_time: f64) -> excitation::Excitation {
+    #[must_use]
+    pub fn at(&self, cycle_time: f64) -> excitation::Excitation {
         let Self { amplitude, sequence, periods } = *self;
         excitation::Excitation { sequence, cycle_time, amplitude, periods: periods as usize }
     }

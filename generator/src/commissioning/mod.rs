@@ -2,6 +2,8 @@
 //! with the numbers of this axis. Nothing is designed here. The text of the page is in its template;
 //! tests/tests/commissioning.rs follows it.
 
+mod excite;
+mod first;
 mod names;
 mod rows;
 mod stage;
@@ -28,16 +30,19 @@ const REST: f64 = 10.0;
 const RESERVE: u32 = 2;
 /// Permitted growth of an amplitude from one row to the next [%]: two records of a machine always differ.
 const GROWTH: f64 = 5.0;
-/// Minimum time for a position controller to come to rest [s].
-const LEAST_QUIET: f64 = 1.0;
+/// Shortest rest before and after a move [s]: `axgen measure` reads the decay from 0.15 to 0.95 s after a ramp.
+const LEAST_QUIET: f64 = 1.2;
 /// Denominator of a stage's weight that must exist and have no effect.
 const NO_WEIGHT: u32 = 1_000_000;
-/// Minimum duration of a mean [s].
+/// Shortest time over which a mean is taken [s].
 const LEAST_WINDOW: f64 = 0.5;
+/// Shortest time at constant velocity in a recorded move [s], and its first part, which `axgen measure` leaves out.
+const LEAST_DRIVE: f64 = 1.5;
+const SETTLING: f64 = 0.3;
 
 /// The data of the template.
 #[derive(Template)]
-#[template(path = "commissioning.md")]
+#[template(path = "commissioning/page.md")]
 struct Page {
     axis: String,
     /// the block to call, by its name in the registry
@@ -52,6 +57,8 @@ struct Page {
     /// whether the block may report notices
     has_notices: bool,
     is_tunable: bool,
+    /// inputs of the block that hold it at rest
+    off: String,
     takes_sets: bool,
     /// the denominator of a weight without effect
     no_weight: u32,
@@ -80,6 +87,8 @@ struct Page {
     /// [s]
     window: String,
     /// [s]
+    drive_time: String,
+    /// [s]
     quiet: String,
     agreement: f64,
     rest: f64,
@@ -93,16 +102,16 @@ struct Signal {
     meaning: &'static str,
 }
 
-/// The page of an axis; `None` if improved position control does not act: no stage is active, or the axis is a gantry slave,
-/// whose master's block acts. `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the
+/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts. `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the
 /// page.
 pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
-    if !axis.ipc.is_active() || axis.control.master.is_some() {
-        return None;
-    }
     let name = format!("{}_commissioning.md", stem(&axis.name));
-    Some(rendered(&name, "", &page(designed, parameters, targets)))
+    match axis.ipc.is_active() {
+        _ if axis.control.master.is_some() => None,
+        true => Some(rendered(&name, "", &page(designed, parameters, targets))),
+        false => Some(rendered(&name, "", &first::page(axis, targets))),
+    }
 }
 
 fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
@@ -127,6 +136,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
+        off: off(&stages, is_tunable),
         takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,
         parameters,
@@ -142,6 +152,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         signals: signals(axis, is_inside),
         trial: if is_tunable { "" } else { "trial/" },
         window: digits(longest(|stage| stage.seconds, LEAST_WINDOW)),
+        drive_time: digits(longest(|stage| stage.seconds + SETTLING, LEAST_DRIVE)),
         quiet: digits(longest(|stage| stage.quiet, LEAST_QUIET)),
         stages,
         drive: if axis.drive.is_given() { "the drive that the set states" } else { "an ideal drive" },
@@ -152,6 +163,16 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         growth: GROWTH,
         reserve: RESERVE,
     }
+}
+
+/// What is written to the inputs of the block so that it adds nothing.
+fn off(stages: &[Stage], is_tunable: bool) -> String {
+    let mut off = "`mode := 0`".to_owned();
+    if is_tunable {
+        stages.iter().for_each(|stage| off += &format!(", `tuning_weight{} := 0`", stage.index));
+        off += " and `tuning_limit := 0`";
+    }
+    off
 }
 
 /// The blocks of an axis except `ipc`, if no block contains the others.

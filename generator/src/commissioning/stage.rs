@@ -16,7 +16,7 @@ use std::f64::consts::PI;
 /// First section number of the steps of a weight.
 const FIRST_WEIGHT_STEP: usize = 4;
 /// First section number for reading frequencies.
-const FIRST_READ_STEP: usize = 2;
+const FIRST_READ_STEP: usize = 3;
 /// Time constants after which a section has come to rest: e^-10 is 5e-5.
 const TIME_CONSTANTS: f64 = 10.0;
 /// The length of a record with a Hann window that shows whether a peak lies within the band, in periods of the bandwidth.
@@ -35,9 +35,8 @@ pub(super) struct Stage {
     pub(super) edges: [String; 2],
     pub(super) weight: String,
     pub(super) rows: Vec<Row>,
-    /// minimum length of a record [s], and the length as text
+    /// time at constant velocity that resolves its band [s]
     pub(super) seconds: f64,
-    pub(super) window: String,
     /// time after which its sections are at rest [s]
     pub(super) quiet: f64,
     pub(super) f0_path: String,
@@ -68,7 +67,6 @@ impl Stage {
             weight: significant(stage.weight(), 4),
             rows: rows(stage, |part| step(design, closed, part)),
             seconds,
-            window: digits(seconds),
             quiet: quiet(design),
             f0_path: path(Name::FilterF0),
             mode_path: path(Name::Mode),
@@ -86,7 +84,7 @@ fn seen_in(mode: Mode) -> String {
     match mode {
         Mode::Direct { .. } => format!("`{}`", mode.source()),
         Mode::Indirect { .. } | Mode::SetPoint { .. } => {
-            "the sensor at the load (it need not show in the velocity of the motor)".to_owned()
+            "`a_load` (this vibration may be invisible in the velocity of the motor); without a sensor, of `following_error`".to_owned()
         }
     }
 }

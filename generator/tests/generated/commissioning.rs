@@ -68,7 +68,37 @@ fn a_page_belongs_to_an_axis_that_acts_itself() {
         axis("N", "kopf.achs_nr = 3", ""),
     ];
     let names: Vec<String> = of_set(&set.concat()).into_iter().map(|(name, _)| name).collect();
-    assert_eq!(names, ["axis_m_commissioning.md"], "not the gantry slave, not the axis without a stage");
+    assert_eq!(names, ["axis_m_commissioning.md", "axis_n_commissioning.md"], "not the gantry slave");
+}
+
+/// Without a stage the page leads to the first ones; without the block `excitation` to that block.
+#[test]
+fn the_page_of_an_axis_without_a_stage() {
+    let set = |keys: &str| {
+        let mut pages = of_set(&format!(
+            "cycle_time = \"500us\"\n[axis.X]\n{keys}\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n"
+        ));
+        assert_eq!(pages.len(), 1);
+        pages.remove(0).1
+    };
+    let page = set("excitation = { amplitude = 3000, bits = 10, clock = 8, periods = 5 }");
+    assert_says(
+        &page,
+        &[
+            "It must be 500000 ns.",
+            "| largest `v_excite` | 3000 um/s |",
+            "| steps of the velocity command | 6000 um/s |",
+            "| band of the excitation | up to 125 Hz |",
+            // (M + 1) N T = 6 * 1023 * 8 * 0.5 ms, and the fade; at 2.5 A.
+            "| duration | 24.7 s |",
+            "at least 7500 um/s, in one direction, over at least 184.1 mm.",
+            "axgen measure moves.csv --excited excited.csv --excitation 10x8 --response response.csv",
+            "axgen tune SET --axis X --recording moves.csv --excited excited.csv --excitation 10x8 --apply recommended",
+        ],
+    );
+    let page = set("");
+    assert_says(&page, &["excitation = {}", "axgen tune SET --axis X --recording moves.csv --apply first"]);
+    assert!(!page.contains("hold_to_run"), "{page}");
 }
 
 #[test]
@@ -83,7 +113,8 @@ fn numbers_are_those_of_the_axis() {
             "It must be 500000 ns.",
             "add `--cycle-time 500us` to each command",
             "`tuning_weight2` is the input for stage 2. In a recording for `axgen run` its column is `tuning_weight[2]`.",
-            "**2.2** Stage 2. Take a part of the record of at least 0.4 s",
+            "Drive at a constant velocity for at least 1.5 s. Let the axis rest for 1.2 s",
+            "**2.3** Stage 2. In the report, look at the lines of `v_motor`.",
             "**4.4** Stage 2, 40 Hz.",
             "The weight follows within 250 ms.",
             "| 0.1 | 175 | 1 |",
@@ -139,7 +170,7 @@ fn a_filter_of_the_command_is_seen_at_the_load() {
         &[
             "| 0 | SET_POINT | `v_command` | 20 Hz |",
             "| `v_command` | the position controller with feedforward, before `v_add` is added | 0.001 deg/s |",
-            "Make the spectrum of the sensor at the load",
+            "look at the lines of `a_load`",
             // abs(1 + w H) with H = -(1 - j / (2 D)).
             "| 4.4.6 | 0.72 | 72 | 100 | 53 % |",
         ],

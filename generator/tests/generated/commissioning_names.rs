@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Sets with every kind of page: constants, inputs that tune, parameter sets, watch, a counter of calls, a whole
 /// axis, a spindle.
-const SETS: [&str; 8] = [
+const SETS: [&str; 10] = [
     "examples/rack-and-pinion.toml",
     "examples/twincat/axes.toml",
     "golden/cases/parameter-sets/set.toml",
@@ -22,7 +22,25 @@ const SETS: [&str; 8] = [
     "golden/cases/single-precision/set.toml",
     "golden/cases/position-control-in-the-drive/set.toml",
     "golden/cases/whole-spindle-in-the-cnc/set.toml",
+    "golden/cases/excitation-in-single-precision/set.toml",
+    "golden/cases/excitation/set.toml",
 ];
+
+/// Names that only recordings have, outside of their tables.
+const OF_RECORDINGS: [&str; 2] = ["a_load", "following_error"];
+
+/// The page without the tables of what to record, and the names in them.
+fn without_recordings(page: &str) -> (String, BTreeSet<String>) {
+    let (mut rest, mut names, mut is_inside) = (String::new(), BTreeSet::new(), false);
+    for line in page.lines() {
+        is_inside = line == "| name | signal |" || is_inside && line.starts_with('|');
+        match line.strip_prefix("| `").filter(|_| is_inside).and_then(|row| row.split_once('`')) {
+            Some((name, _)) => _ = names.insert(name.to_owned()),
+            None => rest += &format!("{line}\n"),
+        }
+    }
+    (rest, names)
+}
 
 /// Keys of a set that a page names without their paths.
 const KEYS: [&str; 6] = ["weight_fact_num", "weight_fact_denom", "v_add_max_fact", "q_factor", "order", "tunable"];
@@ -70,7 +88,9 @@ fn is_of_the_set(name: &str) -> bool {
     name.starts_with("axgen ")
         || name.starts_with("--")
         || name.starts_with("lr_param.")
-        || ["SET", "trial", "trial/SET", "trial/params.csv", "recorded.csv", "left at best", "Ms"].contains(&name)
+        || ["SET", "trial", "trial/SET", "trial/params.csv", "recorded.csv", "moves.csv", "excited.csv", "left at best", "Ms"].contains(&name)
+        || ["recommended", "first", "excitation", "list"].contains(&name)
+        || OF_RECORDINGS.contains(&name)
         || KEYS.contains(&name.split(" = ").next().unwrap())
         || name.chars().all(|letter| letter.is_ascii_hexdigit()) && name.len() > 8
 }
@@ -140,6 +160,8 @@ fn example() -> BTreeSet<String> {
 #[test]
 fn each_name_is_in_the_files_of_its_targets() {
     let example = example();
+    let measured = std::fs::read_to_string(root().join("docs/measure.md")).unwrap();
+    assert!(OF_RECORDINGS.iter().all(|name| measured.contains(&format!("`{name}`"))));
     let mut count = 0;
     for name in SETS {
         let set = set(name);
@@ -148,7 +170,10 @@ fn each_name_is_in_the_files_of_its_targets() {
             for (axis, page) in pages {
                 let known: BTreeMap<&str, _> =
                     choice.iter().map(|target| (target.name, known(&set, &axis, *target))).collect();
+                let (page, recorded) = without_recordings(&page);
                 let missing = missing(&page, &known, &example);
+                let is_read = |name: &String| measured.contains(&format!("`{name}`"));
+                assert!(recorded.len() > 4 && recorded.iter().all(is_read), "{name}: {recorded:?}");
                 assert!(missing.is_empty(), "{name}, {:?}: {missing:#?}", known.keys());
                 count += named(&page).len();
             }

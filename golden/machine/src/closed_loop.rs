@@ -61,6 +61,8 @@ pub struct Record {
     pub v_planned: Vec<f64>,
     /// the motor's position [m]
     pub x: Vec<f64>,
+    /// the motor's position as the controller sees it, a cycle later [m]
+    pub seen: Vec<f64>,
     /// the measured acceleration of the load [m/s^2]
     pub sensor: Vec<f64>,
     /// the inputs of the closure
@@ -87,6 +89,7 @@ pub fn run(
         let now = machine.now();
         let signals = position.signals(x, v, &actual);
         let v_add = ipc(&signals);
+        record.seen.push(actual.x);
         actual = machine.step((signals.v_command + v_add) / UM);
         record.command.push(x);
         record.v_planned.push(v);

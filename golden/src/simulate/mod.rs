@@ -6,11 +6,13 @@
 //! setting   the loop of a run
 //! ripple    adds a vibration to a machine without one
 //! of_plant  the loop of the demonstration plant
+//! recording what a recorder would save
 //! text      the table, and CSV; picture: off against on
 //! ```
 
 mod of_plant;
 pub mod picture;
+pub mod recording;
 mod ripple;
 mod row;
 mod setting;

@@ -44,8 +44,8 @@ pub(super) enum Moving {
 pub(super) struct Setting {
     pub(super) moving: Moving,
     pub(super) position: Position,
-    sequence: Sequence,
-    cycle: f64,
+    pub(super) sequence: Sequence,
+    pub(super) cycle: f64,
     frequencies: Vec<f64>,
     /// cycles at rest, in which the block fades in
     fade: usize,
@@ -83,6 +83,17 @@ impl Setting {
         }
     }
 
+    /// Runs moves from rest, with what is added to the command in each cycle.
+    pub(super) fn run(&self, sequence: &Sequence, add: &mut dyn FnMut(&Signals) -> f64) -> Record {
+        closed_loop::run(self.machine(), &self.position, sequence, add)
+    }
+
+    /// A time [s] in cycles.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a time of minutes")]
+    pub(super) fn cycles(&self, time: f64) -> usize {
+        libm::ceil(time / self.cycle) as usize
+    }
+
     fn machine(&self) -> Box<dyn Machine> {
         match &self.moving {
             Moving::Plant(_) => Box::new(plant(self.cycle).at_rest()),
@@ -109,7 +120,7 @@ impl Setting {
             v_add
         };
         (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
-        let record = closed_loop::run(self.machine(), &self.position, &self.sequence, &mut cycle);
+        let record = self.run(&self.sequence, &mut cycle);
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
         let ms = match &self.moving {
             Moving::Plant(of_plant) => of_plant.ms(&loop_of),

@@ -3,7 +3,8 @@
 use crate::machine::mean;
 use crate::page::Page;
 use crate::{SENSOR, Session};
-use machine::measure::spectrum;
+use machine::sequence::Sequence;
+use serde_json::Value;
 
 pub fn connect(session: &mut Session, page: &mut Page) {
     page.section("1");
@@ -65,44 +66,49 @@ pub fn record(session: &mut Session, page: &mut Page) {
     page.section("2");
     let mut step = page.step("2.1");
     session.write(&mut step);
-    session.quiet = step.number("rest for ", " s before it");
+    session.quiet = step.number("rest for ", " s before each move");
+    let speed_for = step.number("constant velocity for at least ", " s");
+    step.says("Save the record as `moves.csv`");
+    let names: Vec<String> = step.tables[0].rows.iter().map(|row| row[0].trim_matches('`').to_owned()).collect();
     step.done();
     let run = session.make_move();
+    assert!(speed_for <= Sequence::DEMONSTRATION.dwell);
+    session.machine.write_moves("moves.csv", &names, &run.record);
+
+    let step = page.step("2.2");
+    let command = step.commands[0].clone();
+    step.done();
+    session.machine.done(&command, 0);
+    let report: Value = serde_json::from_str(&session.machine.done(&format!("{command} --json"), 0)).unwrap();
+
     for (n, row) in page.stages.rows.clone().into_iter().enumerate() {
-        let mut step = page.step(&format!("2.{}", n + 2));
-        let window = step.number("at least ", " s in which");
-        let f0 = step.number("highest peak around ", " Hz.");
+        let mut step = page.step(&format!("2.{}", n + 3));
+        let f0 = step.number("strongest vibration near ", " Hz");
         let low = step.number("must lie between ", " and ");
         let band = [low, step.number("must lie between # and ", " Hz. Note its amplitude")];
-        assert!(band[1] > band[0], "{band:?}");
+        assert!(band[0] < f0 && f0 < band[1], "{band:?}");
         let is_direct = row[page.stages.column("mode")] == "DIRECT";
-        step.says(if is_direct { "the spectrum of `v_motor`" } else { SENSOR });
-        for path in [step.name("write this frequency to ", ", generate"), step.name("write NOT_ACTIVE to ", ".")] {
+        step.says(if is_direct { "the lines of `v_motor`" } else { SENSOR });
+        for path in [step.name("write this frequency to ", ". Then generate"), step.name("write NOT_ACTIVE to ", ".")] {
             assert!(path.starts_with(&format!("lr_param.improved_position_control.stage[{n}].")), "{path}");
         }
-        let v: Vec<f64> = run.record.signals.iter().map(|signals| signals.v_motor).collect();
-        let (signal, part) = if is_direct {
-            (v.as_slice(), run.dwell())
-        } else {
-            let [start, _] = run.record.ramps[0];
-            (run.record.sensor.as_slice(), start..start + 1000)
-        };
-        assert!(window <= part.len() as f64 * run.record.cycle);
-        let largest = highest_peak(&signal[part], run.record.cycle, [f0 / 2.0, f0 * 2.0]);
-        assert!(band[0] < largest[0] && largest[0] < band[1], "stage {n}: {largest:?}, {band:?}");
+        let channel = if is_direct { "v_motor" } else { "a_load" };
+        let strongest = strongest(&report, channel, [f0 / 2.0, f0 * 2.0]);
+        assert!(band[0] < strongest && strongest < band[1], "stage {n}: {strongest} Hz, {band:?}");
         session.bands.push(band);
         step.done();
     }
     session.off = session.amplitudes(&run);
 }
 
-/// Frequency [Hz] and amplitude of the highest peak within a band [Hz] of a spectrum. The mean is not a vibration.
-fn highest_peak(signal: &[f64], cycle: f64, around: [f64; 2]) -> [f64; 2] {
-    let level = mean(signal.iter().copied());
-    let vibration: Vec<f64> = signal.iter().map(|sample| sample - level).collect();
-    let lines = spectrum(&vibration, cycle, around);
-    let peaks = lines.windows(3).filter(|three| three[0][1] < three[1][1] && three[1][1] > three[2][1]);
-    peaks.map(|three| three[1]).max_by(|a, b| a[1].total_cmp(&b[1])).unwrap()
+/// Frequency [Hz] of the strongest vibration of a channel within a band [Hz], in a report of `axgen measure`.
+fn strongest(report: &Value, channel: &str, around: [f64; 2]) -> f64 {
+    let of = |vibration: &Value, key: &str| vibration[key].as_f64().unwrap();
+    let all = report["vibrations"].as_array().unwrap().iter();
+    let near = all.filter(|vibration| vibration["channel"] == channel);
+    let near = near.filter(|vibration| (around[0]..around[1]).contains(&of(vibration, "hz")));
+    let strongest = near.max_by(|a, b| of(a, "amplitude").total_cmp(&of(b, "amplitude")));
+    of(strongest.unwrap_or_else(|| panic!("{channel} {around:?}: {report:#}")), "hz")
 }
 
 pub fn dry_run(session: &mut Session, page: &mut Page) {

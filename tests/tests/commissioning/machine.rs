@@ -130,6 +130,25 @@ impl Machine {
         Move { record, v_add_calculated, was_limited }
     }
 
+    /// Saves the move as a recorder would, with these signals.
+    pub fn write_moves(&self, file: &str, names: &[String], record: &Record) {
+        let value = |name: &str, n: usize| match name {
+            "x_command" => record.command[n] * 1e3,
+            "x_actual" => record.seen[n] * 1e3,
+            "v_command" => record.signals[n].v_command,
+            "v_direct" => record.signals[n].v_direct,
+            "v_motor" => record.signals[n].v_motor,
+            "a_load" => record.sensor[n],
+            other => panic!("page: no signal {other}"),
+        };
+        let mut text = format!("time [s],{}\n", names.join(","));
+        for n in 0..record.command.len() {
+            let row = names.iter().map(|name| format!("{:.6}", value(name, n)));
+            text += &format!("{:.3},{}\n", n as f64 * record.cycle, row.collect::<Vec<_>>().join(","));
+        }
+        fs::write(self.path(file), text).unwrap();
+    }
+
     /// A recorder on the controller starts.
     pub fn start_recording(&mut self) {
         self.block.record_anew();

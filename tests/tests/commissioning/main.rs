@@ -41,7 +41,7 @@ struct Session {
     fade: f64,
 }
 
-const SENSOR: &str = "the sensor at the load (it need not show in the velocity of the motor)";
+const SENSOR: &str = "the lines of `a_load`";
 const LIMIT: &str = "lr_param.improved_position_control.v_add_max_fact";
 
 #[test]

@@ -63,9 +63,9 @@ pub const WAYS: &[Way] = &[
         ],
     ),
     whole(
-        "no stage is active: the page goes, and the block of improved position control",
+        "no stage is active: the block of improved position control goes, and the page is another one",
         &[Set(A, "rust", &["X kv stage"]), Run(A), Set(A, "rust", &["X kv"])],
-        &["- axis_x_commissioning.md", "- axis_x_ipc.rs"],
+        &["- axis_x_ipc.rs"],
     ),
     whole(
         "`tunable` comes: the block `axis` goes",
@@ -289,15 +289,9 @@ pub const WAYS: &[Way] = &[
         &["? axis_x_axis.rs", "? axis_x_position_control.rs", "? axis_y_ipc.rs"],
     ),
     whole(
-        "so is what axes shared, and a page",
+        "so is what axes shared",
         &[Set(A, "scl", &["X stage"]), Run(A), Delete("axgen.manifest"), Set(A, "c", &["X"])],
-        &[
-            "? IMPORT_SCL.md",
-            "? axgen_mode.scl",
-            "? axis_x_commissioning.md",
-            "? axis_x_ipc.scl",
-            "? axis_x_ipc_self_test.scl",
-        ],
+        &["? IMPORT_SCL.md", "? axgen_mode.scl", "? axis_x_ipc.scl", "? axis_x_ipc_self_test.scl"],
     ),
     whole("nothing goes", &[Set(A, "c", &["X"]), Run(A), Delete("axgen.manifest")], &[]),
     Way {

@@ -1,0 +1,70 @@
+//! The commissioning page of an axis without an active stage: from the machine to its first stages. What the page says is in its
+//! template; the numbers of the excitation are in `excite.rs`.
+
+use super::excite::Excite;
+use super::names::Names;
+use super::{AGREEMENT, LEAST_DRIVE, LEAST_QUIET, LEAST_WINDOW};
+use crate::axis::Axis;
+use crate::blocks::EXCITATION;
+use crate::number::digits;
+use crate::target::Target;
+use askama::Template;
+
+/// What the template shows.
+#[derive(Template)]
+#[template(path = "commissioning/first.md")]
+pub(super) struct First {
+    axis: String,
+    /// of the block `excitation`
+    names: Names,
+    has_notices: bool,
+    counts_calls: bool,
+    /// inputs of the block `excitation` that hold it at rest
+    off: &'static str,
+    unit: &'static str,
+    cycle: String,
+    cycle_ns: u32,
+    /// [s]
+    window: String,
+    drive_time: String,
+    quiet: String,
+    /// [%]
+    agreement: f64,
+    /// `None`: the axis does not have the block `excitation`
+    excite: Option<Excite>,
+    /// number of the section about proposals
+    section: u32,
+    /// the command that proposes stages, and the proposal to begin with
+    tune: String,
+    proposal: &'static str,
+}
+
+/// The page of an axis without an active stage, for these targets.
+pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
+    let excite = Excite::of(axis);
+    let recorded = format!("axgen tune SET --axis {} --recording moves.csv", axis.name);
+    let (section, tune, proposal) = match &excite {
+        Some(excite) => {
+            (4, format!("{recorded} --excited excited.csv --excitation {}", excite.sequence), "recommended")
+        }
+        None => (3, recorded, "first"),
+    };
+    First {
+        axis: axis.name.clone(),
+        names: Names::new(axis, EXCITATION, targets),
+        has_notices: false,
+        counts_calls: axis.counts_calls,
+        off: "`hold_to_run := FALSE`",
+        unit: axis.control.velocity_unit(),
+        cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),
+        cycle_ns: axis.cycle_time_ns,
+        window: digits(LEAST_WINDOW),
+        drive_time: digits(LEAST_DRIVE),
+        quiet: digits(LEAST_QUIET),
+        agreement: AGREEMENT,
+        excite,
+        section,
+        tune,
+        proposal,
+    }
+}
