@@ -75,9 +75,8 @@ fn a_page_belongs_to_an_axis_that_acts_itself() {
 #[test]
 fn the_page_of_an_axis_without_a_stage() {
     let set = |keys: &str| {
-        let mut pages = of_set(&format!(
-            "cycle_time = \"500us\"\n[axis.X]\n{keys}\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n"
-        ));
+        let mut pages =
+            of_set(&format!("cycle_time = \"500us\"\n[axis.X]\n{keys}\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n"));
         assert_eq!(pages.len(), 1);
         pages.remove(0).1
     };

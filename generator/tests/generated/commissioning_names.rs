@@ -88,7 +88,18 @@ fn is_of_the_set(name: &str) -> bool {
     name.starts_with("axgen ")
         || name.starts_with("--")
         || name.starts_with("lr_param.")
-        || ["SET", "trial", "trial/SET", "trial/params.csv", "recorded.csv", "moves.csv", "excited.csv", "left at best", "Ms"].contains(&name)
+        || [
+            "SET",
+            "trial",
+            "trial/SET",
+            "trial/params.csv",
+            "recorded.csv",
+            "moves.csv",
+            "excited.csv",
+            "left at best",
+            "Ms",
+        ]
+        .contains(&name)
         || ["recommended", "first", "excitation", "list"].contains(&name)
         || OF_RECORDINGS.contains(&name)
         || KEYS.contains(&name.split(" = ").next().unwrap())
