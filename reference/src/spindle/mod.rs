@@ -226,7 +226,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     outputs.fault = error_now != error_none();
     outputs.loop_closed =
         outputs.spindle_state == SpindleState::Position && !has_failed && cycle.sample_error == error_none();
-    if !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake || !is_job {
+    if !is_job || !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {
         jobs::stop(state, is_job);
     } else {
         jobs::serve(state, coeffs, inputs.job_done);

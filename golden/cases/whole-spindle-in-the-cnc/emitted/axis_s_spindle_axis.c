@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   3be3efc9f3232c30d6852e05844b07b2
- * checksum    367f343f8e5aa87994de96abebdc4481
+ * structure   24a2a1235abb161f461438a5ff3858f2
+ * checksum    a3f2f9b518a1d63a4c12d7914b0f3476
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -1043,8 +1043,8 @@ static void axis_s_spindle_axis_any_cycle(
         spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
             && spindle_sample_error_last == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     outputs->loop_closed = spindle_loop_closed;
-    if (!inputs->drive_on || inputs->reset || spindle_has_failed
-            || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE || !spindle_is_job) {
+    if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
+            || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
         if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP || !spindle_is_job) {
             state->spindle_turns_fast = false;
             state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
