@@ -90,7 +90,9 @@ fn assignments(text: &str) -> Vec<String> {
     let mut lines = code.lines();
     while let Some(line) = lines.next() {
         let mut words = line.split_ascii_whitespace();
-        if !(words.next().is_some_and(is_name) && words.next() == Some(":=")) {
+        // SCL marks the variables of a block.
+        let target = words.next().map(|word| word.trim_start_matches('#'));
+        if !(target.is_some_and(is_name) && words.next() == Some(":=")) {
             continue;
         }
         let mut statement = line.trim().to_owned();
@@ -107,12 +109,14 @@ fn assignments(text: &str) -> Vec<String> {
 fn a_spindle_seldom_assigns_the_same_twice() {
     let mut count = 0;
     for case in CASES.iter() {
-        for (name, text) in case.with(&["_spindle_axis.st"]) {
+        for (name, text) in
+            case.with(&["_spindle_axis.st", "_spindle_axis.scl", "_spindle_axis.xml", "_spindle_axis.TcPOU"])
+        {
             let all = assignments(text);
             let distinct: BTreeSet<&String> = all.iter().collect();
             assert!(distinct.len() > 100, "{}: {name}: {} assignments", case.name, distinct.len());
             assert!(
-                all.len() * 100 <= distinct.len() * 135,
+                all.len() * 100 <= distinct.len() * 120,
                 "{}: {name}: {} assignments, {} of them distinct",
                 case.name,
                 all.len(),
@@ -121,7 +125,7 @@ fn a_spindle_seldom_assigns_the_same_twice() {
             count += 1;
         }
     }
-    assert!(count >= 5, "{count} spindles");
+    assert!(count >= 20, "{count} spindles");
 }
 
 /// What is wrong with the comments of a piece.

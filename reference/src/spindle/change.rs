@@ -1,9 +1,8 @@
-//! The change of the mode: whether the drive has changed it, where position control begins, and what follows. Only
-//! TO_POSITION is left here.
+//! The change of the mode: whether the drive has done it, where position control is taken up, and what follows.
 
 use super::motion::ahead;
 use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, SpindleState, State, leave_for};
+use super::state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::{position_limit, wrapped};
 use portable::{Real, from_i32, in_range, note, portable};
 
@@ -28,8 +27,8 @@ pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
 /// Position control begins in the next cycle: at the actual position when the command arrives, with the lag that the
 /// controller needs for this velocity.
 #[portable]
-pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    // Only a spindle without position control continues without its position.
+pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    // Only a spindle without position control goes on without its position.
     let is_unknown = coeffs.only_velocity && !in_range(inputs.x_actual, position_limit());
     let x_from = if is_unknown { state.x } else { inputs.x_actual };
     let lead = lead_time(coeffs, inputs);
@@ -37,18 +36,17 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     state.x_start = x_first;
     state.is_moving = true;
     state.catches = false;
-    leave_for(cycle, SpindleState::ToPosition);
 }
 
 /// The drive has the requested mode: the interpolator takes over.
 #[portable]
-pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
+pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>) {
     state.takes_over = true;
     if coeffs.only_velocity {
         note("TO_POSITION -> VELOCITY: the drive has no position control");
-        leave_for(cycle, SpindleState::Velocity);
+        cycle.next = SpindleState::Velocity;
     } else {
         note("TO_POSITION -> POSITION: the drive displays position control");
-        leave_for(cycle, SpindleState::Position);
+        cycle.next = SpindleState::Position;
     }
 }

@@ -146,10 +146,10 @@ pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.jobs = if state.jobs < u32::MAX { state.jobs + 1u32 } else { 0u32 };
 }
 
-/// The job ends: STOP begins, unless it is the job already.
+/// The job ends: STOP begins, unless it is the job already. So does a job that something has overwritten.
 #[portable]
-pub fn stop<R: Real>(state: &mut State<R>) {
-    if state.present.kind != Job::Stop {
+pub fn stop<R: Real>(state: &mut State<R>, is_job: bool) {
+    if state.present.kind != Job::Stop || !is_job {
         state.turns_fast = false;
         state.present.kind = Job::Stop;
         state.present.speed = R::ZERO;

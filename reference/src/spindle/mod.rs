@@ -32,17 +32,17 @@ pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays
 
 use crate::angle::wrapped;
 use crate::call_rate;
-use crate::signal::{error_cycle_time, error_none};
+use crate::signal::{error_cycle_time, error_none, sample_limit};
 use calls::look_at_calls;
 use change::resynchronise;
 use jobs::WAITING;
 use motion::{advance, slow_down};
-use portable::{Block, Brake, Enable, Fn, Off, Real, portable};
+use portable::{Block, Brake, Enable, Fn, Off, Real, in_range, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
-use start::{follow, release, seize};
+use start::{follow, hold_back, release, seize};
 use state::enter;
-use transition::{brake, coast, interpolated, to_position, velocity};
+use transition::act;
 use usual::next_usual;
 
 /// Before the first cycle: an input that is already TRUE then is not a request.
@@ -92,27 +92,25 @@ pub fn init<R: Real>(state: &mut State<R>) {
 
 /// Whether the block does not move the spindle yet: the drive is off, or has just been switched on.
 #[portable]
-pub fn is_at_start<R: Real>(state: &State<R>) -> bool {
-    state.control == SpindleState::ToPosition && !state.is_moving
+pub fn is_at_start(control: SpindleState, is_moving: bool) -> bool {
+    control == SpindleState::ToPosition && !is_moving
 }
 
-/// A reset: clears the waiting requests, and an error that stays.
+/// A reset: an error that stays is gone.
 #[portable]
-pub fn reset<R: Real>(state: &mut State<R>, drive_on: bool) {
-    state.queued = 0u32;
+pub fn reset<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>, drive_on: bool) {
     if state.lasting_error != error_none() {
         state.lasting_error = error_none();
         state.returns = false;
         if drive_on {
-            let begins = is_at_start(state);
-            let mut next = SpindleState::Brake;
-            if begins {
-                forget(&mut state.seen);
-                next = SpindleState::ToPosition;
+            cycle.begins = true;
+            if is_at_start(cycle.control, state.is_moving) {
+                cycle.forgets = true;
+            } else {
+                cycle.control = SpindleState::Brake;
             }
-            enter(state, next);
         }
-    } else if state.control == SpindleState::ToVelocity || state.control == SpindleState::Velocity {
+    } else if cycle.control == SpindleState::ToVelocity || cycle.control == SpindleState::Velocity {
         state.returns = true;
     }
 }
@@ -129,61 +127,96 @@ pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
     }
 }
 
-/// The end of a cycle: the spindle coasts, or the next cycle begins in another state.
+/// The state with which a cycle begins: what has been overwritten, a reset and the drive decide. Gives the error of the request.
 #[portable]
-pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    if cycle.lacking != error_none() {
-        coast(state, coeffs, cycle);
-    }
-    if cycle.resynchronises {
-        resynchronise(state, coeffs, inputs, cycle);
-    }
-    if cycle.leaves {
-        enter(state, cycle.next);
-    }
-}
-
-/// Any cycle. Only the samples that the state uses are checked.
-#[portable]
-pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    repair::repair(state, coeffs);
+pub fn begin<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle<R>,
+    is_job: bool,
+) -> u32 {
+    repair::repair(state, coeffs, cycle, is_job);
     let request_error = jobs::look(state, coeffs, inputs);
     if inputs.reset {
-        reset(state, inputs.drive_on);
+        reset(state, cycle, inputs.drive_on);
     }
     let is_wrong = inputs.task_cycle_ns != 0u32 && inputs.task_cycle_ns != coeffs.cycle_time_ns;
     if is_wrong && state.lasting_error == error_none() {
         state.lasting_error = error_cycle_time();
     }
     look_at_calls(state, coeffs, inputs);
-    let mut cycle = Cycle::default();
     if !inputs.drive_on {
-        release(state, coeffs);
+        release(state, cycle);
     }
-    outputs.spindle_state = state.control;
-    let begins = is_at_start(state);
+    if inputs.reset || !inputs.drive_on {
+        state.queued = 0u32;
+    }
+    state.control = cycle.control;
+    state.control_copy = cycle.control;
+    cycle.next = cycle.control;
+    if cycle.begins {
+        enter(state);
+    }
+    request_error
+}
+
+/// The motion that the interpolator does not lead. The velocity command of a spindle that is stopped, or whose drive is off, goes to 0.
+#[portable]
+pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &Cycle<R>, is_stopped: bool, drive_on: bool) {
+    if is_stopped || cycle.brakes || !drive_on {
+        let v_end = if cycle.brakes { coeffs.v_position_control_on } else { R::ZERO };
+        let v_end_negative = if cycle.brakes { coeffs.v_position_control_on_negative } else { R::ZERO };
+        slow_down(state, coeffs, v_end, v_end_negative);
+    }
+    if cycle.holds_back {
+        hold_back(state, cycle.v_turning);
+    }
+    if is_stopped || cycle.advances {
+        advance(state, coeffs);
+    }
+}
+
+/// The state with which the next cycle begins.
+#[portable]
+pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &Cycle<R>) {
+    if cycle.resynchronises {
+        resynchronise(state, coeffs, inputs);
+    }
+    if cycle.resynchronises || cycle.next != state.control {
+        state.control = cycle.next;
+        state.control_copy = cycle.next;
+        enter(state);
+    }
+}
+
+/// Any cycle. Only the samples that the state uses are checked.
+#[portable]
+pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    let mut cycle = Cycle::<R>::default();
+    let is_job = repair::is_request(&state.present);
+    let request_error = begin(state, coeffs, inputs, &mut cycle, is_job);
+    outputs.spindle_state = cycle.control;
+    let begins = is_at_start(cycle.control, state.is_moving);
     let is_sound = state.lasting_error == error_none();
     // In the cycle in which the block takes over the spindle, the spindle keeps its velocity.
     let is_seized = inputs.drive_on && !is_sound && begins && state.cycles == 0u32;
-    if begins && (!inputs.drive_on || is_sound || is_seized) {
-        follow(state, coeffs, inputs, &mut cycle);
+    let follows = begins && (!inputs.drive_on || is_sound || is_seized);
+    let is_known = in_range(inputs.v_actual, sample_limit());
+    if cycle.forgets || follows && !is_known {
+        forget(&mut state.seen);
+    }
+    if follows {
+        follow(state, coeffs, inputs, &mut cycle, is_known);
     }
     if is_seized {
         seize(state);
     } else if inputs.drive_on && is_sound {
-        match state.control {
-            SpindleState::Position | SpindleState::ToVelocity => interpolated(state, coeffs, inputs, &mut cycle),
-            SpindleState::Velocity => velocity(state, coeffs, inputs, &mut cycle),
-            SpindleState::Brake => brake(state, coeffs, inputs, &mut cycle),
-            SpindleState::ToPosition => to_position(state, coeffs, inputs, &mut cycle),
-        }
-        end(state, coeffs, inputs, &mut cycle);
+        act(state, coeffs, inputs, &mut cycle, is_known);
     }
     let has_failed = state.lasting_error != error_none();
-    if has_failed && inputs.drive_on && !is_seized {
-        slow_down(state, coeffs, R::ZERO, R::ZERO);
-        advance(state, coeffs);
-    }
+    go_on(state, coeffs, &cycle, has_failed && inputs.drive_on && !is_seized, inputs.drive_on);
+    end(state, coeffs, inputs, &cycle);
     let x_wrapped = wrapped(state.x);
     state.x = x_wrapped;
     put_out_motion(state, coeffs, outputs);
@@ -193,8 +226,8 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     outputs.fault = error_now != error_none();
     outputs.loop_closed =
         outputs.spindle_state == SpindleState::Position && !has_failed && cycle.sample_error == error_none();
-    if !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {
-        jobs::stop(state);
+    if !is_job || !inputs.drive_on || inputs.reset || has_failed || state.control == SpindleState::Brake {
+        jobs::stop(state, is_job);
     } else {
         jobs::serve(state, coeffs, inputs.job_done);
     }

@@ -1,8 +1,7 @@
 //! Detects corrupted memory: a state that no cycle can produce stops the spindle with an error.
 
 use super::request::{Job, Request};
-use super::seen::forget;
-use super::state::{Coeffs, SpindleState, State, enter};
+use super::state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::{full_turn, position_limit};
 use crate::signal::{
     error_brake, error_call_rate, error_cycle_time, error_half_turn, error_lag, error_mode_display, error_none,
@@ -93,35 +92,30 @@ pub fn is_motion<R: Real>(state: &State<R>) -> bool {
 
 /// Repairs an impossible state: the spindle stops.
 #[portable]
-pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>, is_job: bool) {
     hold_counts(state);
-    if !may_stay(coeffs, state.lasting_error) {
+    let is_error = may_stay(coeffs, state.lasting_error);
+    let is_control = is_state(state.control) && state.control_copy == state.control;
+    let is_sound = is_motion(state);
+    if !(is_error && is_control && is_sound && is_job && state.queued <= 4u32) {
         state.lasting_error = error_state();
     }
     if state.queued > 4u32 {
-        state.lasting_error = error_state();
         state.queued = 0u32;
     }
-    if !is_state(state.control) || state.control_copy != state.control {
-        state.lasting_error = error_state();
-        enter(state, SpindleState::ToPosition);
+    if is_control {
+        cycle.control = state.control;
+    } else {
+        cycle.control = SpindleState::ToPosition;
+        cycle.begins = true;
     }
-    let is_sound = is_motion(state);
     if !is_sound {
-        state.lasting_error = error_state();
         state.x = R::ZERO;
         state.x_start = R::ZERO;
         state.v = R::ZERO;
         state.seen.v = R::ZERO;
         state.seen.v_last = R::ZERO;
         state.seen.v_before = R::ZERO;
-        forget(&mut state.seen);
-    }
-    if !is_request(&state.present) {
-        state.lasting_error = error_state();
-        state.turns_fast = false;
-        state.present.kind = Job::Stop;
-        state.present.speed = R::ZERO;
-        state.present.position = R::ZERO;
+        cycle.forgets = true;
     }
 }

@@ -1,8 +1,7 @@
 //! The measured velocity of a spindle that the block does not move yet. No command.
 
 use super::state::{Coeffs, Seen};
-use crate::signal::sample_limit;
-use portable::{Real, in_range, portable, within};
+use portable::{Real, portable, within};
 
 /// The median of three numbers.
 #[portable]
@@ -20,31 +19,25 @@ pub fn forget<R: Real>(seen: &mut Seen<R>) {
     seen.slow = 0u32;
 }
 
-/// Takes a sample of the actual velocity. Returns whether it is valid.
+/// Takes a sample of the actual velocity.
 #[portable]
-pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
-    let is_known = in_range(v_actual, sample_limit());
-    if is_known {
-        if seen.samples == 0u32 {
-            seen.v_last = v_actual;
-            seen.v_before = v_actual;
-        }
-        let v_middle = median(seen.v_before, seen.v_last, v_actual);
-        seen.v = v_middle;
-        seen.v_before = seen.v_last;
+pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) {
+    if seen.samples == 0u32 {
         seen.v_last = v_actual;
-        if seen.samples < 3u32 {
-            seen.samples += 1u32;
-        }
-        if !within(v_actual, coeffs.v_taken_up) {
-            seen.slow = 0u32;
-        } else if seen.slow < 3u32 {
-            seen.slow += 1u32;
-        }
-    } else {
-        forget(seen);
+        seen.v_before = v_actual;
     }
-    is_known
+    let v_middle = median(seen.v_before, seen.v_last, v_actual);
+    seen.v = v_middle;
+    seen.v_before = seen.v_last;
+    seen.v_last = v_actual;
+    if seen.samples < 3u32 {
+        seen.samples += 1u32;
+    }
+    if !within(v_actual, coeffs.v_taken_up) {
+        seen.slow = 0u32;
+    } else if seen.slow < 3u32 {
+        seen.slow += 1u32;
+    }
 }
 
 /// The velocity of the spindle; 0 within the window.

@@ -1,11 +1,11 @@
 //! The drive is switched on, or is off: what the block knows of a spindle that it does not move yet, and how it takes it
 //! over. A spindle that turns too fast for position control is caught: BRAKE begins at its actual velocity.
 
-use super::change::{complete, is_displayed, lead_time};
-use super::motion::{advance, ahead, slow_down};
-use super::seen::{forget, look, turns_with};
+use super::change::{is_displayed, lead_time};
+use super::motion::{advance, ahead};
+use super::seen::{look, turns_with};
 use super::signals::Inputs;
-use super::state::{Coeffs, Cycle, SpindleState, State, enter, leave_for};
+use super::state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::{position_limit, wrapped};
 use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
@@ -19,19 +19,18 @@ pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     state.x = x_shown;
 }
 
-/// The drive is off: requests are cleared. The velocity command goes to 0 with the deceleration.
+/// The drive is off: nothing is asked for, and what was is forgotten.
 #[portable]
-pub fn release<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    if state.control != SpindleState::ToPosition || state.is_moving {
-        forget(&mut state.seen);
+pub fn release<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
+    if cycle.control != SpindleState::ToPosition || state.is_moving {
+        cycle.forgets = true;
     }
-    enter(state, SpindleState::ToPosition);
+    cycle.control = SpindleState::ToPosition;
+    cycle.begins = true;
     state.returns = false;
     state.catches = false;
     state.is_moving = false;
-    state.queued = 0u32;
     state.takes_over = false;
-    slow_down(state, coeffs, R::ZERO, R::ZERO);
 }
 
 /// Limits the velocity command to a velocity, in the same direction.
@@ -50,22 +49,28 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
 /// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle: a
 /// drive that is on after all then brakes.
 #[portable]
-pub fn follow<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    let is_known = look(&mut state.seen, coeffs, inputs.v_actual);
-    let mut v_turning = R::ZERO;
+pub fn follow<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle<R>,
+    is_known: bool,
+) {
     if is_known {
-        v_turning = turns_with(&state.seen, coeffs);
+        look(&mut state.seen, coeffs, inputs.v_actual);
+        let v_turning = turns_with(&state.seen, coeffs);
+        cycle.v_turning = v_turning;
         if inputs.drive_on {
             state.v = v_turning;
             state.asks_velocity = !coeffs.only_position && !within(v_turning, coeffs.v_taken_up);
         } else {
             state.asks_velocity = !coeffs.only_position && !within(v_turning, R::ZERO);
-            hold_back(state, v_turning);
+            cycle.holds_back = true;
         }
     }
     let is_found = in_range(inputs.x_actual, position_limit());
     if is_found && (is_known || !inputs.drive_on) {
-        show(state, coeffs, inputs, v_turning);
+        show(state, coeffs, inputs, cycle.v_turning);
     } else if inputs.drive_on {
         advance(state, coeffs);
     }
@@ -83,11 +88,12 @@ pub fn seize<R: Real>(state: &mut State<R>) {
     state.is_moving = true;
 }
 
-/// TO_POSITION at the start: the drive is on, and the block takes over the spindle.
+/// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle. Whether it has position control.
 #[portable]
-pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) -> bool {
     let is_known = state.seen.samples >= 3u32 && cycle.sample_error == error_none();
     let is_slow = is_known && state.seen.slow >= 3u32;
+    let mut completes = false;
     if is_known && !within(state.v, coeffs.v_taken_up) {
         if coeffs.only_position {
             cycle.sample_error = error_too_fast();
@@ -96,12 +102,13 @@ pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             note("TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught");
             state.catches = true;
             state.is_moving = true;
-            leave_for(cycle, SpindleState::Brake);
+            cycle.next = SpindleState::Brake;
         }
     } else if is_slow && !within(state.v, R::ZERO) {
         note("TO_POSITION: the spindle turns slowly, and goes on doing so");
         cycle.resynchronises = true;
-    } else if is_slow && is_displayed(coeffs, inputs, coeffs.position_mode) {
-        complete(state, coeffs, cycle);
+    } else {
+        completes = is_slow && is_displayed(coeffs, inputs, coeffs.position_mode);
     }
+    completes
 }

@@ -168,31 +168,34 @@ pub struct Seen<R> {
 /// The results of checks in one cycle.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Cycle {
+pub struct Cycle<R> {
+    /// the state with which the cycle begins
+    pub control: SpindleState,
+    /// whether that state begins with this cycle
+    pub begins: bool,
+    /// whether nothing is known of the velocity of the spindle any more
+    pub forgets: bool,
     /// of a sample that is needed and out of range
     pub sample_error: u32,
     /// of a sample without which the spindle coasts
     pub lacking: u32,
+    /// whether the velocity command is limited by `v_turning`
+    pub holds_back: bool,
+    /// velocity with which the spindle turns, as far as it is known [0.001 deg/s]
+    pub v_turning: R,
+    /// whether the velocity command goes down to Voff
+    pub brakes: bool,
+    /// whether the position command goes on with the velocity command
+    pub advances: bool,
     /// whether position control is taken up in the next cycle
     pub resynchronises: bool,
-    /// whether the next cycle begins in another state
-    pub leaves: bool,
-    /// that state
+    /// the state with which the next cycle begins
     pub next: SpindleState,
 }
 
-/// The next cycle begins in another state.
+/// A state begins.
 #[portable]
-pub fn leave_for(cycle: &mut Cycle, next: SpindleState) {
-    cycle.leaves = true;
-    cycle.next = next;
-}
-
-/// Changes the state.
-#[portable]
-pub fn enter<R: Real>(state: &mut State<R>, next: SpindleState) {
-    state.control = next;
-    state.control_copy = next;
+pub fn enter<R: Real>(state: &mut State<R>) {
     state.cycles = 0u32;
     state.settled = 0u32;
     state.missing = 0u32;

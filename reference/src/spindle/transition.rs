@@ -2,13 +2,12 @@
 
 use super::change::{complete, is_displayed};
 use super::jobs::is_free;
-use super::motion::{advance, slow_down};
 use super::signals::Inputs;
 use super::start::start;
-use super::state::{Coeffs, Cycle, SpindleState, State, leave_for};
+use super::state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::{position_limit, shortest};
 use crate::signal::{
-    error_brake, error_half_turn, error_mode_display, error_takeover, error_to_position, error_to_velocity,
+    error_brake, error_half_turn, error_mode_display, error_none, error_takeover, error_to_position, error_to_velocity,
     error_v_actual, error_v_interpolator, error_x_actual, error_x_command, sample_limit,
 };
 use portable::{Real, in_range, note, portable, within};
@@ -21,36 +20,37 @@ pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
 
 /// A cycle without a sample that its state needs: the spindle continues as before, and stops if this lasts.
 #[portable]
-pub fn coast<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle) {
-    let error_id = cycle.lacking;
-    cycle.sample_error = error_id;
+pub fn coast<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
+    cycle.sample_error = cycle.lacking;
     state.missing += 1u32;
     state.takes_over = true;
     if state.missing > 3u32 {
-        state.lasting_error = error_id;
+        state.lasting_error = cycle.lacking;
     } else {
-        advance(state, coeffs);
+        cycle.advances = true;
     }
 }
 
-/// The interpolator moves the spindle.
+/// The interpolator moves the spindle; in VELOCITY with its velocity alone, never with the position controller's.
 #[portable]
-pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>) {
+pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
     state.missing = 0u32;
     state.takes_over = false;
-    state.x = inputs.x_command;
     state.v = inputs.v_interpolator;
+    if cycle.control != SpindleState::Velocity {
+        state.x = inputs.x_command;
+    } else if in_range(inputs.x_actual, position_limit()) {
+        state.x = inputs.x_actual;
+    } else {
+        cycle.advances = true;
+    }
 }
 
-/// Whether the position of the interpolator differs from that of the spindle when it takes over.
+/// Whether the interpolator, which takes over, goes on from where the spindle is.
 #[portable]
-pub fn is_jump<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> bool {
-    let mut is_too_far = false;
-    if state.takes_over {
-        let x_step = shortest(x_command - (state.x + state.v * coeffs.cycle_time));
-        is_too_far = !within(x_step, coeffs.takeover_window);
-    }
-    is_too_far
+pub fn goes_on<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> bool {
+    let x_step = shortest(x_command - (state.x + state.v * coeffs.cycle_time));
+    within(x_step, coeffs.takeover_window)
 }
 
 /// Whether the interpolator can move the spindle in this cycle. Otherwise the spindle coasts, or stops.
@@ -59,77 +59,68 @@ pub fn is_led<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     inputs: &Inputs<R>,
-    cycle: &mut Cycle,
+    cycle: &mut Cycle<R>,
     mode_fits: bool,
 ) -> bool {
+    let needs_position = cycle.control != SpindleState::Velocity;
     let mut leads = false;
     if !in_range(inputs.v_interpolator, sample_limit()) {
         cycle.lacking = error_v_interpolator();
-    } else if !in_range(inputs.x_command, position_limit()) {
+    } else if needs_position && !in_range(inputs.x_command, position_limit()) {
         cycle.lacking = error_x_command();
-    } else if coeffs.closes_loop && !in_range(inputs.x_actual, position_limit()) {
+    } else if coeffs.closes_loop && needs_position && !in_range(inputs.x_actual, position_limit()) {
         cycle.lacking = error_x_actual();
     } else if !mode_fits {
         cycle.lacking = error_mode_display();
-    } else if is_half_turn(coeffs, inputs.v_interpolator) {
+    } else if needs_position && is_half_turn(coeffs, inputs.v_interpolator) {
         state.lasting_error = error_half_turn();
     } else {
-        let jumps = is_jump(state, coeffs, inputs.x_command);
-        if jumps {
-            state.lasting_error = error_takeover();
+        leads = true;
+        if needs_position && state.takes_over {
+            leads = goes_on(state, coeffs, inputs.x_command);
+            if !leads {
+                state.lasting_error = error_takeover();
+            }
         }
-        leads = !jumps;
     }
     leads
 }
 
-/// POSITION: the interpolator moves the spindle under position control. TO_VELOCITY: the drive may follow the position or
-/// the velocity.
+/// POSITION: the interpolator moves the spindle under position control. VELOCITY: its velocity does. TO_VELOCITY: the drive may obey the
+/// position or the velocity.
 #[portable]
-pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    let is_position = state.control == SpindleState::Position;
-    if !is_position {
-        state.cycles += 1u32;
+pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
+    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
+    let mut mode_fits = true;
+    if cycle.control == SpindleState::Position {
+        mode_fits = is_displayed(coeffs, inputs, coeffs.position_mode);
+    } else if cycle.control == SpindleState::Velocity {
+        mode_fits = is_velocity_displayed;
+    } else {
         state.asks_velocity = true;
     }
-    let leads =
-        is_led(state, coeffs, inputs, cycle, !is_position || is_displayed(coeffs, inputs, coeffs.position_mode));
-    let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
-    if leads && !is_position && !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
+    let leads = is_led(state, coeffs, inputs, cycle, mode_fits);
+    let is_changing = cycle.control == SpindleState::ToVelocity;
+    if leads && is_changing && !is_velocity_displayed && state.cycles > coeffs.mode_cycles {
         state.lasting_error = error_to_velocity();
     } else if leads {
-        track(state, inputs);
+        track(state, inputs, cycle);
         let is_reached = inputs.v_interpolator >= coeffs.v_velocity_control_on
             || -inputs.v_interpolator >= coeffs.v_velocity_control_on;
-        if is_position && state.turns_fast && is_reached && !inputs.reset {
-            note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
-            leave_for(cycle, SpindleState::ToVelocity);
-        } else if !is_position && is_velocity_displayed {
-            note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
-            leave_for(cycle, SpindleState::Velocity);
-        }
-    }
-}
-
-/// VELOCITY: the interpolator's velocity, never the position controller's.
-#[portable]
-pub fn velocity<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    if !in_range(inputs.v_interpolator, sample_limit()) {
-        cycle.lacking = error_v_interpolator();
-    } else if !is_displayed(coeffs, inputs, coeffs.velocity_mode) {
-        cycle.lacking = error_mode_display();
-    } else {
-        state.missing = 0u32;
-        state.v = inputs.v_interpolator;
-        if in_range(inputs.x_actual, position_limit()) {
-            state.x = inputs.x_actual;
-        } else {
-            advance(state, coeffs);
-        }
-        if state.returns || state.queued > 0u32 && !is_free(&state.request[0]) {
+        if cycle.control == SpindleState::Position {
+            if state.turns_fast && is_reached && !inputs.reset {
+                note("POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached");
+                cycle.next = SpindleState::ToVelocity;
+            }
+        } else if is_changing {
+            if is_velocity_displayed {
+                note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
+                cycle.next = SpindleState::Velocity;
+            }
+        } else if state.returns || state.queued > 0u32 && !is_free(&state.request[0]) {
             note("VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset");
             state.returns = false;
-            leave_for(cycle, SpindleState::Brake);
+            cycle.next = SpindleState::Brake;
         }
     }
 }
@@ -143,12 +134,16 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs the drive's answer.
 #[portable]
-pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    state.cycles += 1u32;
+pub fn brake<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle<R>,
+    is_known: bool,
+) {
     if is_displayed(coeffs, inputs, coeffs.velocity_mode) {
         state.catches = false;
     }
-    let is_known = in_range(inputs.v_actual, sample_limit());
     let mut is_slow = false;
     if is_known {
         is_slow = has_slowed_down(coeffs, state.v, inputs.v_actual);
@@ -170,47 +165,64 @@ pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     } else if !can_leave && state.cycles > coeffs.brake_cycles {
         state.lasting_error = error_brake();
     } else {
-        slow_down(state, coeffs, coeffs.v_position_control_on, coeffs.v_position_control_on_negative);
-        advance(state, coeffs);
+        cycle.brakes = true;
+        cycle.advances = true;
         if can_leave {
             note("BRAKE -> TO_POSITION: the actual velocity has settled at Voff");
             cycle.resynchronises = true;
+            cycle.next = SpindleState::ToPosition;
         }
     }
 }
 
-/// TO_POSITION after BRAKE: the drive may follow the velocity or the position.
+/// TO_POSITION after BRAKE: the drive may obey the velocity or the position.
 #[portable]
-pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
+pub fn take_up<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
     state.asks_velocity = false;
     if state.cycles == 1u32 {
         state.x = state.x_start;
     } else {
-        advance(state, coeffs);
-    }
-    if is_displayed(coeffs, inputs, coeffs.position_mode) {
-        complete(state, coeffs, cycle);
+        cycle.advances = true;
     }
 }
 
-/// TO_POSITION: after BRAKE, or at the start, whose test takes two more cycles.
+/// TO_POSITION: after BRAKE, or at the start, whose test takes two cycles more.
 #[portable]
-pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle) {
-    state.cycles += 1u32;
-    let is_late = if state.is_moving {
-        state.cycles > coeffs.mode_cycles && !is_displayed(coeffs, inputs, coeffs.position_mode)
+pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
+    let time = if state.is_moving { coeffs.mode_cycles } else { coeffs.start_cycles };
+    let completes = if state.is_moving {
+        take_up(state, cycle);
+        is_displayed(coeffs, inputs, coeffs.position_mode)
     } else {
-        false
+        start(state, coeffs, inputs, cycle)
     };
-    if is_late {
-        state.asks_velocity = false;
+    if completes {
+        complete(state, coeffs, cycle);
+    } else if state.cycles > time && cycle.next == SpindleState::ToPosition && !cycle.resynchronises {
         state.lasting_error = error_to_position();
-    } else if state.is_moving {
-        take_up(state, coeffs, inputs, cycle);
-    } else {
-        start(state, coeffs, inputs, cycle);
-        if state.cycles > coeffs.start_cycles && !cycle.leaves && !cycle.resynchronises {
-            state.lasting_error = error_to_position();
+    }
+}
+
+/// What the state does.
+#[portable]
+pub fn act<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    inputs: &Inputs<R>,
+    cycle: &mut Cycle<R>,
+    is_known: bool,
+) {
+    if cycle.control != SpindleState::Position && cycle.control != SpindleState::Velocity {
+        state.cycles += 1u32;
+    }
+    match cycle.control {
+        SpindleState::Position | SpindleState::ToVelocity | SpindleState::Velocity => {
+            interpolated(state, coeffs, inputs, cycle);
         }
+        SpindleState::Brake => brake(state, coeffs, inputs, cycle, is_known),
+        SpindleState::ToPosition => to_position(state, coeffs, inputs, cycle),
+    }
+    if cycle.lacking != error_none() {
+        coast(state, cycle);
     }
 }

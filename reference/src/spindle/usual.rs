@@ -14,8 +14,9 @@ use portable::{Real, in_range, note, portable};
 /// The code of the usual cycle that may be next: that of a state without a transition.
 #[portable]
 pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
-    let is_quiet = state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any;
-    if is_quiet && state.control == SpindleState::Position && !state.takes_over && !state.turns_fast {
+    let is_quiet =
+        state.lasting_error == error_none() && state.queued == 0u32 && !state.before.any && !state.takes_over;
+    if is_quiet && state.control == SpindleState::Position && !state.turns_fast {
         usual_position()
     } else if is_quiet && state.control == SpindleState::Velocity && !state.returns {
         usual_velocity()
@@ -87,7 +88,6 @@ pub fn remain_in_velocity<R: Real>(
 ) {
     note("a usual cycle in VELOCITY");
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
-    state.missing = 0u32;
     state.x = inputs.x_actual;
     state.v = inputs.v_interpolator;
     put_out(state, coeffs, outputs);

@@ -115,7 +115,15 @@ pub fn act<R: Real>(
     }
 }
 
-/// Writes the outputs of the spindle and its axis.
+/// Writes the outputs of the changeover.
+#[portable]
+pub fn put_out_changeover<R: Real>(spindle_outputs: &spindle::Outputs<R>, outputs: &mut Outputs<R>) {
+    copy!(outputs = spindle_outputs:
+        x_spindle, v_spindle, job_speed, job_position, spindle_state, job, job_number, waiting, operation_mode,
+        velocity_command, loop_closed);
+}
+
+/// Writes the outputs of the axis.
 #[portable]
 pub fn put_out<R: Real>(
     coeffs: &Coeffs<R>,
@@ -123,10 +131,9 @@ pub fn put_out<R: Real>(
     axis_outputs: &axis::Outputs<R>,
     outputs: &mut Outputs<R>,
 ) {
-    copy!(outputs = spindle_outputs: x_spindle, v_spindle, job_speed, job_position);
-    copy!(outputs = axis_outputs: v_command, v_feedforward, v_add, v_add_calculated, x_drive);
-    copy!(outputs = spindle_outputs: spindle_state, job, job_number, waiting, operation_mode, velocity_command);
-    copy!(outputs = axis_outputs: manipulated_variable, additive_torque, additive_velocity, held, tripped);
+    copy!(outputs = axis_outputs:
+        v_command, v_feedforward, v_add, v_add_calculated, x_drive, manipulated_variable, additive_torque,
+        additive_velocity, held, tripped);
     outputs.limited =
         if coeffs.spindle.in_drive { spindle_outputs.limited || axis_outputs.limited } else { axis_outputs.limited };
 }
@@ -162,7 +169,6 @@ pub fn open<R: Real>(
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     copy!(outputs = spindle_outputs: error_id, fault);
     tell_trip(coeffs, &axis_outputs, outputs);
-    outputs.loop_closed = spindle_outputs.loop_closed;
 }
 
 /// Under position control: the axis acts.
@@ -185,7 +191,6 @@ pub fn close<R: Real>(
         outputs.error_id = axis_outputs.error_id;
     }
     tell_trip(coeffs, &axis_outputs, outputs);
-    outputs.loop_closed = spindle_outputs.loop_closed;
 }
 
 /// Any cycle. Only the samples that the spindle uses are checked.
@@ -207,6 +212,7 @@ pub fn any_cycle<R: Real>(
     } else {
         open(state, coeffs, &spindle_outputs, outputs);
     }
+    put_out_changeover(&spindle_outputs, outputs);
 }
 
 /// One cycle.
@@ -223,10 +229,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         close(state, coeffs, inputs, &spindle_outputs, outputs);
+        put_out_changeover(&spindle_outputs, outputs);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         open(state, coeffs, &spindle_outputs, outputs);
+        put_out_changeover(&spindle_outputs, outputs);
     } else {
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);
     }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   b1d26428c40647f7ac8bedfcaa6450a9
- * checksum    a4854c25c5ab8acd1e47b073e2cdbb83
+ * structure   24a2a1235abb161f461438a5ff3858f2
+ * checksum    a3f2f9b518a1d63a4c12d7914b0f3476
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -259,6 +259,9 @@ static void axis_s_spindle_axis_any_cycle(
     /* 1 deg (key spindle.takeover_window) */
     /* largest step of the position command when the interpolator takes over [0.001 deg] */
     static const double spindle_takeover_window = 1000.0;
+
+    /* 100ms (key spindle.mode_timeout) */
+    static const uint32_t spindle_mode_cycles = 100u; /* cycles within which the drive displays a new mode */
     /* cycles within which the drive displays a new mode after it is switched on: two more than otherwise */
     static const uint32_t spindle_start_cycles = 102u;
 
@@ -273,6 +276,14 @@ static void axis_s_spindle_axis_any_cycle(
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
 
+    const bool spindle_is_job =
+        (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit;
     if (state->spindle_missing > 4u) {
         state->spindle_missing = 4u;
     }
@@ -283,31 +294,20 @@ static void axis_s_spindle_axis_any_cycle(
         state->spindle_cycles = largest_count;
     }
     const uint32_t spindle_id = state->spindle_lasting_error;
-    if (!(spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_NONE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
+    const bool spindle_is_error =
+        spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_NONE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
             || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_STATE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
             || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
             || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
-            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG)) {
-        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-    }
-    if (state->spindle_queued > 4u) {
-        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        state->spindle_queued = 0u;
-    }
+            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
     const int32_t spindle_control = state->spindle_control;
-    if (!(spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-            || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
-            || state->spindle_control_copy != state->spindle_control) {
-        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        state->spindle_cycles = 0u;
-        state->spindle_settled = 0u;
-        state->spindle_missing = 0u;
-    }
+    const bool spindle_is_control =
+        (spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
+                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
+            && state->spindle_control_copy == state->spindle_control;
     const bool spindle_is_sound =
         state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
             && state->spindle_x_start < axis_s_spindle_axis_full_turn
@@ -315,29 +315,33 @@ static void axis_s_spindle_axis_any_cycle(
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
-    if (!spindle_is_sound) {
+    if (!(spindle_is_error && spindle_is_control && spindle_is_sound && spindle_is_job
+            && state->spindle_queued <= 4u)) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+    }
+    if (state->spindle_queued > 4u) {
+        state->spindle_queued = 0u;
+    }
+    int32_t spindle_control_next;
+    bool spindle_begins;
+    if (spindle_is_control) {
+        spindle_control_next = state->spindle_control;
+        spindle_begins = false;
+    } else {
+        spindle_control_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        spindle_begins = true;
+    }
+    bool spindle_forgets;
+    if (spindle_is_sound) {
+        spindle_forgets = false;
+    } else {
         state->spindle_x = 0.0;
         state->spindle_x_start = 0.0;
         state->spindle_v = 0.0;
         state->spindle_seen_v = 0.0;
         state->spindle_seen_v_last = 0.0;
         state->spindle_seen_v_before = 0.0;
-        state->spindle_seen_samples = 0u;
-        state->spindle_seen_slow = 0u;
-    }
-    if (!((state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit)) {
-        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        state->spindle_turns_fast = false;
-        state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-        state->spindle_present_speed = 0.0;
-        state->spindle_present_position = 0.0;
+        spindle_forgets = true;
     }
     const bool spindle_is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
     uint32_t spindle_request_error;
@@ -446,80 +450,95 @@ static void axis_s_spindle_axis_any_cycle(
     } else {
         spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     }
+    int32_t spindle_control_last;
+    bool spindle_forgets_next;
+    bool spindle_begins_next;
     if (inputs->reset) {
-        state->spindle_queued = 0u;
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             state->spindle_returns = false;
             if (inputs->drive_on) {
-                state->spindle_missing = 0u;
-                state->spindle_settled = 0u;
-                state->spindle_cycles = 0u;
-                const bool spindle_begins =
-                    state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
-                        && !state->spindle_is_moving;
-                int32_t spindle_next;
-                if (spindle_begins) {
-                    state->spindle_seen_samples = 0u;
-                    state->spindle_seen_slow = 0u;
-                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                const bool spindle_is_moving = state->spindle_is_moving;
+                if (spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving) {
+                    spindle_control_last = spindle_control_next;
+                    spindle_forgets_next = true;
                 } else {
-                    spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    spindle_control_last = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    spindle_forgets_next = spindle_forgets;
                 }
-                state->spindle_control = spindle_next;
-                state->spindle_control_copy = spindle_next;
+                spindle_begins_next = true;
+            } else {
+                spindle_control_last = spindle_control_next;
+                spindle_begins_next = spindle_begins;
+                spindle_forgets_next = spindle_forgets;
             }
-        } else if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-            state->spindle_returns = true;
         } else {
-            /* no action */
+            if (spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                    || spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                state->spindle_returns = true;
+            }
+            spindle_control_last = spindle_control_next;
+            spindle_begins_next = spindle_begins;
+            spindle_forgets_next = spindle_forgets;
         }
+    } else {
+        spindle_control_last = spindle_control_next;
+        spindle_begins_next = spindle_begins;
+        spindle_forgets_next = spindle_forgets;
     }
     const bool spindle_is_wrong =
         inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
     if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
-    if (!inputs->drive_on) {
+    int32_t spindle_control_then;
+    bool spindle_begins_last;
+    bool spindle_forgets_last;
+    if (inputs->drive_on) {
+        spindle_control_then = spindle_control_last;
+        spindle_begins_last = spindle_begins_next;
+        spindle_forgets_last = spindle_forgets_next;
+    } else {
         state->spindle_takes_over = false;
-        state->spindle_queued = 0u;
         state->spindle_returns = false;
-        state->spindle_missing = 0u;
-        state->spindle_settled = 0u;
-        state->spindle_cycles = 0u;
-        state->spindle_control_copy = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        if (state->spindle_control != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
-        }
-        state->spindle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        state->spindle_is_moving = false;
-        if (state->spindle_v > 0.0) {
-            state->spindle_v = state->spindle_v - spindle_v_step;
-            if (state->spindle_v < 0.0) {
-                state->spindle_v = 0.0;
-            }
-        } else if (state->spindle_v < 0.0) {
-            state->spindle_v = state->spindle_v + spindle_v_step;
-            if (state->spindle_v > 0.0) {
-                state->spindle_v = 0.0;
-            }
+        if (spindle_control_last != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
+            spindle_forgets_last = true;
         } else {
-            /* no action */
+            spindle_forgets_last = spindle_forgets_next;
         }
+        state->spindle_is_moving = false;
+        spindle_control_then = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        spindle_begins_last = true;
     }
-    const int32_t spindle_spindle_state = state->spindle_control;
-    const bool spindle_begins_next =
-        state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    outputs->spindle_state = spindle_control_then;
+    state->spindle_control_copy = spindle_control_then;
+    state->spindle_control = spindle_control_then;
+    if (inputs->reset || !inputs->drive_on) {
+        state->spindle_queued = 0u;
+    }
+    if (spindle_begins_last) {
+        state->spindle_cycles = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_missing = 0u;
+    }
+    const bool spindle_is_moving_next = state->spindle_is_moving;
+    const bool spindle_begins_then =
+        spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving_next;
     const bool spindle_is_sound_next = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_seized =
-        inputs->drive_on && !spindle_is_sound_next && spindle_begins_next && state->spindle_cycles == 0u;
+        inputs->drive_on && !spindle_is_sound_next && spindle_begins_then && state->spindle_cycles == 0u;
+    const bool spindle_follows =
+        spindle_begins_then && (!inputs->drive_on || spindle_is_sound_next || spindle_is_seized);
+    const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+    if (spindle_forgets_last || (spindle_follows && !spindle_is_known)) {
+        state->spindle_seen_samples = 0u;
+        state->spindle_seen_slow = 0u;
+    }
+    double spindle_v_turning;
+    bool spindle_holds_back;
     uint32_t spindle_sample_error;
-    if (spindle_begins_next && (!inputs->drive_on || spindle_is_sound_next || spindle_is_seized)) {
-        const bool spindle_seen_is_known =
-            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-        if (spindle_seen_is_known) {
+    if (spindle_follows) {
+        if (spindle_is_known) {
             if (state->spindle_seen_samples == 0u) {
                 state->spindle_seen_v_last = inputs->v_actual;
                 state->spindle_seen_v_before = inputs->v_actual;
@@ -563,12 +582,6 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 /* no action */
             }
-        } else {
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
-        }
-        double spindle_v_turning;
-        if (spindle_seen_is_known) {
             if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
                 spindle_v_turning = 0.0;
             } else {
@@ -576,33 +589,17 @@ static void axis_s_spindle_axis_any_cycle(
             }
             if (inputs->drive_on) {
                 state->spindle_v = spindle_v_turning;
+                spindle_holds_back = false;
             } else {
-                double spindle_v_low;
-                if (spindle_v_turning < 0.0) {
-                    spindle_v_low = spindle_v_turning;
-                } else {
-                    spindle_v_low = 0.0;
-                }
-                double spindle_v_high;
-                if (spindle_v_turning < 0.0) {
-                    spindle_v_high = 0.0;
-                } else {
-                    spindle_v_high = spindle_v_turning;
-                }
-                if (state->spindle_v > spindle_v_high) {
-                    state->spindle_v = spindle_v_high;
-                } else if (state->spindle_v < spindle_v_low) {
-                    state->spindle_v = spindle_v_low;
-                } else {
-                    /* no action */
-                }
+                spindle_holds_back = true;
             }
         } else {
+            spindle_holds_back = false;
             spindle_v_turning = 0.0;
         }
         const bool spindle_is_found =
             axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-        if (spindle_is_found && (spindle_seen_is_known || !inputs->drive_on)) {
+        if (spindle_is_found && (spindle_is_known || !inputs->drive_on)) {
             double spindle_time;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
@@ -651,7 +648,7 @@ static void axis_s_spindle_axis_any_cycle(
         } else {
             /* no action */
         }
-        if (!spindle_seen_is_known && inputs->drive_on) {
+        if (!spindle_is_known && inputs->drive_on) {
             spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
         } else if (spindle_is_found) {
             spindle_sample_error = 0u;
@@ -660,33 +657,47 @@ static void axis_s_spindle_axis_any_cycle(
         }
     } else {
         spindle_sample_error = 0u;
+        spindle_holds_back = false;
+        spindle_v_turning = 0.0;
     }
     uint32_t spindle_sample_error_last;
+    bool spindle_brakes;
+    bool spindle_advances_next;
+    bool spindle_resynchronises;
+    int32_t spindle_next_next;
     if (spindle_is_seized) {
         state->spindle_is_moving = true;
         spindle_sample_error_last = spindle_sample_error;
+        spindle_brakes = false;
+        spindle_advances_next = false;
+        spindle_resynchronises = false;
+        spindle_next_next = spindle_control_then;
     } else if (inputs->drive_on && spindle_is_sound_next) {
+        if (spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                && spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            state->spindle_cycles = state->spindle_cycles + 1u;
+        }
         uint32_t spindle_lacking;
-        bool spindle_leaves;
-        int32_t spindle_next_next;
+        bool spindle_advances;
         uint32_t spindle_sample_error_next;
-        bool spindle_resynchronises;
-        switch (state->spindle_control) {
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION: case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY: {
-            const bool spindle_is_position = state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-            if (!spindle_is_position) {
-                state->spindle_cycles = state->spindle_cycles + 1u;
-            }
+        if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            const bool spindle_needs_position = spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
             bool spindle_leads;
             if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
                 spindle_leads = false;
-            } else if (!(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+            } else if (spindle_needs_position
+                    && !(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
                 spindle_leads = false;
-            } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                bool spindle_is_too_far;
-                if (state->spindle_takes_over) {
+            } else if (spindle_needs_position
+                    && !(axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                spindle_leads = false;
+            } else {
+                if (spindle_needs_position && state->spindle_takes_over) {
                     const double spindle_distance =
                         inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
                     double spindle_shorter;
@@ -699,83 +710,61 @@ static void axis_s_spindle_axis_any_cycle(
                         /* reached only if the block's memory was corrupted */
                         spindle_shorter = 0.0;
                     }
-                    spindle_is_too_far = !(axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window);
-                    if (spindle_is_too_far) {
+                    spindle_leads = axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window;
+                    if (!spindle_leads) {
                         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
                     }
                 } else {
-                    spindle_is_too_far = false;
+                    spindle_leads = true;
                 }
-                spindle_leads = !spindle_is_too_far;
                 spindle_lacking = 0u;
-            } else {
-                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                spindle_leads = false;
             }
+            const bool spindle_is_changing = spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
             if (spindle_leads) {
                 state->spindle_missing = 0u;
                 state->spindle_takes_over = false;
-                state->spindle_x = inputs->x_command;
                 state->spindle_v = inputs->v_interpolator;
+                if (spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                    state->spindle_x = inputs->x_command;
+                    spindle_advances = false;
+                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    state->spindle_x = inputs->x_actual;
+                    spindle_advances = false;
+                } else {
+                    spindle_advances = true;
+                }
                 const bool spindle_is_reached =
                     inputs->v_interpolator >= spindle_v_velocity_control_on
                         || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                if (spindle_is_position && state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
-                    /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                    spindle_leaves = true;
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                } else if (spindle_is_position) {
-                    spindle_leaves = false;
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                } else {
+                if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
+                    if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
+                        /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                    } else {
+                        spindle_next_next = spindle_control_then;
+                    }
+                } else if (spindle_is_changing) {
                     /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                    spindle_leaves = true;
                     spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                }
-            } else {
-                spindle_leaves = false;
-                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-            }
-            spindle_sample_error_next = spindle_sample_error;
-            spindle_resynchronises = false;
-            break;
-        }
-        case AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY: {
-            if (axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit) {
-                state->spindle_missing = 0u;
-                state->spindle_v = inputs->v_interpolator;
-                if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                    state->spindle_x = inputs->x_actual;
-                } else {
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-                }
-                if (state->spindle_returns
+                } else if (state->spindle_returns
                         || (state->spindle_queued > 0u
                             && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                             || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
                     /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
                     state->spindle_returns = false;
-                    spindle_leaves = true;
                     spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                 } else {
-                    spindle_leaves = false;
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    spindle_next_next = spindle_control_then;
                 }
-                spindle_lacking = 0u;
             } else {
-                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                spindle_leaves = false;
-                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                spindle_advances = false;
+                spindle_next_next = spindle_control_then;
             }
             spindle_sample_error_next = spindle_sample_error;
+            spindle_brakes = false;
             spindle_resynchronises = false;
-            break;
-        }
-        default: { /* AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE, AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION */
-            if (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-                state->spindle_cycles = state->spindle_cycles + 1u;
-                const bool spindle_is_known =
-                    axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+        } else {
+            if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
                 bool spindle_is_slow;
                 if (spindle_is_known) {
                     const double spindle_v_before = state->spindle_v;
@@ -810,44 +799,41 @@ static void axis_s_spindle_axis_any_cycle(
                 }
                 if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
                     state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
+                    spindle_brakes = false;
+                    spindle_advances = false;
                     spindle_resynchronises = false;
+                    spindle_next_next = spindle_control_then;
                 } else {
-                    if (state->spindle_v > spindle_v_position_control_on) {
-                        state->spindle_v = state->spindle_v - spindle_v_step;
-                        if (state->spindle_v < spindle_v_position_control_on) {
-                            state->spindle_v = spindle_v_position_control_on;
-                        }
-                    } else if (state->spindle_v < spindle_v_position_control_on_negative) {
-                        state->spindle_v = state->spindle_v + spindle_v_step;
-                        if (state->spindle_v > spindle_v_position_control_on_negative) {
-                            state->spindle_v = spindle_v_position_control_on_negative;
-                        }
-                    } else {
-                        /* no action */
-                    }
-                    state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
                     if (spindle_can_leave) {
                         /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
                         spindle_resynchronises = true;
+                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     } else {
                         spindle_resynchronises = false;
+                        spindle_next_next = spindle_control_then;
                     }
+                    spindle_brakes = true;
+                    spindle_advances = true;
                 }
-                spindle_leaves = false;
-                spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
             } else {
-                state->spindle_cycles = state->spindle_cycles + 1u;
+                uint32_t spindle_time_next;
                 if (state->spindle_is_moving) {
-                    state->spindle_takes_over = true;
+                    spindle_time_next = spindle_mode_cycles;
+                } else {
+                    spindle_time_next = spindle_start_cycles;
+                }
+                bool spindle_completes;
+                int32_t spindle_next;
+                if (state->spindle_is_moving) {
                     if (state->spindle_cycles == 1u) {
                         state->spindle_x = state->spindle_x_start;
+                        spindle_advances = false;
                     } else {
-                        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                        spindle_advances = true;
                     }
-                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    spindle_completes = true;
                     spindle_resynchronises = false;
-                    spindle_leaves = true;
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                    spindle_next = spindle_control_then;
                 } else {
                     const bool spindle_is_known_next =
                         state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
@@ -857,127 +843,164 @@ static void axis_s_spindle_axis_any_cycle(
                         /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
                         state->spindle_is_moving = true;
                         spindle_resynchronises = false;
-                        spindle_leaves = true;
-                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    } else if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
-                        /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                        spindle_resynchronises = true;
-                        spindle_leaves = false;
-                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                        spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                        spindle_completes = false;
                     } else {
-                        if (spindle_is_slow_next) {
-                            state->spindle_takes_over = true;
-                            /* TO_POSITION -> POSITION: the drive displays position control */
-                            spindle_leaves = true;
-                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                        if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                            /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                            spindle_resynchronises = true;
+                            spindle_completes = false;
                         } else {
-                            spindle_leaves = false;
-                            spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                            spindle_resynchronises = false;
+                            spindle_completes = spindle_is_slow_next;
                         }
-                        spindle_resynchronises = false;
+                        spindle_next = spindle_control_then;
                     }
-                    if (state->spindle_cycles > spindle_start_cycles && !spindle_leaves && !spindle_resynchronises) {
+                    spindle_advances = false;
+                }
+                if (spindle_completes) {
+                    state->spindle_takes_over = true;
+                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                } else {
+                    if (state->spindle_cycles > spindle_time_next
+                            && spindle_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+                            && !spindle_resynchronises) {
                         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
                     }
+                    spindle_next_next = spindle_next;
                 }
                 spindle_sample_error_next = spindle_sample_error;
+                spindle_brakes = false;
             }
             spindle_lacking = 0u;
-            break;
-        }
         }
         if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_missing = state->spindle_missing + 1u;
             state->spindle_takes_over = true;
             if (state->spindle_missing > 3u) {
                 state->spindle_lasting_error = spindle_lacking;
+                spindle_advances_next = spindle_advances;
             } else {
-                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+                spindle_advances_next = true;
             }
             spindle_sample_error_last = spindle_lacking;
         } else {
             spindle_sample_error_last = spindle_sample_error_next;
-        }
-        bool spindle_leaves_next;
-        int32_t spindle_next_last;
-        if (spindle_resynchronises) {
-            state->spindle_is_moving = true;
-            double spindle_time_next;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                int32_t spindle_percentage_next;
-                if (inputs->feedforward_percentage < 100) {
-                    spindle_percentage_next = inputs->feedforward_percentage;
-                } else {
-                    spindle_percentage_next = 100;
-                }
-                spindle_time_next =
-                    spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_next);
-            } else {
-                spindle_time_next = spindle_lead_time;
-            }
-            const double spindle_way_next = state->spindle_v * spindle_time_next;
-            double spindle_ahead_next;
-            if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
-                spindle_ahead_next = inputs->x_actual + spindle_way_next;
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_ahead_next = inputs->x_actual;
-            }
-            double spindle_within_turn_next;
-            if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_next = spindle_ahead_next;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t spindle_turns_next = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
-                const double spindle_rest_next =
-                    spindle_ahead_next - (double)spindle_turns_next * axis_s_spindle_axis_full_turn;
-                double spindle_above_next;
-                if (spindle_rest_next < 0.0) {
-                    spindle_above_next = spindle_rest_next + axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_above_next = spindle_rest_next;
-                }
-                if (spindle_above_next >= axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_next = spindle_above_next - axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_within_turn_next = spindle_above_next;
-                }
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_within_turn_next = 0.0;
-            }
-            state->spindle_x_start = spindle_within_turn_next;
-            spindle_leaves_next = true;
-            spindle_next_last = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        } else {
-            spindle_leaves_next = spindle_leaves;
-            spindle_next_last = spindle_next_next;
-        }
-        if (spindle_leaves_next) {
-            state->spindle_control = spindle_next_last;
-            state->spindle_control_copy = spindle_next_last;
-            state->spindle_cycles = 0u;
-            state->spindle_settled = 0u;
-            state->spindle_missing = 0u;
+            spindle_advances_next = spindle_advances;
         }
     } else {
         spindle_sample_error_last = spindle_sample_error;
+        spindle_brakes = false;
+        spindle_advances_next = false;
+        spindle_resynchronises = false;
+        spindle_next_next = spindle_control_then;
     }
     const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-    if (spindle_has_failed && inputs->drive_on && !spindle_is_seized) {
-        if (state->spindle_v > 0.0) {
+    const bool spindle_is_stopped = spindle_has_failed && inputs->drive_on && !spindle_is_seized;
+    if (spindle_is_stopped || spindle_brakes || !inputs->drive_on) {
+        double spindle_v_end;
+        if (spindle_brakes) {
+            spindle_v_end = spindle_v_position_control_on;
+        } else {
+            spindle_v_end = 0.0;
+        }
+        double spindle_v_end_negative;
+        if (spindle_brakes) {
+            spindle_v_end_negative = spindle_v_position_control_on_negative;
+        } else {
+            spindle_v_end_negative = 0.0;
+        }
+        if (state->spindle_v > spindle_v_end) {
             state->spindle_v = state->spindle_v - spindle_v_step;
-            if (state->spindle_v < 0.0) {
-                state->spindle_v = 0.0;
+            if (state->spindle_v < spindle_v_end) {
+                state->spindle_v = spindle_v_end;
             }
-        } else if (state->spindle_v < 0.0) {
+        } else if (state->spindle_v < spindle_v_end_negative) {
             state->spindle_v = state->spindle_v + spindle_v_step;
-            if (state->spindle_v > 0.0) {
-                state->spindle_v = 0.0;
+            if (state->spindle_v > spindle_v_end_negative) {
+                state->spindle_v = spindle_v_end_negative;
             }
         } else {
             /* no action */
         }
+    }
+    if (spindle_holds_back) {
+        double spindle_v_low;
+        if (spindle_v_turning < 0.0) {
+            spindle_v_low = spindle_v_turning;
+        } else {
+            spindle_v_low = 0.0;
+        }
+        double spindle_v_high;
+        if (spindle_v_turning < 0.0) {
+            spindle_v_high = 0.0;
+        } else {
+            spindle_v_high = spindle_v_turning;
+        }
+        if (state->spindle_v > spindle_v_high) {
+            state->spindle_v = spindle_v_high;
+        } else if (state->spindle_v < spindle_v_low) {
+            state->spindle_v = spindle_v_low;
+        } else {
+            /* no action */
+        }
+    }
+    if (spindle_is_stopped || spindle_advances_next) {
         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+    }
+    if (spindle_resynchronises) {
+        state->spindle_is_moving = true;
+        double spindle_time_last;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            int32_t spindle_percentage_next;
+            if (inputs->feedforward_percentage < 100) {
+                spindle_percentage_next = inputs->feedforward_percentage;
+            } else {
+                spindle_percentage_next = 100;
+            }
+            spindle_time_last = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_next);
+        } else {
+            spindle_time_last = spindle_lead_time;
+        }
+        const double spindle_way_next = state->spindle_v * spindle_time_last;
+        double spindle_ahead_next;
+        if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
+            spindle_ahead_next = inputs->x_actual + spindle_way_next;
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_ahead_next = inputs->x_actual;
+        }
+        double spindle_within_turn_next;
+        if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_next = spindle_ahead_next;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns_next = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_next =
+                spindle_ahead_next - (double)spindle_turns_next * axis_s_spindle_axis_full_turn;
+            double spindle_above_next;
+            if (spindle_rest_next < 0.0) {
+                spindle_above_next = spindle_rest_next + axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_above_next = spindle_rest_next;
+            }
+            if (spindle_above_next >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_next = spindle_above_next - axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_within_turn_next = spindle_above_next;
+            }
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_within_turn_next = 0.0;
+        }
+        state->spindle_x_start = spindle_within_turn_next;
+    }
+    if (spindle_resynchronises || spindle_next_next != state->spindle_control) {
+        state->spindle_control = spindle_next_next;
+        state->spindle_control_copy = spindle_next_next;
+        state->spindle_cycles = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_missing = 0u;
     }
     const double spindle_angle = state->spindle_x;
     double spindle_within_turn_last;
@@ -1003,7 +1026,9 @@ static void axis_s_spindle_axis_any_cycle(
     }
     state->spindle_x = spindle_within_turn_last;
     const double spindle_x_spindle_next = state->spindle_x;
+    outputs->x_spindle = spindle_x_spindle_next;
     const double spindle_v_spindle_last = state->spindle_v;
+    outputs->v_spindle = spindle_v_spindle_last;
     const uint32_t spindle_lasting = state->spindle_lasting_error;
     uint32_t spindle_error_now;
     if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
@@ -1015,11 +1040,12 @@ static void axis_s_spindle_axis_any_cycle(
     }
     const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_loop_closed =
-        spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
+        spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
             && spindle_sample_error_last == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-    if (!inputs->drive_on || inputs->reset || spindle_has_failed
+    outputs->loop_closed = spindle_loop_closed;
+    if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
             || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-        if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP) {
+        if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP || !spindle_is_job) {
             state->spindle_turns_fast = false;
             state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
             state->spindle_present_speed = 0.0;
@@ -1083,17 +1109,17 @@ static void axis_s_spindle_axis_any_cycle(
     } else {
         /* no action */
     }
-    const int32_t spindle_job = state->spindle_present_kind;
-    const double spindle_job_speed = state->spindle_present_speed;
-    const double spindle_job_position = state->spindle_present_position;
-    const uint32_t spindle_job_number = state->spindle_jobs;
-    const uint32_t spindle_waiting = state->spindle_queued;
+    outputs->job = state->spindle_present_kind;
+    outputs->job_speed = state->spindle_present_speed;
+    outputs->job_position = state->spindle_present_position;
+    outputs->job_number = state->spindle_jobs;
+    outputs->waiting = state->spindle_queued;
     const bool spindle_is_quiet =
         state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
-            && !state->spindle_before_any;
+            && !state->spindle_before_any && !state->spindle_takes_over;
     uint32_t spindle_usual;
     if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-            && !state->spindle_takes_over && !state->spindle_turns_fast) {
+            && !state->spindle_turns_fast) {
         spindle_usual = axis_s_spindle_axis_usual_position;
     } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
             && !state->spindle_returns) {
@@ -1107,18 +1133,9 @@ static void axis_s_spindle_axis_any_cycle(
             && inputs->drive_on;
     const bool follows =
         is_led
-            && (spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_spindle_state == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
+            && (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
     if (follows) {
-        outputs->loop_closed = spindle_loop_closed;
-        outputs->waiting = spindle_waiting;
-        outputs->job_number = spindle_job_number;
-        outputs->job = spindle_job;
-        outputs->spindle_state = spindle_spindle_state;
-        outputs->job_position = spindle_job_position;
-        outputs->job_speed = spindle_job_speed;
-        outputs->v_spindle = spindle_v_spindle_last;
-        outputs->x_spindle = spindle_x_spindle_next;
         const double lag_last = spindle_x_spindle_next - inputs->x_actual;
         bool gives_up_next;
         double lag_then;
@@ -1350,21 +1367,12 @@ static void axis_s_spindle_axis_any_cycle(
         outputs->error_id = error_now;
         outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
-        outputs->loop_closed = spindle_loop_closed;
         outputs->fault = spindle_fault;
         outputs->error_id = spindle_error_now;
-        outputs->waiting = spindle_waiting;
-        outputs->job_number = spindle_job_number;
-        outputs->job = spindle_job;
-        outputs->spindle_state = spindle_spindle_state;
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
         outputs->v_command = spindle_v_spindle_last;
-        outputs->job_position = spindle_job_position;
-        outputs->job_speed = spindle_job_speed;
-        outputs->v_spindle = spindle_v_spindle_last;
-        outputs->x_spindle = spindle_x_spindle_next;
         state->axis_ipc_preset = false;
         state->axis_ipc_fade = 0u;
         const double open_increments_next =
@@ -1411,10 +1419,10 @@ void axis_s_spindle_axis_step(
             && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
     if (in_position) {
         outputs->loop_closed = true;
-        outputs->fault = false;
-        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         /* a usual cycle in POSITION */
         state->spindle_x = inputs->x_command;
         state->spindle_v = inputs->v_interpolator;
@@ -1548,21 +1556,20 @@ void axis_s_spindle_axis_step(
             && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
             && inputs->x_actual >= 0.0 && inputs->x_actual < axis_s_spindle_axis_full_turn) {
         outputs->loop_closed = false;
-        outputs->fault = false;
-        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+        outputs->fault = false;
+        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
         /* a usual cycle in VELOCITY */
-        state->spindle_missing = 0u;
         state->spindle_x = inputs->x_actual;
         state->spindle_v = inputs->v_interpolator;
         outputs->x_spindle = state->spindle_x;
         const double spindle_v_spindle_next = state->spindle_v;
-        outputs->v_command = spindle_v_spindle_next;
         outputs->v_spindle = spindle_v_spindle_next;
+        outputs->v_command = spindle_v_spindle_next;
         outputs->job = state->spindle_present_kind;
         outputs->job_speed = state->spindle_present_speed;
         outputs->job_position = state->spindle_present_position;
