@@ -41,6 +41,8 @@ pub struct Record<'a> {
 
 /// Windows [s], and bands as parts of the frequency.
 const DWELL_SETTLE: f64 = 0.4;
+/// No dwell is looked at for longer: the cost of its lines grows with the square of that.
+const LONGEST_DWELL: f64 = 3.0;
 const RAMP: [f64; 2] = [-0.1, 0.9];
 const RING: [f64; 2] = [0.08, 0.6];
 const OF_DWELL: [f64; 2] = [50.0 / 53.0, 56.0 / 53.0];
@@ -198,14 +200,14 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// The dwells [s]: from 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp,
-/// the third and the fourth. An axis drives above 5 % of its largest velocity.
+/// The dwells [s]: from 0.4 s after each ramp to the next one, where the axis drives: between the first and the second ramp, the
+/// third and the fourth; 3 s at most. An axis drives above 5 % of its largest velocity.
 fn dwells(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
     let standstill = 0.05 * peak(record.v_motor);
     let v_motor = record.v_motor;
     record.ramps.windows(2).filter_map(move |pair| {
         let from = pair[0].end as f64 * cycle + DWELL_SETTLE;
-        let to = pair[1].start as f64 * cycle;
+        let to = (pair[1].start as f64 * cycle).smaller(from + LONGEST_DWELL);
         let drives = libm::fabs(*v_motor.get(pair[0].end.midpoint(pair[1].start))?) > standstill;
         (from < to && drives).then_some([from, to])
     })
