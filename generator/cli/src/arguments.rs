@@ -395,6 +395,9 @@ pub struct SimulateArguments {
     /// CSV file for a move with the block `excitation`, as a recorder would save it
     #[arg(long, value_name = "FILE")]
     pub excited: Option<PathBuf>,
+    /// CSV file for all inputs and outputs of the block in mode ON, as a recorder would save them, for `run --compare`
+    #[arg(long, value_name = "FILE")]
+    pub recorded: Option<PathBuf>,
     /// Speed of the move with the excitation: 20mm/s [default: 4 amplitudes]
     #[arg(long, value_name = "SPEED", value_parser = simulate::speed, requires = "excited")]
     pub speed: Option<f64>,

@@ -12,7 +12,7 @@ use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
 use golden::svg;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Limits of `--dwell` [s].
 const SHORTEST: f64 = 1.0;
@@ -49,28 +49,26 @@ pub fn run<'a>(
     let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
     let designed = input::axis(&set, axis)?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
-    if !has_stages && to.moves.is_none() && to.excited.is_none() || to.csv.is_some() || to.picture.is_some() {
+    if !has_stages && to.moves.is_none() && to.excited.is_none()
+        || to.csv.is_some()
+        || to.picture.is_some()
+        || to.recorded.is_some()
+    {
         block_of(designed, "ipc")?;
     }
-    let moved = if to.plant.is_some() { Moved::Demonstration } else { Moved::Drive };
-    if moved == Moved::Demonstration && designed.axis.control.is_rotary {
-        return Err(Exit::input(
-            codes::USAGE,
-            "--plant",
-            "the demonstration plant is a translatory axis, this one is rotary",
-        ));
-    }
+    let moved = moved(designed, to)?;
     let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
     let [is_csv, is_picture, is_recording] = [text::HEAD, svg::HEAD, recording::HEAD].map(begins);
     let [of_csv, of_picture, of_recording] =
         [&is_csv, &is_picture, &is_recording].map(|begins| Rule::own(to.force, begins));
-    let all = [(&to.csv, of_csv), (&to.picture, of_picture), (&to.moves, of_recording), (&to.excited, of_recording)];
-    let asked: Vec<_> = all.into_iter().filter_map(|(out, rule)| Some((out.as_deref()?, rule))).collect();
-    one_file::told_apart(&asked.iter().map(|(out, _)| *out).collect::<Vec<_>>())?;
-    for (out, rule) in asked {
-        one_file::kept_apart(out, [arguments.set.as_path()])?;
-        rule.allows(out)?;
-    }
+    let all = [
+        (&to.csv, of_csv),
+        (&to.picture, of_picture),
+        (&to.moves, of_recording),
+        (&to.excited, of_recording),
+        (&to.recorded, Rule::by_force(to.force)),
+    ];
+    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), arguments)?;
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
@@ -80,6 +78,9 @@ pub fn run<'a>(
     };
     stage(&to.moves, of_recording, &|| Ok(recording::moves(designed, moved, to.dwell, noise)))?;
     stage(&to.excited, of_recording, &|| excited(designed, moved, to.speed, noise))?;
+    stage(&to.recorded, Rule::by_force(to.force), &|| {
+        Ok(recording::of_block(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)))
+    })?;
     let simulation = has_stages.then(|| simulate::run(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)));
     if let Some(simulation) = &simulation {
         stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
@@ -89,6 +90,29 @@ pub fn run<'a>(
     let Some(simulation) = simulation else { return Ok(Exit::Done) };
     output::print(text::table(&simulation, designed))?;
     Ok(if text::is_unstable(&simulation) { Exit::Different } else { Exit::Done })
+}
+
+/// The machine of the simulation.
+fn moved(designed: &Designed, to: &SimulateArguments) -> Result<Moved, Exit> {
+    match to.plant {
+        None => Ok(Moved::Drive),
+        Some(_) if designed.axis.control.is_rotary => Err(Exit::input(
+            codes::USAGE,
+            "--plant",
+            "the demonstration plant is a translatory axis, this one is rotary",
+        )),
+        Some(_) => Ok(Moved::Demonstration),
+    }
+}
+
+/// Refuses outputs that would replace an input, each other, or a file of the user, before anything runs.
+fn allowed(outs: &[(Option<&Path>, Rule<'_>)], arguments: &SetArguments) -> Result<(), Exit> {
+    let asked = || outs.iter().filter_map(|(out, rule)| Some(((*out)?, *rule)));
+    one_file::told_apart(&asked().map(|(out, _)| out).collect::<Vec<_>>())?;
+    asked().try_for_each(|(out, rule)| {
+        one_file::kept_apart(out, [arguments.set.as_path()])?;
+        rule.allows(out)
+    })
 }
 
 /// A recording of a move with the excitation of the axis.

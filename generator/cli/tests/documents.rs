@@ -89,7 +89,20 @@ fn follow(page: &Path) -> usize {
         assert_printed(folder.path(), command, shown);
         commands += 1;
     }
+    assert_drawn(page, folder.path());
     commands
+}
+
+/// The pictures `walk-NAME.svg` of a page are the files `NAME.svg` that its commands have drawn; `UPDATE_EXPECT=1` keeps these.
+fn assert_drawn(page: &Path, folder: &Path) {
+    for link in links(&fs::read_to_string(page).unwrap()) {
+        let Some(name) = link.strip_prefix("pictures/walk-") else { continue };
+        let (kept, drawn) = (page.parent().unwrap().join(&link), folder.join(name));
+        if std::env::var_os("UPDATE_EXPECT").is_some() {
+            fs::copy(&drawn, &kept).unwrap();
+        }
+        assert!(fs::read(&kept).unwrap() == fs::read(&drawn).unwrap(), "{link} is not what the page's command draws");
+    }
 }
 
 /// The pages of a folder below the root.

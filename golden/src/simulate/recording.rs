@@ -2,7 +2,8 @@
 //! `excitation`. The names are those that `axgen measure` reads.
 
 use super::row::Moved;
-use super::setting::Setting;
+use super::setting::{self, ON, Setting};
+use crate::analysis::stages;
 use crate::case::named_block;
 use crate::subject::Subject;
 use generator::blocks::Designed;
@@ -57,6 +58,17 @@ pub fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64
     // Of the way forward, without its end.
     let lines = 1 + from + set.cycles(duration + AROUND);
     Ok(text.split_inclusive('\n').take(lines).collect())
+}
+
+/// All inputs and outputs of the block `ipc` in mode ON during the moves, for `axgen run --compare`.
+///
+/// # Errors
+/// The axis does not have the block.
+pub fn of_block(designed: &Designed, moved: Moved, dwell: Option<f64>) -> Result<String, String> {
+    let set = Setting::new(designed, moved, dwell, &stages(designed).collect::<Vec<_>>());
+    let mut subject = setting::block(designed, ON)?;
+    set.run(&set.sequence, &mut |signals| subject.cycle(signals));
+    Ok(subject.csv())
 }
 
 /// A recording as text; `v_excite`: of each cycle [um/s], with the command to the drive.

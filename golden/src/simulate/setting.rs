@@ -103,11 +103,7 @@ impl Setting {
 
     /// One run from rest, after the block's fade.
     pub(super) fn row(&self, name: &str, designed: &Designed, mode: f64) -> Result<Row, String> {
-        let mut subject = Subject::start(designed, &named_block(designed, "ipc")?);
-        let signals = subject.inputs.shape.signals.iter().map(|signal| signal.name.clone());
-        let tuned: Vec<String> = signals.filter(|name| name.starts_with("tuning_")).collect();
-        tuned.iter().for_each(|name| _ = subject.set(name, 1.0));
-        subject.set("mode", mode);
+        let mut subject = block(designed, mode)?;
         let mut error_id = None;
         let mut limited = Vec::new();
         let mut cycle = |signals: &Signals| {
@@ -148,6 +144,16 @@ impl Setting {
             Moving::Drive(_) => self.frequencies.iter().map(|f0| of_ripple(record, *f0)).collect(),
         }
     }
+}
+
+/// The block `ipc` in a mode, with all its weights.
+pub(super) fn block(designed: &Designed, mode: f64) -> Result<Subject, String> {
+    let mut subject = Subject::start(designed, &named_block(designed, "ipc")?);
+    let signals = subject.inputs.shape.signals.iter().map(|signal| signal.name.clone());
+    let tuned: Vec<String> = signals.filter(|name| name.starts_with("tuning_")).collect();
+    tuned.iter().for_each(|name| _ = subject.set(name, 1.0));
+    subject.set("mode", mode);
+    Ok(subject)
 }
 
 /// The demonstration plant at a cycle of the CNC [s].
