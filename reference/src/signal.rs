@@ -22,7 +22,7 @@ pub fn error_mode() -> u32 {
     2u32
 }
 
-/// error_id: the block's memory was corrupted, or an input is far above vb_max; the block restarts
+/// error_id: the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
 #[portable]
 pub fn error_state() -> u32 {
     3u32

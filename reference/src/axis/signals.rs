@@ -32,7 +32,7 @@ pub struct Inputs<R> {
     pub tuning_limit: R,
     /// gantry slave: v_add of the master axis [um/s or 0.001 deg/s]
     pub v_add_master: R,
-    /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
     pub mode: i32,
     /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
     pub feedforward_active: bool,
@@ -54,7 +54,8 @@ pub struct Inputs<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// output of the position controller with feedforward, before v_add is added [um/s or 0.001 deg/s]
+    /// output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the drive
+    /// contain v_add [um/s or 0.001 deg/s]
     pub v_command: R,
     /// conventional feedforward [um/s or 0.001 deg/s]
     pub v_feedforward: R,
@@ -72,8 +73,8 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// reason of the fault; of several faults that of the last part; cycle_time, x_command and x_actual stop the axis, the
-    /// others stop the part that reads the input: 0 none
+    /// reason of the fault, 0 none; of several faults: improved position control before feedforward, position control;
+    /// cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input
     pub error_id: u32,
     /// v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle
     pub limited: bool,

@@ -175,7 +175,7 @@ pub fn is_limit<R: Real>(coeffs: &Coeffs<R>, upper: R) -> bool {
 }
 
 /// The sum within +-limit; exactly 0 if its magnitude is at most `rest`. A sum above `sum_limit` is a fault: a state was
-/// corrupted, or an input is far above vb_max.
+/// corrupted, or an input is far above P-AXIS-00212.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &Coeffs<R>, v_sum: R) -> R {
     let upper = tuned_limit(coeffs, &state.tuning);
@@ -186,7 +186,7 @@ pub fn limit<R: Real>(state: &mut State<R>, outputs: &mut Outputs<R>, coeffs: &C
         if v_sum > R::ZERO { upper } else { tuned_lower_limit(coeffs, &state.tuning) }
     } else {
         note(
-            "a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the block restarts",
+            "a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then the block restarts",
         );
         outputs.limited = true;
         disturb(state, coeffs);

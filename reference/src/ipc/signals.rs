@@ -23,11 +23,11 @@ pub struct Inputs<R> {
     /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
     /// and error_id reports it: not a fault
     pub tuning_limit: R,
-    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
     pub mode: i32,
-    /// FALSE: the axis is not in position control: v_add is 0 at once
+    /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position control
     pub position_controlled: bool,
-    /// while TRUE v_add is 0 and the filter states follow the input
+    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,

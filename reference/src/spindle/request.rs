@@ -6,7 +6,7 @@ use portable::portable;
 #[portable]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Job {
-    /// M5, and what stops the spindle otherwise
+    /// M5; also a reset, a fault or a drive that is off
     #[default]
     Stop,
     /// M3 or M4

@@ -31,9 +31,9 @@ pub struct Coeffs<R> {
     pub cycle_time: R,
     /// whether the drive controls the position and the block commands its operation mode
     pub in_drive: bool,
-    /// Von: a faster TURN leads to velocity control [0.001 deg/s]
+    /// Von: M3 or M4 with a higher speed changes to velocity control [0.001 deg/s]
     pub v_velocity_control_on: R,
-    /// Voff: position control is taken up there [0.001 deg/s]
+    /// Voff: at or below this speed the change to position control begins [0.001 deg/s]
     pub v_position_control_on: R,
     /// -Voff [0.001 deg/s]
     pub v_position_control_on_negative: R,

@@ -52,7 +52,7 @@ pub struct Inputs<R> {
     pub drive_on: bool,
     /// the operation mode that the drive displays: SERCOS S-0-0135, CANopen 6061h
     pub operation_mode_display: i32,
-    /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    /// improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
     pub mode: i32,
     /// G135: TRUE, G137: FALSE; acts at once: switch it at standstill
     pub feedforward_active: bool,
@@ -79,7 +79,8 @@ pub struct Outputs<R> {
     pub job_speed: R,
     /// target of the job M19 [0.001 deg]
     pub job_position: R,
-    /// output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open [0.001 deg/s]
+    /// output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open; for
+    /// monitoring, the outputs to the drive contain v_add [0.001 deg/s]
     pub v_command: R,
     /// conventional feedforward [0.001 deg/s]
     pub v_feedforward: R,
@@ -107,7 +108,8 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// reason of the fault; of several faults that of the last part; a fault of the changeover may stay until reset: 0 none
+    /// reason of the fault, 0 none; of several faults: improved position control before feedforward, position control,
+    /// changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset
     pub error_id: u32,
     /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be
     /// monitored

@@ -15,11 +15,11 @@ pub struct Inputs<R> {
     /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key
     /// direct_source
     pub v_direct: R,
-    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758)
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
     pub mode: i32,
-    /// FALSE: the axis is not in position control: v_add is 0 at once
+    /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position control
     pub position_controlled: bool,
-    /// while TRUE v_add is 0 and the filter states follow the input
+    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,

@@ -1,7 +1,7 @@
 //! Assigns every negated condition to a BOOL: one compiler translates `NOT` before an expression wrongly.
 //!
 //! ```text
-//! IF NOT ((mode = 1) OR (mode = 2)) THEN   ->   mode_fits := (mode = 1) OR (mode = 2); IF NOT mode_fits THEN
+//! IF NOT ((mode = 1) OR (mode = 2)) THEN   ->   mode_condition := (mode = 1) OR (mode = 2); IF NOT mode_condition THEN
 //! ```
 
 use super::before::{self, Before};
@@ -33,7 +33,7 @@ fn name_of(condition: &Expr, before: &Before<'_>) -> String {
     });
     let mut asked = asked.into_iter();
     match (asked.next(), asked.next()) {
-        (Some(only), None) => format!("{}_fits", before.program.path(only)),
-        _ => "inputs_fit".to_owned(),
+        (Some(only), None) => format!("{}_condition", before.program.path(only)),
+        _ => "condition".to_owned(),
     }
 }

@@ -352,7 +352,7 @@ fn a_negated_condition_has_a_name() {
     let both = || binary(Binary::And, ON, binary(Binary::LessEqual, X, real(1.0)));
     let step = vec![if_(not(both()), vec![assign(Y, X)], vec![assign(Y, real(0.0))])];
     let named = legal("negated", program(0, step));
-    assert_eq!(named.locals[0].path, "inputs_fit");
+    assert_eq!(named.locals[0].path, "condition");
     let asked = if_(not(local(0)), vec![assign(Y, X)], vec![assign(Y, real(0.0))]);
     assert_eq!(named.step, [assign(Var::Local(0), both()), asked]);
     let plain = vec![if_(not(ON), vec![assign(Y, X)], vec![assign(Y, real(0.0))])];

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    f4158b8fe792e914d8927eda892357be
+ * checksum    c5c8f17877408b87c00120f052df7ede
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -287,8 +287,8 @@ void axis_f_axis_step(
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                     * block restarts */
+                    /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                     * the block restarts */
                     state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0f;
                 }

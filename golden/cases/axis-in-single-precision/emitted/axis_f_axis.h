@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    c475e1be87a08eb49282692d7ddab1b4
+ * checksum    63685742b735b29753b094d71b8c4a97
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -63,7 +63,7 @@ enum {
     AXIS_F_AXIS_ERROR_NONE = 0, /* no fault */
     AXIS_F_AXIS_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_F_AXIS_ERROR_STATE = 3,
     AXIS_F_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_F_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
@@ -77,7 +77,9 @@ typedef struct {
     float following_error;
     float v_interpolator; /* velocity of the interpolator [um/s]; start 0.0f */
     float v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; start 0.0f */
-    int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
+    /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of
+     * P-AXIS-00758; start 1 */
+    int32_t mode;
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
     /* FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the
@@ -92,16 +94,18 @@ typedef struct {
 
 /* Written by axis_f_axis_step. */
 typedef struct {
-    float v_command; /* output of the position controller with feedforward, before v_add is added [um/s] */
+    /* output of the position controller with feedforward, before v_add is added; for monitoring, the outputs to the
+     * drive contain v_add [um/s] */
+    float v_command;
     float v_feedforward; /* conventional feedforward [um/s] */
     /* additive velocity of improved position control, to be wired to v_add_master of gantry slaves [um/s] */
     float v_add;
     float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* reason of the fault; of several faults that of the last part; cycle_time, x_command and x_actual stop the
-     * axis, the others stop the part that reads the input: 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14
-     * v_interpolator, 24 following_error */
+    /* reason of the fault, 0 none; of several faults: improved position control before feedforward, position
+     * control; cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input, 1
+     * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 24 following_error */
     uint32_t error_id;
     /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
     bool limited;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    1053c18b8462be4c1f86cdeb26249c83
+ * checksum    cabe1945a8ac9ade220962a406212609
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -362,8 +362,8 @@ void axis_x_axis_step(
                         ipc_v_limited = ipc_lower_limit;
                     }
                 } else {
-                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                     * block restarts */
+                    /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                     * the block restarts */
                     state->ipc_fade = ipc_fade_cycles + 1u;
                     ipc_v_limited = 0.0;
                 }

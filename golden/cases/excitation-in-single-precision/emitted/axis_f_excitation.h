@@ -6,7 +6,7 @@
  * cycle time  250000 ns
  * parameters  52ea14ef8d627d811e349af939f96b4b
  * structure   26c39f4f5e021c45829fac917674ff38
- * checksum    19ab0dc0ae1ff424c5d313893ef66fee
+ * checksum    6f900491086f7183cf90c003b71715b1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_EXCITATION_H
@@ -56,7 +56,7 @@ enum {
     AXIS_F_EXCITATION_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_F_EXCITATION_ERROR_CYCLE_TIME = 1,
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_F_EXCITATION_ERROR_STATE = 3,
     AXIS_F_EXCITATION_ERROR_CALL_RATE = 9, /* cycle_counter shows skipped or doubled calls (key cycle_counter) */
     AXIS_F_EXCITATION_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
  * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    6476d97c7ebf5377a413aeb402619f07
+ * checksum    3f69a15369c013c0a8b8bc89b9866292
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_EXCITATION_H
@@ -56,7 +56,7 @@ enum {
     AXIS_X_EXCITATION_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_EXCITATION_ERROR_CYCLE_TIME = 1,
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_X_EXCITATION_ERROR_STATE = 3,
     AXIS_X_EXCITATION_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     /* excitation: the motor stands still or has changed its direction, v_excite fades out; not a fault; stays until

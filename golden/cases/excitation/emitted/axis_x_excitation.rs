@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  6d45c1b35d4481cd8b3cffdceb646e22
-// checksum    96f645b1b36abe84aad282cc9a1da5f5
+// checksum    0b390b60bd666f93f106f2e0a24320cd
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 /// Written by the caller.
@@ -172,7 +172,7 @@ const ERROR_CYCLE_TIME: u32 = 1;
 const SAMPLE_LIMIT: f64 = 1000000000000000.0;
 /// error_id: v_motor is not within the sample limit
 const ERROR_V_MOTOR: u32 = 12;
-/// error_id: the block's memory was corrupted, or an input is far above vb_max; the block restarts
+/// error_id: the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
 const ERROR_STATE: u32 = 3;
 /// error_id: excitation: the motor stands still or has changed its direction, v_excite fades out; not a fault;
 /// stays until the next start

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    224f966f85e26bb13dd42ec1bc3c7824
+ * checksum    c7a0e27c51b7e186d6b5ed96e4e0457e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -870,8 +870,8 @@ static void axis_x_ipc_any_cycle(
                     ipc_v_limited_next = state->now_lower_limit;
                 }
             } else {
-                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                 * block restarts */
+                /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                 * the block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited_next = 0.0f;
             }
@@ -1083,8 +1083,8 @@ void axis_x_ipc_step(
                     ipc_v_limited = state->now_lower_limit;
                 }
             } else {
-                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                 * block restarts */
+                /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                 * the block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
                 ipc_v_limited = 0.0f;
             }

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    e619560a599da9c2f2a78d8e41ea310f
+ * checksum    ef64ca69b0c17c986bb1976f7df1d308
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -75,7 +75,7 @@ enum {
     AXIS_X_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_X_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_X_IPC_ERROR_STATE = 3,
     /* a parameter set for another block structure is refused; not a fault while a set is in use */
     AXIS_X_IPC_ERROR_SET_STRUCTURE = 6,
@@ -111,9 +111,11 @@ extern const axis_x_ipc_params axis_x_ipc_designed;
 /* Written by the caller. axis_x_ipc_inputs_init writes the start values. */
 typedef struct {
     float v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0f */
-    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 0 */
-    bool position_controlled; /* FALSE: the axis is not in position control: v_add is 0 at once; start true */
-    bool reset; /* while TRUE v_add is 0 and the filter states follow the input; start false */
+    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758; start 0 */
+    /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
+     * control; start true */
+    bool position_controlled;
+    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
     /* the parameter set, never NULL; start &axis_x_ipc_designed; volatile: each number is read once, so that the

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  2159609bf42e0b1bc9c5f51b280bdecb
  * structure   f98b5ab3c8b5c3b7552202d15c4a6b10
- * checksum    45a3ccc9719a9e39a3f1b2b8b1536e27
+ * checksum    4ec526a4c856550d9ed7144cb6957fec
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_POSITION_CONTROL_H
@@ -54,7 +54,7 @@ enum {
     AXIS_X_POSITION_CONTROL_ERROR_NONE = 0, /* no fault */
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_X_POSITION_CONTROL_ERROR_CYCLE_TIME = 1,
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_X_POSITION_CONTROL_ERROR_STATE = 3,
     AXIS_X_POSITION_CONTROL_ERROR_X_COMMAND = 17, /* x_command is not within the sample limit */
     AXIS_X_POSITION_CONTROL_ERROR_V_FEEDFORWARD = 19, /* v_feedforward is not within the sample limit */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    00fd441043ef141455c3355154216247
+ * checksum    50fa6fa188c16ed607e6c6cff8c9dcf2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -255,8 +255,8 @@ void axis_rack_and_pinion_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-             * block restarts */
+            /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+             * the block restarts */
             outputs->limited = true;
             state->fade = fade_cycles + 1u;
             v_limited = 0.0;

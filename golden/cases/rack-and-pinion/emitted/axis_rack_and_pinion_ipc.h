@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    9f17e40feaa120c45f5db4618b49290f
+ * checksum    00ac66cb663e5c4a47031909d1563f04
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -75,7 +75,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_RACK_AND_PINION_IPC_ERROR_CYCLE_TIME = 1,
     AXIS_RACK_AND_PINION_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_RACK_AND_PINION_IPC_ERROR_STATE = 3,
     AXIS_RACK_AND_PINION_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
 };
@@ -83,9 +83,11 @@ enum {
 /* Written by the caller. axis_rack_and_pinion_ipc_inputs_init writes the start values. */
 typedef struct {
     double v_motor; /* velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0 */
-    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
-    bool position_controlled; /* FALSE: the axis is not in position control: v_add is 0 at once; start true */
-    bool reset; /* while TRUE v_add is 0 and the filter states follow the input; start false */
+    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758; start 1 */
+    /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
+     * control; start true */
+    bool position_controlled;
+    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_rack_and_pinion_ipc_inputs;

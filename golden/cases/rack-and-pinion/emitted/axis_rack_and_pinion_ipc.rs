@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    a464a2f4e6a543676d171c07b6c772c9
+// checksum    868a20aff81ad04421b1f50832bbc7f2
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
@@ -23,11 +23,12 @@
 pub struct Inputs {
     /// velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0
     pub v_motor: f64,
-    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1
+    /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758; start 1
     pub mode: i32,
-    /// FALSE: the axis is not in position control: v_add is 0 at once; start true
+    /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
+    /// control; start true
     pub position_controlled: bool,
-    /// while TRUE v_add is 0 and the filter states follow the input; start false
+    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0
     pub task_cycle_ns: u32,
@@ -223,7 +224,7 @@ const ERROR_V_MOTOR: u32 = 12;
 const MODE_ON: i32 = 1;
 /// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
 const ERROR_CYCLE_TIME: u32 = 1;
-/// error_id: the block's memory was corrupted, or an input is far above vb_max; the block restarts
+/// error_id: the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
 const ERROR_STATE: u32 = 3;
 /// mode: the block is off
 const MODE_OFF: i32 = 0;
@@ -362,8 +363,8 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
                 v_limited = LOWER_LIMIT;
             }
         } else {
-            // a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-            // block restarts
+            // a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+            // the block restarts
             outputs.limited = true;
             state.fade = FADE_CYCLES.wrapping_add(1);
             v_limited = 0.0;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    6f945c83d7e5aed99674003b045009bc
+ * checksum    9f08c4440ec105ff20d1369f07f16d94
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -453,8 +453,8 @@ void axis_c_ipc_step(
                 v_limited = lower_limit;
             }
         } else {
-            /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-             * block restarts */
+            /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+             * the block restarts */
             outputs->limited = true;
             state->fade = fade_cycles + 1u;
             v_limited = 0.0f;

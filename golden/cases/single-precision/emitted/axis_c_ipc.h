@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    e703927acb6d823eead6c6ae7fcb064e
+ * checksum    ddb2c396c1181db5365c94d9485a1c08
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -80,7 +80,7 @@ enum {
     AXIS_C_IPC_ERROR_NONE = 0, /* no fault */
     AXIS_C_IPC_ERROR_CYCLE_TIME = 1, /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_C_IPC_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_C_IPC_ERROR_STATE = 3,
     AXIS_C_IPC_ERROR_V_COMMAND = 11, /* v_command is not within the sample limit */
     AXIS_C_IPC_ERROR_V_MOTOR = 12 /* v_motor is not within the sample limit */
@@ -93,9 +93,11 @@ typedef struct {
     float v_command;
     /* velocity of the motor encoder, v_ist1 [0.001 deg/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0f */
     float v_motor;
-    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
-    bool position_controlled; /* FALSE: the axis is not in position control: v_add is 0 at once; start true */
-    bool reset; /* while TRUE v_add is 0 and the filter states follow the input; start false */
+    int32_t mode; /* 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758; start 1 */
+    /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
+     * control; start true */
+    bool position_controlled;
+    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_c_ipc_inputs;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   24a2a1235abb161f461438a5ff3858f2
- * checksum    a3f2f9b518a1d63a4c12d7914b0f3476
+ * checksum    114670119dafb5eb0222dd4b3a52827d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -234,10 +234,12 @@ static void axis_s_spindle_axis_any_cycle(
     static const double spindle_cycle_time = 0.001; /* cycle time T [s] */
 
     /* Von = 200 rpm (P-AXIS-00767) */
-    static const double spindle_v_velocity_control_on = 1200000.0; /* Von: a faster TURN leads to velocity control [0.001 deg/s] */
+    /* Von: M3 or M4 with a higher speed changes to velocity control [0.001 deg/s] */
+    static const double spindle_v_velocity_control_on = 1200000.0;
 
     /* Voff = 50 rpm (P-AXIS-00768) */
-    static const double spindle_v_position_control_on = 300000.0; /* Voff: position control is taken up there [0.001 deg/s] */
+    /* Voff: at or below this speed the change to position control begins [0.001 deg/s] */
+    static const double spindle_v_position_control_on = 300000.0;
     static const double spindle_v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
 
     /* 1 rpm (key spindle.window) */
@@ -1283,8 +1285,8 @@ static void axis_s_spindle_axis_any_cycle(
                         axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
                     }
                 } else {
-                    /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                     * block restarts */
+                    /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                     * the block restarts */
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                     axis_ipc_v_limited = 0.0;
                 }
@@ -1499,8 +1501,8 @@ void axis_s_spindle_axis_step(
                     axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_lower_limit;
                 }
             } else {
-                /* a state was corrupted, or an input is far above vb_max: the next cycle reports the fault, then the
-                 * block restarts */
+                /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                 * the block restarts */
                 state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                 axis_ipc_v_add_calculated = 0.0;
             }

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   24a2a1235abb161f461438a5ff3858f2
- * checksum    e53f6241d7ca55e044ce217634891f98
+ * checksum    ada4fe07cf44b80bbf0ed5397e6cbc65
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -70,7 +70,7 @@ enum {
 
 /* values of the output job */
 enum {
-    AXIS_S_SPINDLE_AXIS_JOB_STOP = 0, /* M5, and what stops the spindle otherwise */
+    AXIS_S_SPINDLE_AXIS_JOB_STOP = 0, /* M5; also a reset, a fault or a drive that is off */
     AXIS_S_SPINDLE_AXIS_JOB_TURN = 1, /* M3 or M4 */
     AXIS_S_SPINDLE_AXIS_JOB_ORIENT = 2, /* M19 */
     AXIS_S_SPINDLE_AXIS_JOB_RELEASE = 3, /* S[PUTAX] */
@@ -83,7 +83,7 @@ enum {
     /* task_cycle_ns is not the cycle time that the coefficients were designed for */
     AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME = 1,
     AXIS_S_SPINDLE_AXIS_ERROR_MODE = 2, /* mode is none of OFF, ON, DRYRUN */
-    /* the block's memory was corrupted, or an input is far above vb_max; the block restarts */
+    /* the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts */
     AXIS_S_SPINDLE_AXIS_ERROR_STATE = 3,
     AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR = 12, /* v_motor is not within the sample limit */
     AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR = 14, /* v_interpolator is not within the sample limit */
@@ -123,7 +123,9 @@ typedef struct {
     bool g74; /* request: homing; counts when it becomes TRUE; start false */
     bool job_done; /* the interpolator has completed the job: M19, S[PUTAX] or G74; start false */
     bool drive_on; /* TRUE: the drive is on and has no fault; start false */
-    int32_t mode; /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault (P-AXIS-00758); start 1 */
+    /* improved position control: 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of
+     * P-AXIS-00758; start 1 */
+    int32_t mode;
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
     bool reset; /* CNC reset, a level: the spindle goes back to position control and stops; start false */
@@ -137,8 +139,8 @@ typedef struct {
     double v_spindle; /* command velocity of the spindle [0.001 deg/s] */
     double job_speed; /* speed of the job, below 0 for M4 [0.001 deg/s] */
     double job_position; /* target of the job M19 [0.001 deg] */
-    /* output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open
-     * [0.001 deg/s] */
+    /* output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open;
+     * for monitoring, the outputs to the drive contain v_add [0.001 deg/s] */
     double v_command;
     double v_feedforward; /* conventional feedforward [0.001 deg/s] */
     double v_add; /* additive velocity of improved position control [0.001 deg/s] */
@@ -151,9 +153,10 @@ typedef struct {
     uint32_t waiting; /* number of waiting requests */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* reason of the fault; of several faults that of the last part; a fault of the changeover may stay until reset:
-     * 0 none, 1 cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual,
-     * 31 requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46
+    /* reason of the fault, 0 none; of several faults: improved position control before feedforward, position
+     * control, changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset, 1
+     * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31
+     * requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46
      * takeover, 48 lag */
     uint32_t error_id;
     /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
