@@ -78,7 +78,7 @@ fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
     // No change may stay unreported: the old block with the new numbers must equal the new block, apart from the reported
     // changes.
     if left.is_empty() && refused.is_none() && !is_new::<R>(old, new) {
-        left.push("coefficients that are no part of a parameter set".to_owned());
+        left.push("coefficients that are not part of a parameter set".to_owned());
     }
     Judgement { refused, left }
 }

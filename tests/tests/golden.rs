@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::collections::BTreeSet;
 
 /// What the cases have to show, all of them together.
-const ALL_SHOWN: [&str; 142] = [
+const ALL_SHOWN: [&str; 153] = [
     "DIRECT from v_motor",
     "DIRECT from v_direct",
     "INDIRECT",
@@ -158,6 +158,17 @@ const ALL_SHOWN: [&str; 142] = [
     "a first set is taken over",
     "another set is taken over",
     "fault 6",
+    "excitation starts",
+    "the first period is measured",
+    "all periods are measured",
+    "the button stays pressed after the end",
+    "the button ends the excitation",
+    "the motor's direction ends the excitation",
+    "no start at standstill",
+    "no start without a rising edge",
+    "a fault ends the excitation",
+    "error 9",
+    "error 51",
 ];
 
 /// In a plain run one case in so many has its whole digest computed.
@@ -314,7 +325,8 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         let constants = &mut case.block.program.constants;
         // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
         // With parameter sets the fade is all that is left of it.
-        let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag", "ipc.fade_step"];
+        let wanted =
+            ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag", "ipc.fade_step", "amplitude"];
         let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
         // Of a spindle the turn, by which its position is wrapped: rounding hides a bit of what is added in a cycle.
         let found = found.or_else(|| constants.iter().position(|constant| constant.path == "full_turn"));

@@ -30,7 +30,7 @@ impl<'r> Rule<'r> {
     pub fn own(force: bool, begins: &'r dyn Fn(&[u8]) -> bool) -> Self {
         Self {
             replace: if force { Replace::All } else { Replace::Those(begins) },
-            found: "is no earlier output of this command; give another name, or --force to replace it",
+            found: "is not an earlier output of this command; give another name, or --force to replace it",
         }
     }
 

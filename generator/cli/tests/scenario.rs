@@ -226,7 +226,7 @@ fn a_stimulus_is_what_a_scenario_runs_with() {
     // Its own outputs are replaced, others are not, and an input never is.
     assert_eq!(axgen(at, "scenario sets.toml p.nc --axis S --stimulus p.csv --picture p.svg").0, 0);
     let (code, _, err) = axgen(at, "scenario sets.toml p.nc --axis S --stimulus p.svg");
-    assert!(code == 2 && err.starts_with("p.svg: error[AX014]: is no earlier output of this command"), "{err}");
+    assert!(code == 2 && err.starts_with("p.svg: error[AX014]: is not an earlier output of this command"), "{err}");
     let (code, _, err) = axgen(at, "scenario sets.toml p.nc --axis S --stimulus p.nc --force");
     assert_eq!((code, err.as_str()), (2, "p.nc: error[AX014]: is an input of this run; give another name\n"));
 }

@@ -46,7 +46,7 @@ pub fn load_up_to(path: &Path, most: u64) -> Result<Vec<u8>, Unreadable> {
         return Err(of_system(ErrorKind::IsADirectory.into()));
     }
     if !metadata.is_file() {
-        return Err(Unreadable::System("it is no regular file, but a device, a pipe or a socket".to_owned()));
+        return Err(Unreadable::System("it is not a regular file, but a device, a pipe or a socket".to_owned()));
     }
     if metadata.len() > most {
         return Err(Unreadable::TooLarge);
@@ -68,7 +68,7 @@ fn of_system(error: io::Error) -> Unreadable {
         ErrorKind::NotFound => "there is no such file".to_owned(),
         ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
         ErrorKind::IsADirectory => "it is a folder".to_owned(),
-        ErrorKind::NotADirectory => "a part of its path is no folder".to_owned(),
+        ErrorKind::NotADirectory => "a part of its path is not a folder".to_owned(),
         ErrorKind::InvalidInput => "no file can have this name".to_owned(),
         _ => error.to_string(),
     })

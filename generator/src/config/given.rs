@@ -181,7 +181,7 @@ fn read_as_list(list: &AxisList) -> List {
 pub(crate) fn name_of(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> String {
     let name = options.name.clone().or_else(|| list.name.clone()).unwrap_or_else(|| axis_name::of_file(path));
     if !axis_name::is_allowed(&name) {
-        let found = format!("{} is no name for an axis", shown(&name));
+        let found = format!("{} is not a name for an axis", shown(&name));
         let said = |place| Diagnostic::error(codes::AXIS_NAME, place, found).allowed(axis_name::ALLOWED);
         report.push(match options.name {
             Some(_) => said(Place::whole("--name")),

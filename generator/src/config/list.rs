@@ -121,7 +121,7 @@ impl Reading<'_> {
         let place = || self.source.place(at + statement.path_at());
         if self.is_behind_end {
             if matches!(path::find(statement.path), Path::Known { .. }) {
-                let found = format!("`{}` stands behind `Ende`, where the list ends", statement.path);
+                let found = format!("`{}` comes after `Ende`, where the list ends", statement.path);
                 let said = Diagnostic::error(codes::BEHIND_END, place(), found);
                 self.list.report.push(said.instead("the line before `Ende`"));
             }
@@ -258,7 +258,7 @@ impl Reading<'_> {
 }
 
 fn behind_comment(source: &Source, at: usize) -> Diagnostic {
-    let found = "text behind `*/`: a comment ends with its line, and the controller does not read the text";
+    let found = "text after `*/`: a comment ends with its line, and the controller does not read the text";
     let said = Diagnostic::error(codes::COMMENT, source.place(at), found);
     said.allowed("a comment to the end of the line").instead("the text in a line of its own")
 }

@@ -74,7 +74,7 @@ pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     let (path, rest) = line.path.split_once(['=', ':']).unwrap_or((line.path, ""));
     let value = format!("{rest} {}", line.value.trim_start_matches('='));
     let instead = matches!(path::find(path), Path::Known { .. }).then(|| format!("{path} {}", value.trim()));
-    (format!("{written} is no path"), instead)
+    (format!("{written} is not a path"), instead)
 }
 
 /// A line whose path has blanks instead of underscores, with underscores: `weight fact denom 200`.

@@ -83,7 +83,7 @@ fn seems(bytes: &[u8]) -> FileKind {
     };
     let is_unreadable = |line| matches!(line, Content::Unreadable { .. });
     match () {
-        () if bytes.contains(&0) => ("is no text, or UTF-16 without its byte order mark", "the list saved as UTF-8"),
+        () if bytes.contains(&0) => ("is not text, or UTF-16 without its byte order mark", "the list saved as UTF-8"),
         () if statements(bytes).next().is_none() && !contents(bytes).any(is_unreadable) => {
             ("is empty, or has nothing but comments", "the name of an axis list")
         }

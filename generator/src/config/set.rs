@@ -55,7 +55,7 @@ pub(crate) fn top<'a>(source: &Arc<Source>, table: &'a DeTable<'a>, report: &mut
             _ => {
                 let of_a_set = Name::ALL.map(Name::parameter).into_iter().filter(|p| p.scope == Scope::Set);
                 let keys: Vec<&str> = of_a_set.map(|parameter| parameter.path).collect();
-                let found = format!("{} is no key of a set", value::shown(written));
+                let found = format!("{} is not a key of a set", value::shown(written));
                 let known = closest::nearest(written, keys.iter().copied().chain(["axis"]));
                 let diagnostic = Diagnostic::error(codes::UNKNOWN, place(), found);
                 let diagnostic = diagnostic.allowed(format!("{}, axis.NAME", keys.join(", ")));
@@ -77,7 +77,7 @@ fn axes_of<'a>(source: &Source, axes: &'a DeTable<'a>, report: &mut Report) -> V
         let name: &str = key.get_ref();
         let name_at = key.span().start;
         if !axis_name::is_allowed(name) {
-            let found = format!("{} is no name for an axis", value::shown(name));
+            let found = format!("{} is not a name for an axis", value::shown(name));
             report.push(Diagnostic::error(codes::AXIS_NAME, source.place(name_at), found).allowed(axis_name::ALLOWED));
         } else if let Some(first) = lines.insert(name.to_ascii_lowercase(), name_at) {
             let line = source.place(first).line;

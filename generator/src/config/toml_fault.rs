@@ -115,11 +115,11 @@ fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
     let (number, unit) = plain.split_at(plain.find(|c: char| c.is_ascii_alphabetic()).unwrap_or(plain.len()));
     let number = number.trim_end();
     let said = match () {
-        () if text.is_empty() => ("the key has no value".to_owned(), "a value behind `=`".to_owned()),
+        () if text.is_empty() => ("the key has no value".to_owned(), "a value after `=`".to_owned()),
         () if is_number(text) && is_digits(next) => {
             (format!("`{text},{next}` has a decimal comma"), format!("{text}.{next}"))
         }
-        () if plain.len() < text.len() => (format!("`;` behind {}", shown(plain)), plain.to_owned()),
+        () if plain.len() < text.len() => (format!("`;` after {}", shown(plain)), plain.to_owned()),
         () if text.starts_with(['"', '\'']) => {
             let quote = &text[..1];
             let is_open = text.matches(quote).count() == 1;

@@ -108,8 +108,9 @@ fn gear_ratio(e: &mut Effective<'_>, gear: u32) {
     if of != to {
         let given = if e.given(num).is_some() { num } else { denom };
         let found = format!("the gear ratio {of}/{to} (P-AXIS-00511, 00512) would not reach the angle of the motor");
-        let instead =
-            format!("getriebe[{gear}].wegaufz {of} and getriebe[{gear}].wegaufn {to}, beside the feed constant");
+        let instead = format!(
+            "getriebe[{gear}].wegaufz {of} and getriebe[{gear}].wegaufn {to}, in addition to the feed constant"
+        );
         let said = Diagnostic::error(codes::GEAR_RATIO, e.place_of(given), found);
         e.report.push(said.allowed("the ratio in P-AXIS-00234 and 00233 alone").instead(instead));
     }

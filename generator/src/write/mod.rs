@@ -229,7 +229,7 @@ fn is_writable(found: fs::FileType) -> io::Result<()> {
     match found {
         _ if found.is_symlink() => Err(io::Error::other("is a symbolic link, through which nothing is written")),
         _ if found.is_dir() => Err(ErrorKind::IsADirectory.into()),
-        _ if !found.is_file() => Err(io::Error::other("is no regular file")),
+        _ if !found.is_file() => Err(io::Error::other("is not a regular file")),
         _ => Ok(()),
     }
 }

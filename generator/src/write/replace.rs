@@ -40,7 +40,7 @@ fn keep(path: &Path) -> io::Result<bool> {
     match fs::symlink_metadata(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
         Err(error) => return Err(error),
-        Ok(found) if !found.is_file() => return Err(io::Error::other("is no regular file any more")),
+        Ok(found) if !found.is_file() => return Err(io::Error::other("is no longer a regular file")),
         Ok(_) => {}
     }
     // Without hard links in the file system, the target is missing for a moment.

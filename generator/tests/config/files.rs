@@ -61,7 +61,7 @@ fn messages_about_a_list_name_the_list_and_all_are_told() {
     assert_said(
         &short(&report),
         &[
-            "set.toml:2:1: error[AX104]: `target` is no key of a set",
+            "set.toml:2:1: error[AX104]: `target` is not a key of a set",
             "    allowed: cycle_time, targets, axis.NAME",
             "    write instead: targets",
             "x.lis:1:43: error[AX202]: `ipc.enable` (P-AXIS-00758) is `MAYBE`",
@@ -70,7 +70,7 @@ fn messages_about_a_list_name_the_list_and_all_are_told() {
             "    allowed: 0 <= gear <= 15",
             "set.toml:8:8: error[AX202]: `real` is `1`",
             "    allowed: f64 (LREAL), f32 (REAL)",
-            "y.lis:1:1: error[AX101]: `?` is no path",
+            "y.lis:1:1: error[AX101]: `?` is not a path",
             "    allowed: path value # comment",
         ],
     );
@@ -157,11 +157,11 @@ fn names_of_lists() {
                    (what C and ST both accept)";
     assert_eq!(
         name("\u{e4}.lis", None).unwrap_err(),
-        format!("\u{e4}.lis: error[AX006]: `` is no name for an axis{allowed}\n    write instead: --name NAME")
+        format!("\u{e4}.lis: error[AX006]: `` is not a name for an axis{allowed}\n    write instead: --name NAME")
     );
     assert_eq!(
         name("x.lis", Some("x */")).unwrap_err(),
-        format!("--name: error[AX006]: `x */` is no name for an axis{allowed}")
+        format!("--name: error[AX006]: `x */` is not a name for an axis{allowed}")
     );
 }
 

@@ -32,7 +32,7 @@ fn a_parameter_behind_it_is_an_error() {
     let (_, report) = read(&[("x.lis", list.as_bytes())]);
     assert_eq!(
         report.to_string(),
-        "x.lis:15:1: error[AX114]: `getriebe[0].kv` stands behind `Ende`, where the list ends\n    \
+        "x.lis:15:1: error[AX114]: `getriebe[0].kv` comes after `Ende`, where the list ends\n    \
          write instead: the line before `Ende`\n"
     );
 }

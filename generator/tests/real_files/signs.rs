@@ -98,7 +98,7 @@ fn a_comment_ends_with_its_line() {
     );
     assert_eq!(
         said(&format!("/* Hz */ {IPC}stage[0].filter.fg_f0 53")).lines().next().unwrap(),
-        "x.lis:8:10: error[AX113]: text behind `*/`: a comment ends with its line, and the controller does not read the text"
+        "x.lis:8:10: error[AX113]: text after `*/`: a comment ends with its line, and the controller does not read the text"
     );
     assert_eq!(said(&format!("{IPC}stage[0].filter.fg_f0 53 /* Hz */ # measured")), "");
 }

@@ -179,7 +179,7 @@ fn notes_name_paths_of_the_tree_in_its_order() {
             let place = paths.iter().position(|path| {
                 path.strip_prefix(prefix.as_str()).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
             });
-            let place = place.unwrap_or_else(|| panic!("{prefix} is no path of the coefficients"));
+            let place = place.unwrap_or_else(|| panic!("{prefix} is not a path of the coefficients"));
             assert!(place >= last, "{prefix}");
             last = place;
             assert!(text.is_ascii() && !text.contains('\n') && !text.is_empty(), "{text}");

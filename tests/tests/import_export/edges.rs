@@ -131,5 +131,5 @@ fn a_cycle_time_or_a_name_that_is_none() {
     );
     let options = ListOptions { name: Some("1".to_owned()), ..ListOptions::default() };
     let (_, report) = import_export::import(Path::new("x.lis"), &options, &|_| Ok(Vec::new()));
-    assert!(report.to_string().starts_with("--name: error[AX006]: `1` is no name for an axis\n"), "{report}");
+    assert!(report.to_string().starts_with("--name: error[AX006]: `1` is not a name for an axis\n"), "{report}");
 }

@@ -77,7 +77,7 @@ fn lines_that_were_edited_are_judged_as_a_list_is() {
         export_beside(&twice, &[]).1.to_string(),
         "the exported list:2:1: error[AX107]: `kopf.achs_nr` is given twice, first in line 1\n    \
          write instead: one of the two lines\n\
-         the exported list:3:1: error[AX101]: `kenngr..x` is no path\n    allowed: path value # comment\n"
+         the exported list:3:1: error[AX101]: `kenngr..x` is not a path\n    allowed: path value # comment\n"
     );
     let alone = set.replace("foreign.x 1", "kenngr.gantry_ax_nr 1");
     let (list, report) = export_beside(&alone, &[]);

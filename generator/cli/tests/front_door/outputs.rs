@@ -4,7 +4,7 @@ use super::{AXGEN, axgen, started};
 use std::fs;
 use std::path::Path;
 
-const FOREIGN: &str = "is no earlier output of this command; give another name, or --force to replace it";
+const FOREIGN: &str = "is not an earlier output of this command; give another name, or --force to replace it";
 
 /// The commands that are run again and again, each with the file that it writes.
 const AGAIN: [&str; 4] = [
@@ -111,7 +111,7 @@ fn nothing_is_written_through_a_link_or_into_a_device() {
         fs::remove_file(&file).unwrap();
     }
     for command in &commands {
-        let said = "/dev/null: error[AX017]: is no regular file; nothing was written\n";
+        let said = "/dev/null: error[AX017]: is not a regular file; nothing was written\n";
         assert_eq!(run(folder.path(), &command.replace("file", "/dev/null")), (3, said.to_owned()), "{command}");
     }
 }

@@ -13,7 +13,7 @@ use std::time::Duration;
 /// No such file may keep a command busy for longer; the tests run side by side.
 const LIMITS: Limits = Limits { time: Duration::from_secs(60), memory: 2_097_152 };
 
-const NO_FILE: &str = "error[AX001]: cannot be read: it is no regular file, but a device, a pipe or a socket\n";
+const NO_FILE: &str = "error[AX001]: cannot be read: it is not a regular file, but a device, a pipe or a socket\n";
 
 /// Runs the command with little memory, and ends it when its time is over.
 fn bounded(folder: &Path, arguments: &str, input: Stdio) -> (i32, String) {

@@ -93,7 +93,7 @@ pub const WAYS: &[Way] = &[
         ..whole(
             "--axis: another axis, which is no axis of the set any more, goes",
             &[Set(A, "c", &["X stage", "Y"]), Run(A), Set(A, "c", &["X stage"])],
-            &["- axis_y_ipc.c", "- axis_y_ipc.h", "- axis_y_ipc_self_test.c"],
+            &["- axis_y_commissioning.md", "- axis_y_ipc.c", "- axis_y_ipc.h", "- axis_y_ipc_self_test.c"],
         )
     },
     Way {
@@ -148,20 +148,20 @@ pub const WAYS: &[Way] = &[
     whole(
         "the block of an axis that goes was edited: it stays, the others go",
         &[Set(A, "st", &["X", "Y"]), Run(A), Edit("axis_y_ipc.st"), Set(A, "st", &["X"])],
-        &["! axis_y_ipc.st", "- axis_y_ipc_self_test.st"],
+        &["! axis_y_ipc.st", "- axis_y_commissioning.md", "- axis_y_ipc_self_test.st"],
     ),
     Way {
         run: "axes.toml --force",
         ..whole(
             "so it does by force",
             &[Set(A, "st", &["X", "Y"]), Run(A), Edit("axis_y_ipc.st"), Set(A, "st", &["X"])],
-            &["! axis_y_ipc.st", "- axis_y_ipc_self_test.st"],
+            &["! axis_y_ipc.st", "- axis_y_commissioning.md", "- axis_y_ipc_self_test.st"],
         )
     },
     whole(
         "somebody's own file is in the place of one that goes",
         &[Set(A, "rust", &["X", "Y"]), Run(A), Put("axis_y_ipc.rs", MINE), Set(A, "rust", &["X"])],
-        &["! axis_y_ipc.rs"],
+        &["! axis_y_ipc.rs", "- axis_y_commissioning.md"],
     ),
     silent(
         "files of somebody's own, with names of ours too",
@@ -178,7 +178,7 @@ pub const WAYS: &[Way] = &[
     whole(
         "what would go was deleted by hand",
         &[Set(A, "rust", &["X", "Y"]), Run(A), Delete("axis_y_ipc.rs"), Set(A, "rust", &["X"])],
-        &[],
+        &["- axis_y_commissioning.md"],
     ),
     whole("a file is missing", &[Set(A, "rust", &["X", "Y"]), Run(A), Delete("axis_y_ipc.rs")], &[]),
     silent("version control has other line ends", &[Set(A, "c twincat", &["X stage"]), Run(A), CarriageReturns]),
@@ -209,6 +209,7 @@ pub const WAYS: &[Way] = &[
         ],
         &[
             "! twincat/POUs/FB_axis_y_ipc.TcPOU",
+            "- axis_y_commissioning.md",
             "- twincat/Tests/FB_axis_y_ipc_Test.TcPOU",
             "- twincat/Tests/FB_axis_y_ipc_self_test.TcPOU",
         ],
@@ -286,7 +287,7 @@ pub const WAYS: &[Way] = &[
     whole(
         "an earlier axgen left no manifest: what goes is named, and stays",
         &[Set(A, "rust", &["X kv stage", "Y"]), Run(A), Delete("axgen.manifest"), Set(A, "rust", &["X stage"])],
-        &["? axis_x_axis.rs", "? axis_x_position_control.rs", "? axis_y_ipc.rs"],
+        &["? axis_x_axis.rs", "? axis_x_position_control.rs", "? axis_y_commissioning.md", "? axis_y_ipc.rs"],
     ),
     whole(
         "so is what axes shared",
@@ -306,7 +307,7 @@ pub const WAYS: &[Way] = &[
     whole(
         "two branches were merged",
         &[Set(A, "rust", &["X", "Y"]), Run(A), Merge, Set(A, "rust", &["X"])],
-        &["- axis_y_ipc.rs"],
+        &["- axis_y_commissioning.md", "- axis_y_ipc.rs"],
     ),
     Way {
         codes: (2, 2),
@@ -353,6 +354,6 @@ pub const WAYS: &[Way] = &[
     whole(
         "a link is in the place of one that goes",
         &[Set(A, "rust", &["X", "Y"]), Run(A), Step::Link("axis_y_ipc.rs"), Set(A, "rust", &["X"])],
-        &["! axis_y_ipc.rs"],
+        &["! axis_y_ipc.rs", "- axis_y_commissioning.md"],
     ),
 ];

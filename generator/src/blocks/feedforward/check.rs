@@ -180,7 +180,7 @@ fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()>
         return Some(());
     }
     let words: Vec<&str> = words.iter().map(|word| word.name()).collect();
-    let found = format!("{} is TRUE beside {}: error 110624 of the controller", e.title(key), words.join(" "));
+    let found = format!("{} is TRUE together with {}: error 110624 of the controller", e.title(key), words.join(" "));
     e.report.push(
         Diagnostic::error(codes::WITHOUT_DELAY, e.place_of(key), found)
             .allowed("VEL alone in vorsteuer.vorsteuerung (P-AXIS-00223)")

@@ -135,8 +135,9 @@ fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     let newer = e.all_given().find(|(key, setting)| is_new(*key, setting));
     if let Some(((_, index), setting)) = newer {
         let beside = path_with(setting.spelling, index);
-        let found =
-            format!("stage[{i}].filter.damping (P-AXIS-00756) stands beside `{beside}` of the newer parameters");
+        let found = format!(
+            "stage[{i}].filter.damping (P-AXIS-00756) is given together with `{beside}` of the newer parameters"
+        );
         let instead = format!("{} (P-AXIS-00850) alone", path_with(Name::OscDamping.parameter().path, [i, 0]));
         e.warn(codes::GENERATIONS, old_key, found, Some(instead));
     }

@@ -107,7 +107,7 @@ fn modes(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
         }
     };
     let place = e.place_near(at, asks);
-    let found = format!("{found}: the drive's answer could not be told from the mode that it leaves");
+    let found = format!("{found}: the drive's answer could not be distinguished from the mode that it leaves");
     e.report.push(Diagnostic::error(codes::ONE_MODE, place, found).allowed(allowed).instead(instead));
     None
 }

@@ -72,7 +72,7 @@ fn one_of(e: &mut Effective<'_>, new: Name, old: Name) -> Option<Velocity> {
     }
     let (value, old_value) = (e.integer(new)?, old_value?);
     if value == old_value {
-        let found = format!("{} is given beside {id}, its successor", e.title(old));
+        let found = format!("{} is given together with {id}, its successor", e.title(old));
         e.warn(codes::PREDECESSOR, old, found, format!("only {id}"));
     } else {
         let found = format!("{} is {old_value}, and its successor {} is {value}", e.title(old), e.title(new));
