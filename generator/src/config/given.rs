@@ -5,7 +5,6 @@ use super::list::{self, List};
 use super::other_functions::{self, Found, OtherFunctions};
 use super::project::{self, AxisList};
 use super::set::{self, AxisTable};
-use super::stage_option::is_of_stage;
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
 use super::{axis_name, file, file::Load, other_kind, source::Source};
@@ -13,6 +12,9 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::{codes, parameters::Name};
 use rayon::prelude::*;
 use std::{collections::BTreeSet, path::Path, sync::Arc};
+
+/// The path of the stages of an axis, without their index.
+pub(crate) const ABOVE_STAGES: &str = "lr_param.improved_position_control.stage";
 
 /// Values that a list cannot contain, for a list without a set.
 #[derive(Clone, Debug, Default)]
@@ -207,4 +209,9 @@ fn setting_of_option(option: &str, name: Name, text: &str, report: &mut Report) 
         .map_err(|refused| report.push(refused.diagnostic(name, option, Place::whole(option))));
     let source = Source::option(option, text);
     Setting { value: value.ok(), refused: None, spelling: parameter.path, source, path_at: 0, value_at: 0 }
+}
+
+/// Whether a parameter belongs to a stage.
+pub(crate) fn is_of_stage(name: Name) -> bool {
+    name.parameter().path.starts_with(ABOVE_STAGES)
 }

@@ -1,15 +1,13 @@
 //! Stages of the command line (`--stage mode=DIRECT,fg_f0=53,...`) as keys of an axis. No value is read, no file.
 
 use super::closest;
-use super::given::OptionKey;
+use super::given::{ABOVE_STAGES as ABOVE, OptionKey, is_of_stage};
 use super::path::{self, Path};
 use super::value::shown;
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, STAGES};
 
-/// Where stages stand in an axis.
-const ABOVE: &str = "lr_param.improved_position_control.stage";
 /// Keys of the first filter that need no `filter[0].`.
 const OF_FILTER: [&str; 5] = ["fg_f0", "q_factor", "order", "prototype", "type"];
 /// Keys of a stage; `weight` and `allpass` are short for two and three.
@@ -111,9 +109,4 @@ impl OfStage<'_> {
     fn refuse(&mut self, found: String, allowed: &str) {
         self.report.push(Diagnostic::error(codes::USAGE, Place::whole(&self.option), found).allowed(allowed));
     }
-}
-
-/// Whether a parameter belongs to a stage.
-pub(crate) fn is_of_stage(name: Name) -> bool {
-    name.parameter().path.starts_with(ABOVE)
 }

@@ -4,7 +4,7 @@
 //! import    list -> set: values to tables, lines with holes        tables    parameters by their paths, with the comments
 //! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
 //! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
-//! slot      where the value stands in a line
+//! slot      the position of the value in a line             keys_of_stage  a stage as keys
 //! stages    other stages in the text of an axis: stages_in_set, stages_in_list
 //! ```
 //! The set contains each value once, as TOML. The lines of the list stay in the set too, with `=` in place of the values:
@@ -14,6 +14,7 @@ mod encoding;
 mod export;
 mod fill;
 mod import;
+mod keys_of_stage;
 mod slot;
 mod spelling;
 mod stages;

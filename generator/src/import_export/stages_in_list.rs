@@ -1,8 +1,8 @@
 //! Other stages in the lines of an axis list: values are replaced in their lines, and what is missing gets a line after its stage.
 //! No file.
 
+use super::keys_of_stage::{Given, keys};
 use super::slot;
-use super::stages::{Given, keys};
 use crate::axis::Stage;
 use crate::config::lines::{self, Content, Line};
 use crate::parameters::words::{Enable, StageMode, Words};

@@ -1,6 +1,6 @@
 //! Other stages in the text of a TOML set: where they stand there, and what is written in their place. No file.
 
-use super::stages::{Given, keys};
+use super::keys_of_stage::{Given, keys};
 use crate::axis::Stage;
 use crate::parameters::{
     Name,

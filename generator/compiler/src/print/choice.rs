@@ -1,7 +1,7 @@
 //! A choice by the number of an enumeration or by an integer: one `switch` or `CASE`, every list with its labels.
 
 use super::language::Cases;
-use super::{Doc, INDENTATION, Layout};
+use super::{Doc, INDENTATION, Layout, NOTE_WIDTH};
 use crate::program::{Arm, Expr, Statement, Var};
 use pretty::DocAllocator;
 
@@ -16,8 +16,10 @@ impl<'d> Layout<'d> {
         }
         if !last.body.is_empty() {
             let [open, _, close] = self.printer.language.comment;
-            let names = self.names(&last.labels);
-            let note = if names.is_empty() { String::new() } else { format!(" {open}{}{close}", names.join(", ")) };
+            let names = self.names(&last.labels).join(", ");
+            // Readers of a longer list take the labels from the other lists.
+            let is_shown = (1..=NOTE_WIDTH).contains(&names.len());
+            let note = if is_shown { format!(" {open}{names}{close}") } else { String::new() };
             doc = doc.append(self.hardline).append(cases.others).append(note).append(self.arm(&last.body, declared));
         } else if !cases.nothing.is_empty() {
             doc = doc.append(self.hardline).append(cases.nothing);
