@@ -73,8 +73,8 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// reason of the fault, 0 none; of several faults: improved position control before feedforward, position control;
-    /// cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input
+    /// reason of the fault; of several faults, improved position control comes before feedforward, position control;
+    /// cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none
     pub error_id: u32,
     /// v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle
     pub limited: bool,

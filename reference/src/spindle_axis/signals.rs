@@ -108,8 +108,8 @@ pub struct Outputs<R> {
     pub additive_torque: i32,
     /// additive velocity command of the drive (P-AXIS-00205 to 00207) [increments]
     pub additive_velocity: i32,
-    /// reason of the fault, 0 none; of several faults: improved position control before feedforward, position control,
-    /// changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset
+    /// reason of the fault; of several faults, improved position control comes before feedforward, position control,
+    /// changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset: 0 none
     pub error_id: u32,
     /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be
     /// monitored

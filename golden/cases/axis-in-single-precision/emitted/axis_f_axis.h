@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    63685742b735b29753b094d71b8c4a97
+ * checksum    0675f12f27f8215bba2a4d536572f28a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -103,8 +103,8 @@ typedef struct {
     float v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* reason of the fault, 0 none; of several faults: improved position control before feedforward, position
-     * control; cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input, 1
+    /* reason of the fault; of several faults, improved position control comes before feedforward, position control;
+     * cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none, 1
      * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 24 following_error */
     uint32_t error_id;
     /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    db573ce350c033c6ee54792000f6361c
+ * checksum    093170267dfe41500a81d31c358cbd4b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -105,8 +105,8 @@ typedef struct {
     double v_add_calculated; /* v_add before the fade, within the limit (P-AXIS-00757); 0 in OFF [um/s] */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* reason of the fault, 0 none; of several faults: improved position control before feedforward, position
-     * control; cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input, 1
+    /* reason of the fault; of several faults, improved position control comes before feedforward, position control;
+     * cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none, 1
      * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18 x_actual */
     uint32_t error_id;
     /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */

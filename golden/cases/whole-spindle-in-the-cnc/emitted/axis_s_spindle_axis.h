@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   24a2a1235abb161f461438a5ff3858f2
- * checksum    ada4fe07cf44b80bbf0ed5397e6cbc65
+ * checksum    8cb0989e1e2ff67b33ddead8cdd2efb2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -153,8 +153,8 @@ typedef struct {
     uint32_t waiting; /* number of waiting requests */
     /* position control in the CNC: the velocity command of the drive (P-AXIS-00129/00128) [increments] */
     int32_t manipulated_variable;
-    /* reason of the fault, 0 none; of several faults: improved position control before feedforward, position
-     * control, changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset, 1
+    /* reason of the fault; of several faults, improved position control comes before feedforward, position control,
+     * changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset: 0 none, 1
      * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 17 x_command, 18 x_actual, 23 v_actual, 31
      * requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46
      * takeover, 48 lag */
