@@ -325,8 +325,7 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         let constants = &mut case.block.program.constants;
         // One that reaches an output that is a real number: a part of a filter, else a weight, else a gain.
         // With parameter sets the fade is all that is left of it.
-        let wanted =
-            ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag", "ipc.fade_step", "amplitude"];
+        let wanted = ["stage[", "velocity_delay.before", "weight_per_percent", "kv", "lag", "fade_step"];
         let found = wanted.iter().find_map(|part| constants.iter().position(|constant| constant.path.contains(part)));
         // Of a spindle the turn, by which its position is wrapped: rounding hides a bit of what is added in a cycle.
         let found = found.or_else(|| constants.iter().position(|constant| constant.path == "full_turn"));
@@ -351,8 +350,9 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         if !is_muted && !is_rounded && !stays {
             assert!(compare(&expected, &run(&case, Engine::Program, &inputs)).bits > 0, "{}", title(&case));
         }
-        // The self-test of a spindle need not turn it by a whole turn.
-        if case.block.program.block == "spindle" {
+        // The self-test of a spindle need not turn it by a whole turn. That of an excitation in C and Rust never starts it, for it
+        // holds the button from its first sample on: `verify` and the runner do.
+        if ["spindle", "excitation"].contains(&case.block.program.block) {
             return;
         }
         let engines = match is_first_way(&case) {
