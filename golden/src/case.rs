@@ -3,7 +3,7 @@
 //! ```text
 //! case.toml      purpose, axis, block, stimulus, required constructs and events
 //! set.toml       the axis set (or another file named in case.toml)
-//! inputs.csv     the first 2,000 samples as bits, without inputs that keep their start value; all samples of a scenario
+//! inputs.csv     the first 200 samples as bits, without inputs that keep their start value; all samples of a scenario
 //! outputs.csv    the answers
 //! digest         128-bit digests of inputs and outputs of 1,000,000 samples, or of all samples of a scenario
 //! emitted/       the files of the block, except its self-tests

@@ -38,7 +38,7 @@ pub enum Command {
         /// Only this axis, may be given several times
         #[arg(long = "axis", value_name = "X")]
         axes: Vec<String>,
-        /// Write a runner beside each block in C: a program for your own board that compares so many samples with the reference [default: 100000]
+        /// Write a runner next to each block in C: a program for your own board that compares this number of samples with the reference [default: 100000]
         #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
             value_parser = verify::samples, conflicts_with = "emit")]
         runner: Option<usize>,
@@ -128,7 +128,7 @@ pub enum Command {
         /// Stops the scenario after this number of cycles [default: 200000]
         #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
         cycles: Option<usize>,
-        /// Only this engine beside the reference, may be given several times [default: all]
+        /// Only this engine in addition to the reference, may be given several times [default: all]
         #[arg(long = "engine", value_name = "E")]
         engines: Vec<String>,
         #[command(flatten)]
