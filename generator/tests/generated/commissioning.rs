@@ -92,6 +92,7 @@ fn the_page_of_an_axis_without_a_stage() {
             "| duration | 24.7 s |",
             "at least 7500 um/s, in one direction, over at least 184.1 mm.",
             "axgen measure moves.csv --excited excited.csv --excitation 10x8 --response response.csv",
+            "drive.response = \"response.csv\"",
             "axgen tune SET --axis X --recording moves.csv --excited excited.csv --excitation 10x8 --apply recommended",
         ],
     );
