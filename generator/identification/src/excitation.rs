@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// Duration of a clock of the default excitation [s].
 const CLOCK: f64 = 2e-3;
 /// Minimum duration of its period [s].
-const PERIOD: f64 = 4.0;
+pub const PERIOD: f64 = 4.0;
 /// Default number of measured periods.
 pub const PERIODS: usize = 8;
 /// Default amplitude, for velocities in m/s.
@@ -44,6 +44,12 @@ pub struct Sequence {
     clock: u32,
 }
 
+/// Cycles of a clock by default: max(1, round(2 ms / T)).
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
+fn usual_clock(cycle_time: f64) -> u32 {
+    libm::round(CLOCK / cycle_time).larger(1.0) as u32
+}
+
 impl Sequence {
     /// A sequence with a register of 7 to 15 bits and clocks of at least one cycle; `None` for other numbers.
     #[must_use]
@@ -55,7 +61,7 @@ impl Sequence {
     /// The sequence for a cycle time T [s]: c = max(1, round(2 ms / T)), and the smallest number of bits with N T >= 4 s.
     #[must_use]
     pub fn for_cycle(cycle_time: f64) -> Self {
-        Self::shortest(cycle_time, PERIOD)
+        Self::with_clock(usual_clock(cycle_time), cycle_time)
     }
 
     /// The sequence for a cycle time, with a line distance of at most a quarter of the half-power width 2 zeta f of the
@@ -63,12 +69,16 @@ impl Sequence {
     #[must_use]
     pub fn for_vibration(cycle_time: f64, hz: f64, damping: f64) -> Self {
         let spacing = 2.0 * damping * hz / LINES_IN_WIDTH;
-        Self::shortest(cycle_time, PERIOD.larger(1.0 / spacing))
+        Self::shortest(usual_clock(cycle_time), cycle_time, PERIOD.larger(1.0 / spacing))
     }
 
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates")]
-    fn shortest(cycle_time: f64, period: f64) -> Self {
-        let clock = libm::round(CLOCK / cycle_time).larger(1.0) as u32;
+    /// With clocks of c cycles, at least one: the fewest bits with N T >= 4 s, else the most.
+    #[must_use]
+    pub fn with_clock(clock: u32, cycle_time: f64) -> Self {
+        Self::shortest(clock, cycle_time, PERIOD)
+    }
+
+    fn shortest(clock: u32, cycle_time: f64, period: f64) -> Self {
         let of = |bits| Self { bits, clock };
         let is_long = |bits: &u32| of(*bits).period() as f64 * cycle_time >= period;
         of((BITS[0]..=BITS[1]).find(is_long).unwrap_or(BITS[1]))

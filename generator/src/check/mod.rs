@@ -111,7 +111,7 @@ pub(crate) fn axis<'v>(
                 counts_calls,
                 ipc,
                 control,
-                excitation,
+                excitation: excitation.present(),
                 drive,
                 canonical,
                 canonical_of,

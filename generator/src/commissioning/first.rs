@@ -3,7 +3,7 @@
 
 use super::excite::Excite;
 use super::names::Names;
-use super::{AGREEMENT, LEAST_DRIVE, LEAST_QUIET, LEAST_WINDOW};
+use super::{AGREEMENT, LEAST_DRIVE, LEAST_QUIET, LEAST_WINDOW, cycle};
 use crate::axis::Axis;
 use crate::blocks::EXCITATION;
 use crate::number::digits;
@@ -56,7 +56,7 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
         counts_calls: axis.counts_calls,
         off: "`hold_to_run := FALSE`",
         unit: axis.control.velocity_unit(),
-        cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),
+        cycle: cycle(axis),
         cycle_ns: axis.cycle_time_ns,
         window: digits(LEAST_WINDOW),
         drive_time: digits(LEAST_DRIVE),

@@ -102,8 +102,8 @@ struct Signal {
     meaning: &'static str,
 }
 
-/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts. `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the
-/// page.
+/// The page of an axis, with an active stage or without one; `None` for a gantry slave, whose master's block acts.
+/// `parameters`: the digest of the parameters of its block `ipc`; `targets`: the targets of the page.
 pub(crate) fn file(designed: &Designed, parameters: String, targets: &[Target]) -> Option<File> {
     let axis = &designed.axis;
     let name = format!("{}_commissioning.md", stem(&axis.name));
@@ -141,7 +141,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         no_weight: NO_WEIGHT,
         parameters,
         unit: axis.control.velocity_unit(),
-        cycle: format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0)),
+        cycle: cycle(axis),
         cycle_ns: axis.cycle_time_ns,
         counts_calls: axis.counts_calls,
         fade: digits(f64::from(designed.ipc.fade_cycles) * f64::from(axis.cycle_time_ns) / 1e6),
@@ -163,6 +163,11 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         growth: GROWTH,
         reserve: RESERVE,
     }
+}
+
+/// The cycle time as `--cycle-time` reads it.
+fn cycle(axis: &Axis) -> String {
+    format!("{}us", digits(f64::from(axis.cycle_time_ns) / 1000.0))
 }
 
 /// What is written to the inputs of the block so that it adds nothing.

@@ -1,5 +1,5 @@
-//! Other stages of improved position control in the text of an axis: a TOML set or an axis list. Its bytes outside of the stages and of
-//! `enable` stay as they are. Whether the result is right is not judged here.
+//! Other stages of improved position control in the text of an axis: a TOML set or an axis list. Its bytes outside of
+//! the stages and of `enable` stay as they are. Whether the result is right is not judged here.
 
 use super::stages_in_list;
 use super::stages_in_set;

@@ -1,5 +1,5 @@
-//! Other stages in the lines of an axis list: values are replaced in their lines, and what is missing gets a line after its stage.
-//! No file.
+//! Other stages in the lines of an axis list: values are replaced in their lines, and what is missing gets a line
+//! after its stage. No file.
 
 use super::keys_of_stage::{Given, keys};
 use super::slot;
@@ -66,7 +66,7 @@ fn is_old(all: &[Line<'_>]) -> bool {
     has(Name::FilterDamping) && !has(Name::OscDamping)
 }
 
-/// All keys that the list shall have, with the stage of each; none: of the block.
+/// All keys that the list shall have, with the stage of each; `None` for the block.
 fn wanted(stages: &[Stage], is_old: bool) -> Vec<(Option<u32>, Given)> {
     let enable = Given { name: Name::Enable, filter: 0, text: Enable::DryRun.name().to_owned(), is_needed: true };
     let mut wanted = vec![(None, enable)];

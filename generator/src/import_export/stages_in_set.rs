@@ -72,7 +72,6 @@ fn end_of_table(table: &Table) -> usize {
 /// A set, of which one axis is edited. New lines have `\n` until they are put in.
 struct Set<'t> {
     text: &'t str,
-
     axis: &'t str,
 }
 
@@ -93,6 +92,11 @@ impl Set<'_> {
         (at..at, if is_open { format!("\n{lines}") } else { lines.to_owned() })
     }
 
+    /// The full name of improved position control of the axis.
+    fn name(&self) -> String {
+        format!("axis.{}.{}", self.axis, IPC.join("."))
+    }
+
     /// In a table of its own: `[axis.X.lr_param.improved_position_control]`, and `[[...stage]]`.
     fn in_table(&self, ipc: &Table, stages: &[Stage]) -> Result<Vec<Edit>, String> {
         let mut edits = Vec::new();
@@ -100,7 +104,7 @@ impl Set<'_> {
         // Its own last line, before the tables below it.
         let own = |(_, item): (&str, &Item)| (!item.is_array_of_tables()).then(|| end_of(item));
         let last = header.as_ref().map(|header| ipc.iter().filter_map(own).fold(header.end, usize::max));
-        let name = format!("axis.{}.{}", self.axis, IPC.join("."));
+        let name = self.name();
         let above = match (ipc.get("enable"), last) {
             (Some(enable), _) => {
                 edits.extend(dry_run(enable)?);
@@ -155,17 +159,9 @@ impl Set<'_> {
             return Err(format!("{} is written in a form that is not edited", IPC.join(".")));
         }
         let last = ipc.iter().map(|(_, item)| end_of(item)).max().unwrap_or(at);
-        let (mut edits, mut lines) = (Vec::new(), String::new());
-        match ipc.get("enable") {
-            Some(enable) => edits.extend(dry_run(enable)?),
-            None => lines += &format!("{path}enable = \"DRYRUN\"\n"),
-        }
-        match ipc.get("stage") {
-            Some(Item::Value(Value::Array(old))) => edits.push(self.array(old.span(), stages)?),
-            Some(_) => return Err("stage is no array".to_owned()),
-            None => lines += &format!("{path}stage = {}\n", array(stages, "")),
-        }
-        if !lines.is_empty() {
+        let (mut edits, new) = self.values(ipc, stages)?;
+        if !new.is_empty() {
+            let lines: String = new.iter().map(|assignment| format!("{path}{assignment}\n")).collect();
             edits.push(self.after_line(last, &lines));
         }
         Ok(edits)
@@ -173,6 +169,18 @@ impl Set<'_> {
 
     /// As one value, whose bracket closes at a place.
     fn in_values(&self, ipc: &dyn TableLike, close: usize, stages: &[Stage]) -> Result<Vec<Edit>, String> {
+        let (mut edits, new) = self.values(ipc, stages)?;
+        if !new.is_empty() {
+            let at = ipc.iter().map(|(_, item)| end_of(item)).max();
+            let before = if at.is_some() { ", " } else { " " };
+            let at = at.unwrap_or(close);
+            edits.push((at..at, before.to_owned() + &new.join(", ")));
+        }
+        Ok(edits)
+    }
+
+    /// What is edited where `enable` and `stage` are values, and the assignments that are missing.
+    fn values(&self, ipc: &dyn TableLike, stages: &[Stage]) -> Result<(Vec<Edit>, Vec<String>), String> {
         let (mut edits, mut new) = (Vec::new(), Vec::new());
         match ipc.get("enable") {
             Some(enable) => edits.extend(dry_run(enable)?),
@@ -183,18 +191,12 @@ impl Set<'_> {
             Some(_) => return Err("stage is no array".to_owned()),
             None => new.push(format!("stage = {}", array(stages, ""))),
         }
-        if !new.is_empty() {
-            let at = ipc.iter().map(|(_, item)| end_of(item)).max();
-            let before = if at.is_some() { ", " } else { " " };
-            let at = at.unwrap_or(close);
-            edits.push((at..at, before.to_owned() + &new.join(", ")));
-        }
-        Ok(edits)
+        Ok((edits, new))
     }
 
     /// Where the axis has none of it yet: after all that it has.
     fn anew(&self, axis: &Table, stages: &[Stage]) -> Result<Vec<Edit>, String> {
-        let name = format!("axis.{}.{}", self.axis, IPC.join("."));
+        let name = self.name();
         let lines = format!("\n[{name}]\nenable = \"DRYRUN\"\n\n{}", self.tables(&name, stages));
         Ok(vec![self.after_line(end_of_table(axis), &lines)])
     }

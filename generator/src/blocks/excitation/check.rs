@@ -4,19 +4,16 @@ use crate::axis::{Axis, Excitation};
 use crate::config::values::key;
 use crate::number::{digits, rounded};
 use crate::parameters::{Name, Value};
-use crate::{codes, rules::effective::Effective};
-use identification::excitation::{LEAST_SPEED, Sequence};
-
-/// The period of the default [s]: its lines are 0.25 Hz apart.
-const PERIOD: f64 = 4.0;
+use crate::{codes, rules::effective::Effective, rules::presence::Presence};
+use identification::excitation::{PERIOD, Sequence};
 
 const KEYS: [Name; 4] =
     [Name::ExcitationAmplitude, Name::ExcitationBits, Name::ExcitationClock, Name::ExcitationPeriods];
 
-/// The excitation of one axis; outer none: an error, which has been said; inner none: nothing asks for it.
-pub(crate) fn check(e: &mut Effective<'_>, cycle_time_ns: Option<u32>) -> Option<Option<Excitation>> {
+/// The excitation of one axis; `None` after a reported error.
+pub(crate) fn check(e: &mut Effective<'_>, cycle_time_ns: Option<u32>) -> Option<Presence<Excitation>> {
     if KEYS.iter().all(|name| e.given(key(*name)).is_none()) {
-        return Some(None);
+        return Some(Presence::Absent);
     }
     let amplitude = e.real(key(Name::ExcitationAmplitude));
     let periods = e.integer(key(Name::ExcitationPeriods));
@@ -28,16 +25,12 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time_ns: Option<u32>) -> Option
     let clock = given(Name::ExcitationClock, e);
     let (amplitude, periods, bits, clock) = (amplitude?, periods?, bits?, clock?);
     let cycle_time = f64::from(cycle_time_ns?) * 1e-9;
-    let usual = Sequence::for_cycle(cycle_time);
-    let clock = clock.unwrap_or(usual.clock());
-    let is_long = |of: &Sequence| of.period() as f64 * cycle_time >= PERIOD;
-    let all = || (7..=15).filter_map(|bits| Sequence::new(bits, clock));
-    let shortest = all().find(is_long).or_else(|| all().next_back());
-    let sequence = bits.map_or(shortest, |bits| Sequence::new(bits, clock))?;
-    for (name, value) in [(Name::ExcitationBits, sequence.bits()), (Name::ExcitationClock, clock)] {
+    let usual = clock.map_or_else(|| Sequence::for_cycle(cycle_time), |clock| Sequence::with_clock(clock, cycle_time));
+    let sequence = bits.map_or(Some(usual), |bits| Sequence::new(bits, usual.clock()))?;
+    for (name, value) in [(Name::ExcitationBits, sequence.bits()), (Name::ExcitationClock, sequence.clock())] {
         e.note(key(name), &Value::Integer(i64::from(value)));
     }
-    Some(Some(Excitation { amplitude, sequence, periods }))
+    Some(Presence::Present(Excitation { amplitude, sequence, periods }))
 }
 
 /// Says what must not be excited, and what would show little.
@@ -50,7 +43,8 @@ pub(crate) fn validate(axis: &Axis, e: &mut Effective<'_>) {
         let allowed = format!("at most {} {unit}, P-AXIS-00757 times P-AXIS-00212", digits(limit));
         e.refuse(codes::EXCITES_TOO_MUCH, place, found, [Some(allowed), Some("a smaller excitation.amplitude".into())]);
     }
-    let least = LEAST_SPEED * of.amplitude;
+    let start = of.at(axis.cycle_time());
+    let least = start.least_speed();
     if least + of.amplitude > axis.ipc.v_max {
         let found = format!(
             "the move while exciting needs {} {unit}, with the excitation {}; vb_max is {} (P-AXIS-00212)",
@@ -60,7 +54,6 @@ pub(crate) fn validate(axis: &Axis, e: &mut Effective<'_>) {
         );
         e.warn(codes::EXCITES_TOO_FAST, place, found, "a smaller excitation.amplitude".to_owned());
     }
-    let start = of.at(axis.cycle_time());
     let period = of.sequence.period() as f64 * axis.cycle_time();
     let names = [Name::ExcitationBits, Name::ExcitationClock];
     let place = names.into_iter().map(key).find(|key| e.given(*key).is_some()).unwrap_or(place);
