@@ -1,5 +1,5 @@
-//! Stages that are written where an axis has its parameters, proved by reading the result: the axis has exactly these stages, the mode
-//! DRYRUN, and all else as before. No file is written here.
+//! Stages that are written where an axis has its parameters, proved by reading the result: the axis has exactly these
+//! stages, the mode DRYRUN, and all else as before. No file is written here.
 
 use crate::axis::{Axis, Enable, Stage};
 use crate::blocks::Designed;

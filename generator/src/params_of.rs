@@ -222,8 +222,8 @@ fn in_all(axis: &BlockIdentity, block: &Block) -> String {
     block_name(&axis.name, block.program.block)
 }
 
-/// What the names of the block begin with in C, which its header is called by, and the name of the set. With short names it has at most
-/// 31 characters.
+/// What the names of the block begin with in C, which its header is called by, and the name of the set. With short
+/// names it has at most 31 characters.
 fn names_in_c(axis: &BlockIdentity, block: &Block, set: u32) -> [String; 2] {
     let header = c_prefix(axis, block.program.block);
     let between = if axis.short_name.is_some() { "set" } else { "set_" };

@@ -350,8 +350,8 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         if !is_muted && !is_rounded && !stays {
             assert!(compare(&expected, &run(&case, Engine::Program, &inputs)).bits > 0, "{}", title(&case));
         }
-        // The self-test of a spindle need not turn it by a whole turn. That of an excitation in C and Rust never starts it, for it
-        // holds the button from its first sample on: `verify` and the runner do.
+        // The self-test of a spindle need not turn it by a whole turn. That of an excitation in C and Rust never
+        // starts it, for it holds the button from its first sample on: `verify` and the runner do.
         if ["spindle", "excitation"].contains(&case.block.program.block) {
             return;
         }

@@ -1,5 +1,5 @@
-//! The demonstration plant against the table of its definition, with the shipped example in the loop; what it shows beyond the table. Nothing of
-//! the commissioning page is here.
+//! The demonstration plant against the table of its definition, with the shipped example in the loop; what it shows
+//! beyond the table. Nothing of the commissioning page is here.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -14,7 +14,8 @@ use std::path::Path;
 
 /// The amplitudes agree within this part of them.
 const TOLERANCE: f64 = 0.01;
-/// So does the peak of a ring-down. The definition leaves open which cycle its window begins with; a cycle more or less changes it by 1 to 3 %.
+/// So does the peak of a ring-down. The definition leaves open which cycle its window begins with; a cycle more or
+/// less changes it by 1 to 3 %.
 const OF_A_PEAK: f64 = 0.02;
 
 /// Lines of the shipped example that are changed: the end of the path, the new value.

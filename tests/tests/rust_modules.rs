@@ -105,7 +105,8 @@ fn symbols(modules: &[File], more: &[&str]) -> Vec<String> {
     String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect()
 }
 
-/// Copies and clears that a compiler makes, and arithmetic of double precision where the processor has none: `core` comes with both.
+/// Copies and clears that a compiler makes, and arithmetic of double precision where the processor has none: `core`
+/// comes with both.
 fn is_of_core(symbol: &str) -> bool {
     ["mem", "__aeabi_mem", "__aeabi_d", "__aeabi_i2d", "__aeabi_ui2d"].iter().any(|start| symbol.starts_with(start))
 }

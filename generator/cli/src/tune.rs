@@ -78,7 +78,7 @@ fn allowed(arguments: &SetArguments, of: &TuneArguments, rules: [Rule<'_>; 2]) -
     Ok(())
 }
 
-/// The proposal of a name, else the first one; none: there is none, which is said.
+/// The proposal of a name, else the first one; `None` after a message.
 fn chosen(tuning: &mut Tuning, kind: Option<&str>) -> Option<Proposal> {
     let is_it = |of: &&Proposal| kind.is_none_or(|kind| of.kind.word() == kind);
     let found = tuning.proposals.iter().find(is_it).cloned();

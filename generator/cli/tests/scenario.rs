@@ -1,5 +1,5 @@
-//! Scenarios on the command line: what is printed and written, what is said of an NC program that cannot be run, and that the pictures
-//! of the documents are those of the command.
+//! Scenarios on the command line: what is printed and written, what is said of an NC program that cannot be run, and
+//! that the pictures of the documents are those of the command.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -261,8 +261,8 @@ fn with_damping(damping: &str) -> TempDir {
     folder
 }
 
-/// `v_add` acts on the drive: what oscillates on the machine oscillates here. Which sets are unstable is what a program of its own found, with
-/// the eigenvalues of the closed loop, in `tests/stability`.
+/// `v_add` acts on the drive: what oscillates on the machine oscillates here. Which sets are unstable is what a
+/// program of its own found, with the eigenvalues of the closed loop, in `tests/stability`.
 #[test]
 fn an_unstable_stage_is_seen() {
     let run = |damping: &str, options: &str| {

@@ -1,5 +1,5 @@
-//! `axgen simulate`: the table of the demonstration plant with the shipped example, a drive whose ripple answers as its analysis says, a
-//! measured response as a machine, and loops that oscillate.
+//! `axgen simulate`: the table of the demonstration plant with the shipped example, a drive whose ripple answers as
+//! its analysis says, a measured response as a machine, and loops that oscillate.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 

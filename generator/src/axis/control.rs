@@ -26,7 +26,8 @@ pub struct Control {
     pub assumed: Vec<String>,
     /// drive type (P-AXIS-00020), where it is given
     pub drive_type: Option<DriveType>,
-    /// gain of the position controller [0.01/s] (P-AXIS-00099), where it is given or used; a drive that controls the position has the same
+    /// gain of the position controller [0.01/s] (P-AXIS-00099), where it is given or used; a drive that controls the
+    /// position has the same
     pub kv: Option<u32>,
 }
 

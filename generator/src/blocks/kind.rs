@@ -97,7 +97,8 @@ impl dyn BlockKind + '_ {
     }
 }
 
-/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this name of [`BlockKind`] does.
+/// A reference in the real type of an axis; `part`: what its block's folder says. Each does what the function of this
+/// name of [`BlockKind`] does.
 pub trait Typed: Sync {
     #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
     fn program(&self, part: &dyn Part, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;

@@ -58,8 +58,9 @@ pub(crate) fn oscillation(of: &Shape) -> oscillation::Coeffs<f64> {
 /// A, B and C of the band-pass part c k g s / (s^2 + k g s + g^2), s = (1 - z^-1) / (1 + z^-1), with the signs of
 /// `u = A p - B s1; s1' = s1 + u; y = s1 + s1'; p = p - C y`.
 ///
-/// h = 1 / d, d = 1 + k g + g^2: A = g h c k, B = 2 (g + k) g h, C = 2 g / (c k). From the state-variable filter with the integrators
-/// i1 and i2, hp = (x - i2 - (g + k) i1) h, bp = i1 + g hp, lp = i2 + g bp, where p = x - i2 and s1 = c k i1 / 2.
+/// h = 1 / d, d = 1 + k g + g^2: A = g h c k, B = 2 (g + k) g h, C = 2 g / (c k). From the state-variable filter with
+/// the integrators i1 and i2, hp = (x - i2 - (g + k) i1) h, bp = i1 + g hp, lp = i2 + g bp, where p = x - i2 and s1 =
+/// c k i1 / 2.
 ///
 /// No coefficient is a difference, and each takes part in the response by its own relative rounding: single precision keeps a low
 /// centre as well as a high one.

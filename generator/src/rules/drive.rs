@@ -17,7 +17,7 @@ pub(crate) struct Drive {
 }
 
 impl Drive {
-    /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; none: an error, which has been reported.
+    /// Scaling of the additive velocity (P-AXIS-00205 to 00207), where it is put out; `None` after a reported error.
     pub(crate) fn velocity(&self, e: &mut Effective<'_>, is_put_out: bool) -> Option<Presence<Velocity>> {
         let Some(width) = self.velocity.filter(|_| is_put_out) else { return Some(Presence::Absent) };
         let velocity = velocity(e, width);

@@ -1,6 +1,6 @@
 //! Whether an axis has something, once its parameters are valid.
 
-/// Something that an axis may have. As `Option<Presence<T>>` it is the result of a rule; none: an error, which has been reported.
+/// Something that an axis may have. As `Option<Presence<T>>` it is the result of a rule; `None` after a reported error.
 pub(crate) enum Presence<T> {
     /// the axis does not have it, or does not use it
     Absent,

@@ -106,7 +106,8 @@ fn set_point(but: &str) -> String {
     indirect(but).replace("INDIRECT", "SET_POINT")
 }
 
-/// A spindle with a changeover in a SERCOS drive that nothing is said about, as keys of a set, without what the test itself gives.
+/// A spindle with a changeover in a SERCOS drive that nothing is said about, as keys of a set, without what the test
+/// itself gives.
 fn sercos(but: &str) -> String {
     stage(
         &[

@@ -21,8 +21,8 @@ fn words(lines: &str) -> Vec<String> {
     lines.take_while(|line| !line.starts_with("assumed")).map(str::to_owned).collect()
 }
 
-/// The manual's first example: 200 and 50 rpm, Kv 20/s, 50 % feedforward, 1e-4 rpm at the velocity interface. 60 deg of lag are 30
-/// with the feedforward.
+/// The manual's first example: 200 and 50 rpm, Kv 20/s, 50 % feedforward, 1e-4 rpm at the velocity interface. 60 deg
+/// of lag are 30 with the feedforward.
 #[test]
 fn the_example_of_a_sercos_drive() {
     let example = sercos(
@@ -160,7 +160,8 @@ fn predecessors_are_the_same_axis() {
     assert_eq!(old, new);
 }
 
-/// The digest of a block covers what it is made of: the changeover is made of its own parameters, which no other block is made of.
+/// The digest of a block covers what it is made of: the changeover is made of its own parameters, which no other
+/// block is made of.
 #[test]
 fn what_the_digests_cover() {
     let lines = "antr.feed_forward_v_weighting = 300\nspindle.window = 7000\ngetriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]";

@@ -25,7 +25,8 @@ fn pieces(name: &str, text: &str) -> Vec<String> {
     found
 }
 
-/// Characters in a line of a language at most: one comparison with a named number, deep inside, is not broken. XML breaks no line.
+/// Characters in a line of a language at most: one comparison with a named number, deep inside, is not broken. XML
+/// breaks no line.
 const WIDTH: usize = 150;
 
 #[test]

@@ -1,5 +1,5 @@
-//! Commissioning pages: which axes have one, and what a page says of an axis that is not the shipped example. Whether its steps lead anywhere is
-//! tested on a simulated machine, in the crate tests.
+//! Commissioning pages: which axes have one, and what a page says of an axis that is not the shipped example. Whether
+//! its steps lead anywhere is tested on a simulated machine, in the crate tests.
 
 use generator::config::ListOptions;
 use generator::digest::has_right_checksum;

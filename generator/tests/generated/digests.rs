@@ -139,8 +139,8 @@ fn another_delay_leaves_ipc_as_it_is() {
     assert_eq!(changed, BTreeSet::from(["axis", "feedforward"]));
 }
 
-/// Each parameter of the table that an axis does not have, written with its default: so a key that is new in this program leaves the files
-/// of a set without it as they were.
+/// Each parameter of the table that an axis does not have, written with its default: so a key that is new in this
+/// program leaves the files of a set without it as they were.
 #[test]
 fn a_default_that_is_written_changes_no_file() {
     let mut written: BTreeSet<String> = BTreeSet::new();

@@ -168,7 +168,8 @@ fn the_values_are_those_of_the_reference() {
     assert_eq!(value("stage2_gain"), None, "the stage is not there");
 }
 
-/// Whatever bit of a number of the set is another one, the block refuses it, but for the sign of a 0: what docs/parameter-sets.md says.
+/// Whatever bit of a number of the set is another one, the block refuses it, but for the sign of a 0: what
+/// docs/parameter-sets.md says.
 #[test]
 fn no_changed_bit_escapes() {
     let (of, of_single) = (axis(&[]), axis(&[SINGLE]));

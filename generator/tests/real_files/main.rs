@@ -1,5 +1,6 @@
-//! Files as machines, manuals and people have them: what is read from them, what is said of them, and that they come back to the byte.
-//! `UPDATE_EXPECT=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew; read their difference.
+//! Files as machines, manuals and people have them: what is read from them, what is said of them, and that they come
+//! back to the byte. `UPDATE_EXPECT=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew;
+//! read their difference.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 

@@ -28,7 +28,8 @@
 //! | `M3 S1000`, `M4`, `S500`, `M5` | spindle 1 turns, takes another speed [rpm] in the direction in force, stops |
 //! | `M19 S.POS=180 S500 M4` | spindle 1 goes to an angle [deg]; speed [rpm] and direction are optional |
 //! | `G0 X1 Y2`, `G1 X1 F600`, `X2` | the axes go to a position [mm, deg], rapidly or with a feed [mm/min] |
-//! | `G90`, `G91`; `G20`, `G70`, `G21`, `G71`; `G92 X0` | positions are absolute, incremental; inches, mm; the position gets another number |
+//! | `G90`, `G91`; `G20`, `G70`, `G21`, `G71`; `G92 X0` | positions are absolute, incremental; inches, mm; the
+//! position gets another number |
 //! | `G4 X2.5`, `G4 F2`, `G4 P1.5`, `#TIME 2` | dwell [s] |
 //! | `M30`, `M2` | end |
 //!

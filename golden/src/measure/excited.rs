@@ -240,10 +240,10 @@ fn dead_time_is_possible(time: Option<Time>, cycle: f64, verdicts: &mut Vec<Verd
     }
 }
 
-/// Whether the excitation makes all lines. What turns with the axis, as the mesh of a pinion, makes a line of its own, which repeats
-/// from period to period where its frequency is near a multiple of 1/(N T): its standard error is small, and it is wrong by much. A line
-/// is foreign if it is away from the middle of its neighbours by half of it, by 5 standard errors of those around, and by three times
-/// what these are away from each other.
+/// Whether the excitation makes all lines. What turns with the axis, as the mesh of a pinion, makes a line of its
+/// own, which repeats from period to period where its frequency is near a multiple of 1/(N T): its standard error is
+/// small, and it is wrong by much. A line is foreign if it is away from the middle of its neighbours by half of it,
+/// by 5 standard errors of those around, and by three times what these are away from each other.
 fn has_no_foreign_line(lines: &Lines, verdicts: &mut Vec<Verdict>) -> bool {
     const AROUND: usize = 4;
     let [part, errors_away, steps_away] = [0.5, 5.0, 3.0];

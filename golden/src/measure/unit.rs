@@ -72,7 +72,7 @@ impl Unit {
         self.name.contains("deg") || matches!(self.name, "1/min" | "rpm")
     }
 
-    /// The unit of a rotary axis that stands for a translatory one; none: there is none.
+    /// The unit of a rotary axis that corresponds to a translatory one; `None` if there is no such unit.
     pub(super) fn rotary(self) -> Option<Self> {
         let name = match self.name {
             "um/s" => "0.001 deg/s",

@@ -2,7 +2,8 @@
 //! simple drive. No file, no engine other than the reference.
 //!
 //! ```text
-//! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive -> actual values -> ...
+//! program -> interpreter (spindle, path) -> interpolator (machine::profile) -> reference of the block -> drive ->
+//! actual values -> ...
 //! ```
 //!
 //! A block of a program ends when its commands are finished. The result is the samples that the block got. They are rounded

@@ -19,15 +19,16 @@ const SPEED: f64 = 4.0;
 /// Time at constant speed before the excitation and after it [s].
 const AROUND: f64 = 0.5;
 
-/// Moves forward and back, nothing added; a dwell [s] takes the place of the usual one. `noise`: its rms value as a part of the peak of
-/// what is measured.
+/// Moves forward and back, nothing added; a dwell [s] takes the place of the usual one. `noise`: its rms value as a
+/// part of the peak of what is measured.
 #[must_use]
 pub fn moves(designed: &Designed, moved: Moved, dwell: Option<f64>, noise: f64) -> String {
     let set = Setting::new(designed, moved, dwell, &[]);
     csv(&set.run(&set.sequence, &mut |_| 0.0), None, noise)
 }
 
-/// A move at a constant speed [m/s], by default 4 amplitudes of the excitation, with the excitation of the axis from its start to its end.
+/// A move at a constant speed [m/s], by default 4 amplitudes of the excitation, with the excitation of the axis from
+/// its start to its end.
 ///
 /// # Errors
 /// The axis does not have the block `excitation`, or the block reports an error.

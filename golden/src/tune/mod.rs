@@ -59,13 +59,13 @@ pub struct Tuning {
     pub cycle_time: f64,
     /// degrees instead of millimetres
     pub is_rotary: bool,
-    /// Kv [1/s]; none: the set does not state it
+    /// Kv [1/s]; `None` if the set does not state it
     pub position_gain: Option<f64>,
     /// the vibrations, in the order of the stages
     pub chosen: Vec<Chosen>,
     pub proposals: Vec<Proposal>,
     pub verdicts: Vec<Verdict>,
-    /// the response of the drive; none: it is not known
+    /// the response of the drive; `None` if it is not known
     pub lines: Option<Lines>,
 }
 
@@ -134,8 +134,8 @@ pub fn tune(
     tuning
 }
 
-/// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C of the stages that
-/// the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
+/// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C
+/// of the stages that the axis has. The one pair of channels that shows a `v_motor` which is whole cycles late.
 fn is_of_block(axis: &Axis, record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
     let stages: Vec<Stage> = axis.ipc.stage.iter().flatten().cloned().collect();
     let pair = record.get("v_motor").zip(record.get("v_add_calculated"));

@@ -125,7 +125,7 @@ impl Task<'_> {
         verdicts.push(Verdict::note(codes::LIMIT_TOO_LOW, found, instead));
     }
 
-    /// The stages of the axis, whose effect shall be known; none: it cannot be, which is said.
+    /// The stages of the axis, to be predicted; `None` after a verdict.
     pub(super) fn given(&self, verdicts: &mut Vec<Verdict>) -> Option<Vec<Stage>> {
         let all: Vec<Stage> = self.axis.ipc.stage.iter().flatten().cloned().collect();
         let mut refuse = |found: String, instead| {

@@ -1,4 +1,5 @@
-//! A recording as it would have been with stages: as CSV with the columns of the recording, and as a picture. Nothing is measured here.
+//! A recording as it would have been with stages: as CSV with the columns of the recording, and as a picture. Nothing
+//! is measured here.
 
 use super::Tuning;
 use super::stage::controller;
@@ -15,9 +16,10 @@ const USED: f64 = 0.999;
 /// The spectra of the picture [Hz].
 const BAND: [f64; 2] = [2.0, 250.0];
 
-/// The record of moves with stages: what acts on the motor is left by R = S/S0. `v_motor`, `v_direct` and `a_load` times R; `v_add` is
-/// C R `v_motor`; the following error grows by T sum(v - R v), `v_command` by Kv times that. `x_command` and `v_excite` stay. A channel
-/// whose unit is not known, and is needed, is left out. None: no response is known, or no velocity of the motor.
+/// The record of moves with stages: what acts on the motor is left by R = S/S0. `v_motor`, `v_direct` and `a_load`
+/// times R; `v_add` is C R `v_motor`; the following error grows by T sum(v - R v), `v_command` by Kv times that.
+/// `x_command` and `v_excite` stay. A channel whose unit is not known, and is needed, is left out. None: no response
+/// is known, or no velocity of the motor.
 #[must_use]
 pub fn with_stages(tuning: &Tuning, record: &Record, stages: &[Stage]) -> Option<Record> {
     let cycle = tuning.cycle_time;

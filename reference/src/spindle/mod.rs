@@ -161,7 +161,8 @@ pub fn begin<R: Real>(
     request_error
 }
 
-/// The motion that the interpolator does not lead. The velocity command of a spindle that is stopped, or whose drive is off, goes to 0.
+/// The motion that the interpolator does not lead. The velocity command of a spindle that is stopped, or whose drive
+/// is off, goes to 0.
 #[portable]
 pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &Cycle<R>, is_stopped: bool, drive_on: bool) {
     if is_stopped || cycle.brakes || !drive_on {

@@ -46,7 +46,8 @@ pub struct Inputs<R> {
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,
-    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task is used; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
+    /// with the key cycle_counter: cycle counter of the controller; 0: unchecked, in TwinCAT the counter of the task
+    /// is used; skipped and doubled calls and, while the drive is on, a pause are an error that stays until reset
     pub cycle_counter: u32,
 }
 
@@ -76,7 +77,8 @@ pub struct Outputs<R> {
     pub velocity_command: i32,
     /// an error of this cycle, or one that stays until reset: 0 none
     pub error_id: u32,
-    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be monitored
+    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
+    /// position may be monitored
     pub loop_closed: bool,
     /// velocity_command is limited to the range of its process-data type in this cycle
     pub limited: bool,

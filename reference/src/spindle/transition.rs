@@ -86,8 +86,8 @@ pub fn is_led<R: Real>(
     leads
 }
 
-/// POSITION: the interpolator moves the spindle under position control. VELOCITY: its velocity does. TO_VELOCITY: the drive may obey the
-/// position or the velocity.
+/// POSITION: the interpolator moves the spindle under position control. VELOCITY: its velocity does. TO_VELOCITY: the
+/// drive may obey the position or the velocity.
 #[portable]
 pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
     let is_velocity_displayed = is_displayed(coeffs, inputs, coeffs.velocity_mode);
@@ -132,7 +132,8 @@ pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) ->
     within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
 }
 
-/// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs the drive's answer.
+/// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs
+/// the drive's answer.
 #[portable]
 pub fn brake<R: Real>(
     state: &mut State<R>,

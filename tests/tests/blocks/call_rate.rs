@@ -1,5 +1,6 @@
-//! Blocks that are not called once in each cycle: what a wrong rate makes of improved position control where nobody looks, after how many
-//! cycles it is a fault where the axis has the key `cycle_counter`, and what a block does after a pause.
+//! Blocks that are not called once in each cycle: what a wrong rate makes of improved position control where nobody
+//! looks, after how many cycles it is a fault where the axis has the key `cycle_counter`, and what a block does after
+//! a pause.
 
 use axgen_tests::model::calls::Calls;
 use axgen_tests::model::subject;
@@ -191,7 +192,8 @@ fn counters(seed: u64, irregular: usize) -> impl Iterator<Item = u32> {
     })
 }
 
-/// The block `ipc` follows the rules of the document: its fault, and where it starts anew. The other parts of the model say the rest.
+/// The block `ipc` follows the rules of the document: its fault, and where it starts anew. The other parts of the
+/// model say the rest.
 #[test]
 fn improved_position_control_follows_the_model_of_the_calls() {
     let designed = read("cycle_counter = true");
@@ -285,7 +287,8 @@ antr.sai_op_mode_change.v_position_control_on = 300000
 getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
 ";
 
-/// A pause alone stops a spindle whose drive is on: from its actual velocity, with the deceleration of the changeover, until reset.
+/// A pause alone stops a spindle whose drive is on: from its actual velocity, with the deceleration of the
+/// changeover, until reset.
 #[test]
 fn a_spindle_stops_behind_a_pause_without_a_jump() {
     let designed = subject::read(SPINDLE);

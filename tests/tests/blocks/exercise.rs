@@ -1,5 +1,6 @@
-//! The exercise of `verify` reaches every part of every golden case's block: each input moves, each output changes, a spindle passes through its
-//! states and transitions, parameter sets are taken over and refused. What a block cannot reach is named here.
+//! The exercise of `verify` reaches every part of every golden case's block: each input moves, each output changes, a
+//! spindle passes through its states and transitions, parameter sets are taken over and refused. What a block cannot
+//! reach is named here.
 
 use axgen_tests::cases::{all, title};
 use golden::case::Case;

@@ -87,7 +87,8 @@ fn stands(cycle: &Cycle) {
     assert!((cycle.x_actual - 180_000.0).abs() <= 100.0, "{cycle:?}");
 }
 
-/// From velocity control over Voff to position control: no jump of the drive's position, and none where the interpolator takes over.
+/// From velocity control over Voff to position control: no jump of the drive's position, and none where the
+/// interpolator takes over.
 fn changes_at(cycles: &[Cycle], off: f64, settled: f64, lead_time: f64) {
     let last = cycles.iter().rposition(|cycle| cycle.state == BRAKE).unwrap();
     let (left, entered) = (cycles[last], cycles[last + 1]);

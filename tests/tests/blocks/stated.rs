@@ -218,8 +218,8 @@ fn a_drive_keeps_its_position_without_a_command_in_range() {
     assert_eq!([loose, block.step(&at(f64::NAN)).value("x_drive")], [700.0; 2]);
 }
 
-/// A torque is limited where the number is rounded beyond INT16, not before. A kilogram, a newton at 1000 increments: 1000 um/s^2 an
-/// increment.
+/// A torque is limited where the number is rounded beyond INT16, not before. A kilogram, a newton at 1000 increments:
+/// 1000 um/s^2 an increment.
 #[test]
 fn a_torque_is_limited_where_its_integer_ends() {
     let lines = "motor = \"linear\"\nkenngr.antr_typ = \"SERCOS\"\nprocess_data.additive_torque = \"INT16\"\n\

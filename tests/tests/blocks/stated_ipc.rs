@@ -1,5 +1,6 @@
-//! What docs/improved-position-control.md and docs/parameter-sets.md state of the block `ipc`, one sentence a test, against its reference. All kinds
-//! of the block: with constants, with weights that the caller tunes, with parameter sets.
+//! What docs/improved-position-control.md and docs/parameter-sets.md state of the block `ipc`, one sentence a test,
+//! against its reference. All kinds of the block: with constants, with weights that the caller tunes, with parameter
+//! sets.
 
 #![expect(clippy::float_cmp, reason = "what is nothing, or the same, is that number")]
 

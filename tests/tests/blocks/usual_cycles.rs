@@ -1,5 +1,5 @@
-//! A usual cycle of a spindle does what any cycle would do: the same outputs and the same state, bit by bit. That the one is faster is
-//! measured by `tests/bench/run`.
+//! A usual cycle of a spindle does what any cycle would do: the same outputs and the same state, bit by bit. That the
+//! one is faster is measured by `tests/bench/run`.
 
 use axgen_tests::model::spindle::{Inputs, Parameters, block, history};
 use axgen_tests::model::subject;
@@ -37,8 +37,8 @@ where
     usual
 }
 
-/// At least a sixth of the cycles must have been usual ones, else little is compared. A whole spindle in the CNC stops with a lag that the
-/// histories, which have no loop of their own, do not avoid.
+/// At least a sixth of the cycles must have been usual ones, else little is compared. A whole spindle in the CNC
+/// stops with a lag that the histories, which have no loop of their own, do not avoid.
 fn assert_many(usual: usize) {
     let all = usize::try_from(HISTORIES).expect("a number") * CYCLES;
     assert!(usual * 6 > all, "{usual} of {all} cycles were usual ones");

@@ -13,7 +13,8 @@ const LOOPS: usize = 100;
 /// A swing grows, or decays, by e in less than so long [s]: what lies between is neither.
 const GROWS: f64 = 1.0;
 const DECAYS: f64 = -3.0;
-/// |v_add| may be at its limit for so long in one spell before it is faded out [s]. What a move does before the loop has grown counts for itself.
+/// |v_add| may be at its limit for so long in one spell before it is faded out [s]. What a move does before the loop
+/// has grown counts for itself.
 const ALLOWED: f64 = 0.2;
 /// So many of 100 must be faded out in time.
 const IN_TIME: usize = 95;
@@ -22,7 +23,8 @@ const UNSTABLE: f64 = 30.0;
 const STABLE: f64 = 12.0;
 const AFTER: f64 = 1.0;
 
-/// Random loops that are good without improved position control, by how they are with it: unstable ones, stable ones; each with its growth.
+/// Random loops that are good without improved position control, by how they are with it: unstable ones, stable ones;
+/// each with its growth.
 fn loops(count: usize) -> [Vec<(Loop, f64, Rng)>; 2] {
     let mut found = [Vec::new(), Vec::new()];
     for first in (0..).step_by(4 * LOOPS) {

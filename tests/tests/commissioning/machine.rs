@@ -1,5 +1,5 @@
-//! The machine that a commissioning page is followed on: the demonstration plant, the block that is loaded, the files of somebody who has a
-//! PC next to it. Nothing of the page here.
+//! The machine that a commissioning page is followed on: the demonstration plant, the block that is loaded, the files
+//! of somebody who has a PC next to it. Nothing of the page here.
 
 use axgen_tests::subject::Subject;
 use machine::closed_loop::{self, Position, Record, Signals};

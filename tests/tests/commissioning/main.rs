@@ -1,5 +1,6 @@
-//! The commissioning page of the shipped example, followed word by word on the demonstration plant: every command is run, every number is used, in the
-//! order of the page. In the end both vibrations are below half. A step that is missing, or a number that nobody needs, fails.
+//! The commissioning page of the shipped example, followed word by word on the demonstration plant: every command is
+//! run, every number is used, in the order of the page. In the end both vibrations are below half. A step that is
+//! missing, or a number that nobody needs, fails.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::float_cmp, reason = "numbers that were written, and 0, are exact")]

@@ -23,8 +23,8 @@ pub struct Board {
 
 const ARM: &str = "arm-none-eabi-gcc";
 
-/// Without a floating-point unit, with one for single precision, with one for both, and of 64 bits. Where a unit multiplies and adds
-/// in one operation, the compiler is asked to use that.
+/// Without a floating-point unit, with one for single precision, with one for both, and of 64 bits. Where a unit
+/// multiplies and adds in one operation, the compiler is asked to use that.
 pub const BOARDS: [Board; 5] = [
     Board {
         name: "Cortex-M0+",

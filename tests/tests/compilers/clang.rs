@@ -1,5 +1,5 @@
-//! clang for ARM: what it makes of the emitted C calls nothing but what a processor without the arithmetic needs, and links and runs as
-//! docs/runner.md says. Without an attribute it stores several zeros by a call of memset.
+//! clang for ARM: what it makes of the emitted C calls nothing but what a processor without the arithmetic needs, and
+//! links and runs as docs/runner.md says. Without an attribute it stores several zeros by a call of memset.
 
 use crate::bare::is_arithmetic;
 use crate::boards::{BOARDS, Emitted, finished, said, written};

@@ -89,8 +89,8 @@ fn the_header_is_fit_for_cpp() {
     }
 }
 
-/// No library, no memset or memcpy that the compiler makes of a loop or a copy, and nothing writable but the caller's. A self-test needs its
-/// block.
+/// No library, no memset or memcpy that the compiler makes of a loop or a copy, and nothing writable but the
+/// caller's. A self-test needs its block.
 #[test]
 fn objects_need_no_symbol_and_hold_no_writable_data() {
     if !has("nm", "nm", "binutils") {

@@ -1,4 +1,5 @@
-//! Random axes: the emitted C, many axes in one program, gives the bits of the reference. `AXGEN_RANDOM_AXES` is another number of them.
+//! Random axes: the emitted C, many axes in one program, gives the bits of the reference. `AXGEN_RANDOM_AXES` is
+//! another number of them.
 
 use crate::boards::{Emitted, run_here};
 use axgen_tests::environment::by_depth;

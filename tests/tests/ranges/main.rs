@@ -1,5 +1,5 @@
-//! What the range analysis shows: of every golden case all that it should, of ten planted defects none; and what runs from any state
-//! stays within what was shown.
+//! What the range analysis shows: of every golden case all that it should, of ten planted defects none; and what runs
+//! from any state stays within what was shown.
 
 #![expect(clippy::cast_possible_truncation, reason = "random bits")]
 

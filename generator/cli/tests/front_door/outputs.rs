@@ -1,4 +1,5 @@
-//! Single files that commands write: which ones they replace, that no link leads elsewhere, and that nothing is left of a failure.
+//! Single files that commands write: which ones they replace, that no link leads elsewhere, and that nothing is left
+//! of a failure.
 
 use super::{AXGEN, axgen, started};
 use std::fs;

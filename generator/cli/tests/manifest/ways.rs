@@ -11,7 +11,8 @@ pub struct Way {
     pub run: &'static str,
     /// the exit codes of the check and of the run
     pub codes: (i32, i32),
-    /// `-` removed, `!` kept because it is not as it was generated, `?` kept because nothing lists it; of a run that is refused: its words
+    /// `-` removed, `!` kept because it is not as it was generated, `?` kept because nothing lists it; of a run that
+    /// is refused: its words
     pub said: &'static [&'static str],
     /// the runs that give the same in a fresh folder
     pub whole: &'static [&'static str],

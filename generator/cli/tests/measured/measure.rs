@@ -320,7 +320,7 @@ fn a_line_that_the_excitation_does_not_make() {
     let json = run.json();
     let has_code = json["verdicts"].as_array().unwrap().iter().any(|of| of["code"] == "AX526");
     assert!(run.code == 1 && has_code && json["response"].is_null(), "{:#}", json["verdicts"]);
-    // An excitation that is no sequence of a register, with stages on or off.
+    // An excitation that is not the sequence of a register, with stages on or off.
     let mut foreign = EXCITED.clone();
     let mut noise = Noise(5);
     foreign[V_CMD].iter_mut().for_each(|v| *v = 20_000.0 + 5000.0 * noise.next());

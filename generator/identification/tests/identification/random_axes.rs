@@ -1,5 +1,6 @@
-//! Proposals for random axes, tried in a run: none is unstable or beyond its limit, and what is predicted is what is left. A vibration
-//! that enters at the load gets a proposal only if the sensor says that it enters at the motor, and then it gets no worse.
+//! Proposals for random axes, tried in a run: none is unstable or beyond its limit, and what is predicted is what is
+//! left. A vibration that enters at the load gets a proposal only if the sensor says that it enters at the motor, and
+//! then it gets no worse.
 
 use crate::plant::{CYCLE, Impulse, random_axis};
 use crate::proposals::{Truth, measured, proposed, stages, tried};
@@ -77,8 +78,9 @@ fn quantiles(of: &[f64]) -> [f64; 2] {
     [sizes.len() * 95 / 100, sizes.len() - 1].map(|k| sizes[k.min(sizes.len() - 1)])
 }
 
-/// What stages leave of an error of the mesh that acts between motor and load, where the sensor says that it enters at the motor; none:
-/// it says that it does not. By the equations of the plant, its velocity loop continuous, with the true P.
+/// What stages leave of an error of the mesh that acts between motor and load, where the sensor says that it enters
+/// at the motor; none: it says that it does not. By the equations of the plant, its velocity loop continuous, with
+/// the true P.
 fn left_at_load(plant: &Plant, truths: &[Truth; 3], proposal: &Proposal) -> Option<f64> {
     let Plant { mechanics: m, kp, tn, drive_cycle, .. } = *plant;
     let hz = VIBRATIONS[0].hz;

@@ -38,7 +38,8 @@ impl Part for Excitation {
         [amplitude / 16.0, 4.0 * amplitude]
     }
 
-    /// The button is released and pressed; the motor moves on, then turns round. A second start in the other direction is released.
+    /// The button is released and pressed; the motor moves on, then turns round. A second start in the other
+    /// direction is released.
     fn drill(&self, designed: &Designed) -> Vec<Drill> {
         let speed = 4.0 * amplitude(designed);
         let part = |input, value, samples| Drill { input, value, samples };

@@ -7,7 +7,7 @@ use crate::rules::drive::{self, Drive};
 use crate::rules::{corrected, effective::Effective, presence::Presence};
 use crate::{codes, config::values::key, diagnostics::Diagnostic};
 
-/// Feedforward of one axis; none: an error, which has been reported.
+/// Feedforward of one axis; `None` after a reported error.
 pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, drive: &Drive) -> Option<Presence<Feedforward>> {
     let words: Vec<FeedforwardWord> = e.validated_words(key(Name::FeedforwardMode))?;
     let has = |word| words.contains(&word);
@@ -189,7 +189,7 @@ fn without_delay(e: &mut Effective<'_>, words: &[FeedforwardWord]) -> Option<()>
     None
 }
 
-/// Scaling of the additive torque; absent: a correction has switched it off; none: an error, which has been reported.
+/// Scaling of the additive torque; absent: a correction has switched it off; `None` after a reported error.
 fn torque_of(e: &mut Effective<'_>, drive: &Drive) -> Option<Presence<Torque>> {
     let motor: Option<Motor> = e.word(key(Name::Motor));
     let load = e.real((Name::Load, [drive.gear, 0]));

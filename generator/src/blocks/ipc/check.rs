@@ -118,7 +118,7 @@ fn v_max(e: &mut Effective<'_>, real: Option<RealKind>) -> Option<f64> {
     Some(v_max)
 }
 
-/// A stage; absent: it is not active; none: an error, which has been reported.
+/// A stage; absent: it is not active; `None` after a reported error.
 fn stage(e: &mut Effective<'_>, i: u32, cycle_time: Option<u32>) -> Option<Presence<Stage>> {
     let word: StageMode = e.word((Name::Mode, [i, 0]))?;
     let mode = match word {

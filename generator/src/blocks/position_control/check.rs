@@ -7,7 +7,7 @@ use crate::rules::drive::{self, Drive, ratio};
 use crate::rules::{effective::Effective, presence::Presence};
 use crate::{codes, config::values::key};
 
-/// Position control of one axis; absent: nothing asks for it; none: an error, which has been reported.
+/// Position control of one axis; absent: nothing asks for it; `None` after a reported error.
 ///
 /// An axis gets it if its list gives Kv, if there is feedforward, if its drive controls the position and improved position
 /// control needs an output there, and if it is a gantry slave: otherwise it could not output the velocity that its master

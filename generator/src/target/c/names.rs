@@ -2,8 +2,9 @@
 
 use crate::target::{BlockIdentity, block_name, own_self_test};
 
-/// What the names of a block's types, functions and files begin with. The longest name that linkers see is `.._inputs_init`: with a short
-/// name of the block, and the longest one that an axis may have then, it has 31 characters.
+/// What the names of a block's types, functions and files begin with. The longest name that linkers see is
+/// `.._inputs_init`: with a short name of the block, and the longest one that an axis may have then, it has 31
+/// characters.
 pub(crate) fn prefix(axis: &BlockIdentity, block: &str) -> String {
     called(&axis.name, block, axis.short_name)
 }

@@ -109,8 +109,8 @@ impl Certificate {
 
     /// Whether every value inside the block stays finite for any sample in range.
     fn is_within_precision(&self) -> bool {
-        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 4; in a trapezoidal section,
-        // whose C may be larger, each product is a sum of up to four states.
+        // An intermediate value is a sum of up to three products of a state and a coefficient of up to 4; in a
+        // trapezoidal section, whose C may be larger, each product is a sum of up to four states.
         self.bound.state.larger(self.bound.v_sum).larger(1.0) * sample_limit(self.real) * 8.0 <= largest(self.real)
     }
 }

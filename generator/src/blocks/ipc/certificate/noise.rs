@@ -126,9 +126,9 @@ fn of_section(section: &Trapezoidal, t: f64, offset: f64, vibration: f64) -> f64
 
 /// Sums of the squares of impulse responses, in closed form.
 ///
-/// The trapezoidal rule keeps the Gramian of the continuous section i1' = -k g i1 - g i2, i2' = g i1, i1 = 2 s1, i2 = -p: that of its
-/// band-pass part is 1 / (4 k g) times the unit matrix, that of its high-pass part, with the output k i1 + i2, is
-/// 1 / (4 k g) [k^2 + 1, k; k, 1].
+/// The trapezoidal rule keeps the Gramian of the continuous section i1' = -k g i1 - g i2, i2' = g i1, i1 = 2 s1, i2 =
+/// -p: that of its band-pass part is 1 / (4 k g) times the unit matrix, that of its high-pass part, with the output k
+/// i1 + i2, is 1 / (4 k g) [k^2 + 1, k; k, 1].
 struct Gain {
     /// 1 / (k g)
     weight: f64,

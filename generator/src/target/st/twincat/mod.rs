@@ -60,7 +60,8 @@ struct TcParams<'a> {
     set: &'a SetType,
 }
 
-/// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter sets, if it takes any.
+/// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter
+/// sets, if it takes any.
 pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
     let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
