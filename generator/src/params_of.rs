@@ -13,6 +13,11 @@ use compiler::pass::Defect;
 use compiler::print::{Language, c, rust, signals, st};
 use portable::Literal;
 
+/// The first four bytes of a set in the form `bin`.
+pub const BIN_MAGIC: [u8; 4] = *b"AXPS";
+/// The version of that form.
+pub const BIN_VERSION: u32 = 1;
+
 /// The form of a parameter set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
@@ -26,7 +31,7 @@ pub enum Form {
     Scl,
     /// a line `name,value` for each member
     Csv,
-    /// the bytes of the struct in C, little-endian
+    /// [`BIN_MAGIC`], [`BIN_VERSION`], the length of the struct in C, and its bytes, all little-endian
     Bin,
 }
 
@@ -141,7 +146,13 @@ pub fn bytes(designed: &Designed, form: Form) -> Result<Vec<u8>, Defect> {
             rendered(&of.file, "", &StSet { of: &of, variable, kind }).text.into_bytes()
         }
         Form::Csv => members(&block, &c::LANGUAGE).iter().flat_map(|member| line(member).into_bytes()).collect(),
-        Form::Bin => members(&block, &c::LANGUAGE).into_iter().flat_map(|(_, value)| little_endian(value)).collect(),
+        Form::Bin => {
+            let members = members(&block, &c::LANGUAGE);
+            let bytes: Vec<u8> = members.into_iter().flat_map(|(_, value)| little_endian(value)).collect();
+            let length = u32::try_from(bytes.len())
+                .map_err(|_| Defect { pass: "params_of", message: "a set of more than 4 GB".to_owned() })?;
+            [&BIN_MAGIC[..], &BIN_VERSION.to_le_bytes(), &length.to_le_bytes(), &bytes].concat()
+        }
     })
 }
 

@@ -3,10 +3,10 @@
 //!
 //! H(z) = b0 (1 - z^-2) / (1 + a1 z^-1 + a2 z^-2). Zeros at DC and at the Nyquist frequency.
 
-use crate::check_word::{Forming, add_three, largest_number};
-use crate::section::{State, anti_denormal, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
-use crate::{trapezoidal, turn};
-use portable::{Real, copy, in_range, portable, stored};
+use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::trapezoidal;
+use crate::turn::{Picked, role_a2, role_c};
+use portable::{Real, copy, portable};
 
 /// Coefficients, with a0 = 1, b0 = -b2 and the signs of `y = -b2 x + s1; s1 = s2 - a1 y; s2 = b2 x - a2 y`.
 ///
@@ -100,52 +100,39 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
-    let mut at = first;
+pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>) -> u32 {
     if is_driven_by_change::<R>() {
-        for i in 0..3 {
-            if turn == at {
-                let numbers = [stored(now.a), stored(now.b), stored(now.c)];
-                let copies = [copy.a, copy.b, copy.c];
-                let difference = numbers[i] - copies[i];
-                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
-            }
-            at += 1i32;
+        if turn == first {
+            picked.number = numbers.a;
+        }
+        if turn == first + 1u32 {
+            picked.number = numbers.b;
+        }
+        if turn == first + 2u32 {
+            picked.number = numbers.c;
         }
     } else {
-        for i in 0..3 {
-            if turn == at {
-                let numbers = [stored(now.b2), stored(now.a1), stored(now.a2)];
-                let copies = [copy.b2, copy.a1, copy.a2];
-                let difference = numbers[i] - copies[i];
-                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
-            }
-            at += 1i32;
+        if turn == first {
+            picked.number = numbers.b2;
+        }
+        if turn == first + 1u32 {
+            picked.number = numbers.a1;
+        }
+        if turn == first + 2u32 {
+            picked.number = numbers.a2;
         }
     }
-    at
+    first + 3u32
 }
 
-/// Whether every number is finite and the section is stable.
+/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    if is_driven_by_change::<R>() {
-        is_stable_trapezoidal(coeffs.a, coeffs.b, coeffs.c)
-    } else {
-        in_range(coeffs.b2, largest_number()) && is_stable_biquad(coeffs.a1, coeffs.a2)
+pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32) -> u32 {
+    let completed = first + 2u32;
+    if turn == completed {
+        picked.role = if is_driven_by_change::<R>() { role_c() } else { role_a2() };
     }
-}
-
-/// Adds the numbers to the check word.
-#[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>) {
-    if is_driven_by_change::<R>() {
-        let numbers = [coeffs.a, coeffs.b, coeffs.c];
-        add_three(forming, &numbers);
-    } else {
-        let numbers = [coeffs.b2, coeffs.a1, coeffs.a2];
-        add_three(forming, &numbers);
-    }
+    first + 3u32
 }

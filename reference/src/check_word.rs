@@ -1,45 +1,38 @@
-//! The check word of a parameter set. A block recomputes it before it uses a set. It is formed with arithmetic only, without
-//! access to bits, so that every language computes the same word.
+//! The check word of a parameter set, which is the number of the set. A block recomputes it before it uses a set. It is formed
+//! with arithmetic only, without access to bits, so that every language computes the same word.
 //!
-//! Each number is split exactly into integers of 31 bits, without a remainder. The integers are the coefficients of a
-//! polynomial. Its values at two points, modulo a prime, are the word.
+//! Each number is split exactly into integers of 31 bits, without a remainder. The integers are the coefficients of two
+//! polynomials modulo a prime, which start with the structure of the set.
 //!
 //! ```text
-//! rest  = number * 2^15
-//! piece = whole part of rest ;  rest = (rest - piece) * 2^31       three times in single, four times in double precision
-//! first = (first * 31337 + piece) mod 46337 ;  second = (second * 17389 + piece) mod 46337
+//! first  = structure mod 46337 ;  second = structure / 46337
+//! rest   = number * 2^15
+//! piece  = whole part of rest ;  rest = (rest - piece) * 2^31       three times in single, four times in double precision
+//! first  = (first * 31337 + piece) mod 46337 ;  second = (second * 17389 + piece) mod 46337
+//! word   = 1 + first * 46337 + second                               after the last number, both made positive
 //! ```
 //!
 //! A change of one number always changes the word, except a change of the sign of 0. Any other change, such as a mix of two
-//! sets, is missed with a probability of 1 in 2e9. 46337 is the largest prime whose square fits in an `i32`.
-
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+//! sets, is missed with a probability of 1 in 2e9. 46337 is the largest prime whose square fits in an `i32`. A word is never 0.
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, in_range, note, portable, truncate};
+use portable::{Real, from_i32, from_u32, in_range, note, portable, truncate};
 
-/// The check word.
-#[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Word {
-    /// check word: the numbers as a polynomial at 31337, modulo 46337
-    pub first: i32,
-    /// check word: the numbers as a polynomial at 17389, modulo 46337
-    pub second: i32,
-}
-
-/// A check word that is being formed.
+/// A check word that is being formed, a piece at a time.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Forming<R> {
-    /// so far
-    pub word: Word,
-    /// sum of the remainders of all numbers: 0, unless a number is smaller than any coefficient
+    /// check word: the pieces as a polynomial at 31337, modulo 46337
+    pub first: i32,
+    /// check word: the pieces as a polynomial at 17389, modulo 46337
+    pub second: i32,
+    /// pieces of the number whose turn it is that the check word contains
+    pub pieces: u32,
+    /// what is left of that number after these pieces, scaled
+    pub rest: R,
+    /// sum of what is left of all numbers: 0, unless a number is smaller than any coefficient
     pub left_over: R,
 }
-
-/// Largest number of integers that a number is split into.
-pub const PIECES: usize = 4;
 
 /// largest magnitude of a number of a parameter set, limits scaled by 2^-20
 #[portable]
@@ -71,37 +64,78 @@ pub fn limit_scale<R: Real>() -> R {
     R::lit(9.536_743_164_062_5e-7)
 }
 
-/// Adds an integer.
+/// The last piece of a number, counted from 0.
 #[portable]
-pub fn add_piece(word: &mut Word, piece: i32) {
-    let part = piece % 46_337i32;
-    word.first = (word.first * 31_337i32 + part) % 46_337i32;
-    word.second = (word.second * 17_389i32 + part) % 46_337i32;
+pub fn last_piece<R: Real>() -> u32 {
+    if is_single::<R>() { 2u32 } else { 3u32 }
 }
 
-/// Adds a number of at most [`largest_number`].
+/// The whole part of a real below 2^31; 0 for any other.
 #[portable]
-pub fn add<R: Real>(forming: &mut Forming<R>, number: R) {
-    let mut rest = number * first_cut();
-    for i in 0..PIECES {
-        if i < 3usize || !is_single::<R>() {
-            let mut piece = 0i32;
-            if in_range(rest, largest_piece()) {
-                piece = truncate(rest);
-            } else {
-                note("reached only if the block's memory was corrupted");
-            }
-            add_piece(&mut forming.word, piece);
-            rest = (rest - from_i32::<R>(piece)) * next_cut();
-        }
+pub fn whole<R: Real>(real: R) -> i32 {
+    let mut piece = 0i32;
+    if in_range(real, largest_piece()) {
+        piece = truncate(real);
+    } else {
+        note("reached only if the block's memory was corrupted");
     }
-    forming.left_over = forming.left_over + rest;
+    piece
 }
 
-/// Adds three numbers.
+/// The parts of the word of a structure, before the first number.
+#[must_use]
+pub fn empty(structure: u32) -> [i32; 2] {
+    [structure % 46_337, structure / 46_337].map(u32::cast_signed)
+}
+
+/// Starts the word of a set, with the parts of its structure.
 #[portable]
-pub fn add_three<R: Real>(forming: &mut Forming<R>, numbers: &[R; 3]) {
-    for i in 0..3 {
-        add(forming, numbers[i]);
+pub fn start<R: Real>(forming: &mut Forming<R>, first: i32, second: i32) {
+    forming.first = first;
+    forming.second = second;
+    forming.pieces = 0u32;
+    forming.left_over = R::ZERO;
+}
+
+/// Adds the next piece of a number of at most [`largest_number`]. Returns whether it was the last one.
+#[portable]
+pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
+    let rest = if forming.pieces == 0u32 { number * first_cut() } else { forming.rest };
+    let piece = whole(rest);
+    forming.rest = (rest - from_i32::<R>(piece)) * next_cut();
+    forming.first = (forming.first % 46_337i32 * 31_337i32 + piece % 46_337i32) % 46_337i32;
+    forming.second = (forming.second % 46_337i32 * 17_389i32 + piece % 46_337i32) % 46_337i32;
+    let is_last = forming.pieces >= last_piece::<R>();
+    if is_last {
+        forming.pieces = 0u32;
+        forming.left_over = forming.left_over + forming.rest;
+    } else {
+        forming.pieces += 1u32;
     }
+    is_last
+}
+
+/// A part of the word, from 0 to 46336.
+#[portable]
+pub fn positive(part: i32) -> i32 {
+    if part < 0i32 { part + 46_337i32 } else { part }
+}
+
+/// Whether the word is the number of the set, and no number has digits that it does not cover.
+#[portable]
+pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
+    let mut is_same = false;
+    if set_id != 0u32 {
+        let above = set_id - 1u32;
+        let first = from_u32::<R>(above / 46_337u32) - from_i32::<R>(positive(forming.first));
+        let second = from_u32::<R>(above % 46_337u32) - from_i32::<R>(positive(forming.second));
+        is_same = in_range(first, R::ZERO) && in_range(second, R::ZERO) && in_range(forming.left_over, R::ZERO);
+    }
+    is_same
+}
+
+/// The word as the number of a set.
+#[must_use]
+pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
+    1 + positive(forming.first).unsigned_abs() * 46_337 + positive(forming.second).unsigned_abs()
 }

@@ -1,7 +1,7 @@
 //! One filter of a stage: nothing, a band-pass of order 1 to 3, or an all-pass.
 
-use crate::check_word::Forming;
-use crate::{allpass, bandpass, change, section, turn};
+use crate::turn::Picked;
+use crate::{allpass, bandpass, change, section};
 use portable::{Real, portable};
 
 /// The highest order of a band-pass, which is its number of sections.
@@ -125,66 +125,48 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     }
 }
 
-/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(
-    state: &mut turn::State,
-    turn: i32,
-    first: i32,
+pub fn pick<R: Real>(
+    picked: &mut Picked<R>,
+    turn: u32,
+    first: u32,
     structure: &Coeffs<R>,
-    now: &Numbers<R>,
-    copy: &Numbers<R>,
-) -> i32 {
+    numbers: &Numbers<R>,
+) -> u32 {
     let mut at = first;
     match structure.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < structure.order {
-                    at = bandpass::compare(state, turn, at, &now.bandpass[i], &copy.bandpass[i]);
+                    at = bandpass::pick(picked, turn, at, &numbers.bandpass[i]);
                 }
             }
         }
         Type::Allpass => {
-            at = allpass::compare(state, turn, at, &now.allpass, &copy.allpass);
+            at = allpass::pick(picked, turn, at, &numbers.allpass);
         }
     }
     at
 }
 
-/// Whether every number is finite and each section is stable.
+/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
-    let mut is_sound_so_far = true;
+pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, structure: &Coeffs<R>) -> u32 {
+    let mut at = first;
     match structure.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < structure.order {
-                    let is_section_sound = bandpass::is_sound(&offered.bandpass[i]);
-                    is_sound_so_far = is_sound_so_far && is_section_sound;
+                    at = bandpass::find_role(picked, turn, at);
                 }
             }
         }
         Type::Allpass => {
-            is_sound_so_far = allpass::is_sound(&offered.allpass);
+            at = allpass::find_role(picked, turn, at);
         }
     }
-    is_sound_so_far
-}
-
-/// Adds the numbers to the check word.
-#[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
-    match structure.kind {
-        Type::NoFilter => {}
-        Type::Bandpass => {
-            for i in 0..MAX_ORDER {
-                if i < structure.order {
-                    bandpass::add_up(forming, &offered.bandpass[i]);
-                }
-            }
-        }
-        Type::Allpass => allpass::add_up(forming, &offered.allpass),
-    }
+    at
 }

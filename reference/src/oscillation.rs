@@ -20,12 +20,10 @@
 //! y  = x - q
 //! ```
 
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
-
-use crate::check_word::{Forming, add, largest_number};
-use crate::section::{State, anti_denormal, are_poles_inside, is_driven_by_change, is_stable_biquad};
-use crate::{trapezoidal, turn};
-use portable::{Real, copy, in_range, portable, stored};
+use crate::section::{State, anti_denormal, is_driven_by_change};
+use crate::trapezoidal;
+use crate::turn::{Picked, role_a2, role_g2};
+use portable::{Real, copy, portable};
 
 /// Coefficients, with a0 = 1 and the signs of `y = b0 x + s1; s1 = b1 x - a1 y + s2; s2 = b2 x - a2 y`.
 ///
@@ -107,77 +105,54 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(state: &mut turn::State, turn: i32, first: i32, now: &Coeffs<R>, copy: &Coeffs<R>) -> i32 {
-    let mut at = first;
+pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>) -> u32 {
     if is_driven_by_change::<R>() {
-        for i in 0..4 {
-            if turn == at {
-                let numbers = [stored(now.h), stored(now.r), stored(now.g), stored(now.g2)];
-                let copies = [copy.h, copy.r, copy.g, copy.g2];
-                let difference = numbers[i] - copies[i];
-                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
-            }
-            at += 1i32;
+        if turn == first {
+            picked.number = numbers.h;
+        }
+        if turn == first + 1u32 {
+            picked.number = numbers.r;
+        }
+        if turn == first + 2u32 {
+            picked.number = numbers.g;
+        }
+        if turn == first + 3u32 {
+            picked.number = numbers.g2;
         }
     } else {
-        for i in 0..7 {
-            if turn == at {
-                let numbers = [
-                    stored(now.b0),
-                    stored(now.b1),
-                    stored(now.b2),
-                    stored(now.a1),
-                    stored(now.a2),
-                    stored(now.preset_s1),
-                    stored(now.preset_s2),
-                ];
-                let copies = [copy.b0, copy.b1, copy.b2, copy.a1, copy.a2, copy.preset_s1, copy.preset_s2];
-                let difference = numbers[i] - copies[i];
-                state.next = if in_range(difference, R::ZERO) { at + 1i32 } else { turn::differed() };
-            }
-            at += 1i32;
+        if turn == first {
+            picked.number = numbers.b0;
+        }
+        if turn == first + 1u32 {
+            picked.number = numbers.b1;
+        }
+        if turn == first + 2u32 {
+            picked.number = numbers.b2;
+        }
+        if turn == first + 3u32 {
+            picked.number = numbers.a1;
+        }
+        if turn == first + 4u32 {
+            picked.number = numbers.a2;
+        }
+        if turn == first + 5u32 {
+            picked.number = numbers.preset_s1;
+        }
+        if turn == first + 6u32 {
+            picked.number = numbers.preset_s2;
         }
     }
-    at
+    if is_driven_by_change::<R>() { first + 4u32 } else { first + 7u32 }
 }
 
-/// Whether every number is finite and the section is stable.
+/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn is_sound<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    if is_driven_by_change::<R>() {
-        let mut is_sound = false;
-        if in_range(coeffs.h, largest_number())
-            && in_range(coeffs.r, largest_number())
-            && in_range(coeffs.g, largest_number())
-            && in_range(coeffs.g2, largest_number())
-        {
-            is_sound = are_poles_inside(coeffs.g * coeffs.h, coeffs.g * coeffs.r, coeffs.g2);
-        }
-        is_sound
-    } else {
-        in_range(coeffs.b0, largest_number())
-            && in_range(coeffs.b1, largest_number())
-            && in_range(coeffs.b2, largest_number())
-            && in_range(coeffs.preset_s1, largest_number())
-            && in_range(coeffs.preset_s2, largest_number())
-            && is_stable_biquad(coeffs.a1, coeffs.a2)
+pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32) -> u32 {
+    let completed = if is_driven_by_change::<R>() { first + 3u32 } else { first + 4u32 };
+    if turn == completed {
+        picked.role = if is_driven_by_change::<R>() { role_g2() } else { role_a2() };
     }
-}
-
-/// Adds the numbers to the check word.
-#[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>) {
-    if is_driven_by_change::<R>() {
-        let numbers = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2];
-        for i in 0..4 {
-            add(forming, numbers[i]);
-        }
-    } else {
-        let numbers = [coeffs.b0, coeffs.b1, coeffs.b2, coeffs.a1, coeffs.a2, coeffs.preset_s1, coeffs.preset_s2];
-        for i in 0..7 {
-            add(forming, numbers[i]);
-        }
-    }
+    if is_driven_by_change::<R>() { first + 4u32 } else { first + 7u32 }
 }

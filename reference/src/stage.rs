@@ -1,8 +1,8 @@
 //! One stage: the source that its mode names, the simulated oscillation, two filters, the gain.
 
-use crate::check_word::{Forming, add};
-use crate::{change, filter, oscillation, section, turn};
-use portable::{Real, in_range, portable, stored};
+use crate::turn::{Picked, role_gain};
+use crate::{change, filter, oscillation, section};
+use portable::{Real, portable};
 
 /// Filters in a stage.
 pub const FILTERS: usize = 2;
@@ -160,12 +160,6 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     }
 }
 
-/// largest |weight| (P-AXIS-00754/00755)
-#[portable]
-pub fn weight_limit<R: Real>() -> R {
-    R::lit(7.0)
-}
-
 /// Copies the numbers of another stage of the same structure.
 #[portable]
 pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
@@ -178,54 +172,40 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     now.gain = offered.gain;
 }
 
-/// Compares the number whose turn it is with its copy; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn compare<R: Real>(
-    state: &mut turn::State,
-    turn: i32,
-    first: i32,
+pub fn pick<R: Real>(
+    picked: &mut Picked<R>,
+    turn: u32,
+    first: u32,
     structure: &Coeffs<R>,
-    now: &Numbers<R>,
-    copy: &Numbers<R>,
-) -> i32 {
+    numbers: &Numbers<R>,
+) -> u32 {
     let mut at = first;
     if structure.mode != Mode::Direct {
-        at = oscillation::compare(state, turn, at, &now.oscillation, &copy.oscillation);
+        at = oscillation::pick(picked, turn, at, &numbers.oscillation);
     }
     for k in 0..FILTERS {
-        at = filter::compare(state, turn, at, &structure.filter[k], &now.filter[k], &copy.filter[k]);
+        at = filter::pick(picked, turn, at, &structure.filter[k], &numbers.filter[k]);
     }
     if turn == at {
-        let gain_difference = stored(now.gain) - copy.gain;
-        let after_gain = if in_range(gain_difference, R::ZERO) { at + 1i32 } else { turn::differed() };
-        state.next = after_gain;
+        picked.number = numbers.gain;
     }
-    at + 1i32
+    at + 1u32
 }
 
-/// Whether every number is finite and in its range, and each section is stable.
+/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
 #[portable]
-pub fn is_sound<R: Real>(structure: &Coeffs<R>, offered: &Numbers<R>) -> bool {
-    let mut is_sound_so_far = in_range(offered.gain, weight_limit());
+pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, structure: &Coeffs<R>) -> u32 {
+    let mut at = first;
     if structure.mode != Mode::Direct {
-        let is_section_sound = oscillation::is_sound(&offered.oscillation);
-        is_sound_so_far = is_sound_so_far && is_section_sound;
+        at = oscillation::find_role(picked, turn, at);
     }
     for k in 0..FILTERS {
-        let is_filter_sound = filter::is_sound(&structure.filter[k], &offered.filter[k]);
-        is_sound_so_far = is_sound_so_far && is_filter_sound;
+        at = filter::find_role(picked, turn, at, &structure.filter[k]);
     }
-    is_sound_so_far
-}
-
-/// Adds the numbers to the check word.
-#[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {
-    if structure.mode != Mode::Direct {
-        oscillation::add_up(forming, &offered.oscillation);
+    if turn == at {
+        picked.role = role_gain();
     }
-    for k in 0..FILTERS {
-        filter::add_up(forming, &structure.filter[k], &offered.filter[k]);
-    }
-    add(forming, offered.gain);
+    at + 1u32
 }

@@ -1,28 +1,67 @@
-//! The comparison of the numbers in use with their copies, which detects corrupted numbers. One number is compared per cycle;
-//! then comparison pauses for three times as many cycles, so that the mean cost of a cycle is small.
+//! The number of a parameter set whose turn it is: one in a cycle, so that a cycle costs the same for any set.
 
 use portable::portable;
 
-/// Length of a round, as a multiple of the cycles that all comparisons take.
-pub const ROUND: i32 = 4;
+/// what a number of a set is: a coefficient of a section
+#[portable]
+pub fn role_coefficient() -> i32 {
+    0i32
+}
 
-/// State.
+/// what a number of a set is: the largest |v_add|
+#[portable]
+pub fn role_limit() -> i32 {
+    1i32
+}
+
+/// what a number of a set is: the negative limit, after the limit
+#[portable]
+pub fn role_lower_limit() -> i32 {
+    2i32
+}
+
+/// what a number of a set is: the largest sum, after both limits
+#[portable]
+pub fn role_sum_limit() -> i32 {
+    3i32
+}
+
+/// what a number of a set is: the smallest span at which growth counts
+#[portable]
+pub fn role_quiet() -> i32 {
+    4i32
+}
+
+/// what a number of a set is: -weight
+#[portable]
+pub fn role_gain() -> i32 {
+    5i32
+}
+
+/// what a number of a set is: a2 of a biquad, after its a1
+#[portable]
+pub fn role_a2() -> i32 {
+    6i32
+}
+
+/// what a number of a set is: C of a trapezoidal section, after its A and B
+#[portable]
+pub fn role_c() -> i32 {
+    7i32
+}
+
+/// what a number of a set is: G2 of the simulated oscillation, after its H, R and G
+#[portable]
+pub fn role_g2() -> i32 {
+    8i32
+}
+
+/// The number whose turn it is.
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
-pub struct State {
-    /// cycle in the round of comparisons, from 0 on; it selects the number to compare with its copy; a value outside the round:
-    /// a number differed
-    pub next: i32,
-}
-
-/// a number differed from its copy
-#[portable]
-pub fn differed() -> i32 {
-    i32::MAX
-}
-
-/// Before the first cycle, and after other numbers have been taken over.
-#[portable]
-pub fn init(state: &mut State) {
-    state.next = 0i32;
+pub struct Picked<R> {
+    /// the number whose turn it is
+    pub number: R,
+    /// what that number is, which decides what is checked
+    pub role: i32,
 }

@@ -2,31 +2,30 @@
 
 #![expect(clippy::float_cmp, reason = "what is copied is that number")]
 
-use reference::ipc::numbers::{self, Numbers};
-use reference::{ipc, tunable_ipc, turn};
+use reference::{ipc, tunable_ipc};
 
 /// "Whatever overwrites the numbers": each limit is compared with its copy in its turn.
 #[test]
 fn each_limit_is_compared_with_its_copy() {
-    let mut structure = ipc::Coeffs::<f64>::default();
-    structure.watch.active = true;
-    let mut copy = Numbers::<f64>::default();
-    (copy.limit, copy.lower_limit, copy.sum_limit, copy.watch.quiet) = (10.0, -10.0, 100.0, 0.2);
-    let next = |turn: i32, now: &Numbers<f64>| {
-        let mut state = turn::State::default();
-        assert_eq!(numbers::compare(&mut state, turn, &structure, now, &copy), 4, "four limits, no stage");
-        state.next
-    };
+    let mut coeffs = tunable_ipc::Coeffs::<f64>::default();
+    coeffs.ipc.watch.active = true;
+    let mut sound = tunable_ipc::State::<f64> { set_id: 1, ..Default::default() };
+    let of = &mut sound.copy;
+    (of.limit, of.lower_limit, of.sum_limit, of.watch.quiet) = (10.0, -10.0, 100.0, 0.2);
+    sound.now = sound.copy;
     for turn in 0..4 {
-        assert_eq!(next(turn, &copy), turn + 1);
-        let mut now = copy;
+        let mut state = tunable_ipc::State { turn, ..sound };
+        tunable_ipc::compare_one(&mut state, &coeffs);
+        assert_eq!((state.turn, state.ipc.fade), (turn + 1, 0));
+        state.turn = turn;
         match turn {
-            0 => now.limit = 11.0,
-            1 => now.lower_limit = 10.0,
-            2 => now.sum_limit = f64::NAN,
-            _ => now.watch.quiet = 0.0,
+            0 => state.now.limit = 11.0,
+            1 => state.now.lower_limit = 10.0,
+            2 => state.now.sum_limit = f64::NAN,
+            _ => state.now.watch.quiet = 0.0,
         }
-        assert_eq!(next(turn, &now), turn::differed(), "turn {turn}");
+        tunable_ipc::compare_one(&mut state, &coeffs);
+        assert_eq!((state.turn, state.ipc.fade), (0, 1), "turn {turn}: the fade is beyond its end");
     }
 }
 

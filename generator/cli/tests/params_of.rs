@@ -118,10 +118,7 @@ fn succeeds(command: &mut Command) -> Vec<u8> {
 fn bits(lines: &str, between: &str, end: &str, single: bool) -> Vec<(String, Vec<u8>)> {
     let line = |line: &str| {
         let (name, value) = line.strip_suffix(end)?.split_once(between)?;
-        let bits = match (
-            ["structure", "set_id", "check_first", "check_second"].iter().any(|word| name.ends_with(word)),
-            single,
-        ) {
+        let bits = match (["structure", "set_id"].iter().any(|word| name.ends_with(word)), single) {
             (true, _) => value.parse::<u32>().unwrap().to_le_bytes().to_vec(),
             (false, true) => value.parse::<f32>().unwrap().to_le_bytes().to_vec(),
             (false, false) => value.parse::<f64>().unwrap().to_le_bytes().to_vec(),
@@ -140,7 +137,11 @@ fn assert_one_set(old: &[(&str, &str)], new: &[(&str, &str)], stem: &str) {
         let (code, _, err) = axgen(path, &["generate", "old.toml", "--target", target, "--out", "."]);
         assert_eq!(code, 0, "{err}");
     }
-    let bytes = in_form(path, "bin");
+    let file = in_form(path, "bin");
+    let (head, bytes) = file.split_at(12);
+    let length = u32::try_from(bytes.len()).unwrap();
+    assert_eq!(head, [b"AXPS".as_slice(), &1_u32.to_le_bytes(), &length.to_le_bytes()].concat());
+    let bytes = bytes.to_vec();
 
     // The lines of CSV have the names of the struct.
     let csv = text_in(path, "csv");

@@ -4,30 +4,31 @@
 //! the set in use, which is kept in the state. A set with another set number is offered, and is taken over through the fade:
 //!
 //! ```text
-//! offered         checked; if refused, the error id is reported and the set in use stays active
+//! offered         checked, one piece of one number in a cycle; if refused, the set in use stays active
 //! fade out        as in DRYRUN
-//! fade at 0       checked again, taken over, all within one cycle; the sections start from the steady state of the present input
-//! fade in         as mode says
+//! fade at 0       copied in one cycle; no set is in use until the copied numbers have been checked again, piece by piece
+//! fade in         as mode says; the sections start from the steady state of the present input
 //! ```
 //!
-//! The state holds the numbers in use twice and compares one of them with its copy in each cycle. A difference is a
-//! corrupted state (error 3): then no set is in use until the offered one has been checked and taken over again. The limit
-//! in the generated block applies to every set. A set is read once: the copy is checked, and the copy is taken over. A
-//! refused set is checked again after fade_cycles cycles, when another task has finished writing it. Until the first set is
-//! taken over v_add is 0, and a refused set is a fault.
+//! So no cycle costs more than the usual one and a bounded amount. The state holds the numbers in use twice and compares one of
+//! them with its copy in each cycle. A difference is a corrupted state (error 3): then no set is in use until the offered one
+//! has been checked and taken over again. The limit in the generated block applies to every set. What was copied is what is
+//! checked and used: a set that another task writes meanwhile is refused. A refused set is checked again after fade_cycles
+//! cycles, when another task has finished writing it. Until the first set is taken over v_add is 0, and a refused set is a
+//! fault.
 
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
-
+mod check;
 mod signals;
 
+pub use check::{numbers_of, params, refusal, seal};
 pub use signals::{Inputs, Outputs};
 
-use crate::check_word::{Forming, Word, add};
+use crate::call_rate;
+use crate::ipc;
 use crate::ipc::numbers::{self, Numbers, Params};
-use crate::ipc::{self, watch};
-use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
-use crate::{call_rate, filter, stage, turn};
-use portable::{Block, Enable, Fn, Off, Real, copy, from_u32, in_range, note, portable, with_numbers};
+use crate::signal::{error_none, error_set_damaged, error_set_structure};
+use crate::turn::Picked;
+use portable::{Block, Enable, Fn, Off, Real, copy, in_range, note, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -35,6 +36,10 @@ use portable::{Block, Enable, Fn, Off, Real, copy, from_u32, in_range, note, por
 pub struct Coeffs<R> {
     /// id of the block structure: a parameter set for another structure is refused
     pub structure: u32,
+    /// check word of the structure, before the first number of a set: its first part
+    pub empty_first: i32,
+    /// check word of the structure, before the first number of a set: its second part
+    pub empty_second: i32,
     /// the number of the set that the block was generated with
     pub set_id: u32,
     /// the block, with the numbers of the set that it was generated with
@@ -51,6 +56,8 @@ pub struct State<R> {
     pub acting_set: u32,
     /// number of the set that is offered
     pub offered_set: u32,
+    /// number of the set whose numbers were copied and are being checked again; 0: none
+    pub copied_set: u32,
     /// cycles until a refused set is checked again
     pub pause: u32,
     /// error id of the last set that was refused
@@ -59,54 +66,23 @@ pub struct State<R> {
     pub refused_set: u32,
     /// the numbers of the set in use
     pub now: Numbers<R>,
-    /// copy of the numbers in use, or the numbers read from an offered set
+    /// copy of the numbers in use
     pub copy: Numbers<R>,
-    /// the number to compare with its copy
-    pub turn: turn::State,
+    /// cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy
+    pub turn: u32,
+    /// the number in use whose turn it is
+    pub picked: Picked<R>,
+    /// its copy
+    pub picked_copy: Picked<R>,
+    /// the check of an offered set, or of the numbers that were copied
+    pub check: check::State<R>,
     /// the cycle
     pub ipc: ipc::State<R>,
 }
 
-/// 1/2: scales each half of a 32-bit integer for the check word
-#[portable]
-pub fn half<R: Real>() -> R {
-    R::lit(0.5)
-}
-
-/// Forms the check word of a set: of its numbers, its structure and its own number.
-#[portable]
-pub fn add_up<R: Real>(forming: &mut Forming<R>, coeffs: &Coeffs<R>, set_id: u32, offered: &Numbers<R>) {
-    numbers::add_up(forming, &coeffs.ipc, offered);
-    // Each integer is split into two halves, which are exact in every real type.
-    let integers = [coeffs.structure, set_id];
-    for i in 0..2 {
-        let low_half = integers[i] % 65_536u32;
-        let high_half = integers[i] / 65_536u32;
-        let low = from_u32::<R>(low_half);
-        let high = from_u32::<R>(high_half);
-        let halves = [low, high];
-        for k in 0..2 {
-            add(forming, halves[k] * half());
-        }
-    }
-}
-
-/// The reason to refuse a set; no error: it is accepted. `offered`: its numbers.
-#[portable]
-pub fn error_of<R: Real>(coeffs: &Coeffs<R>, structure: u32, set_id: u32, check: &Word, offered: &Numbers<R>) -> u32 {
-    let mut error = error_set_structure();
-    if structure == coeffs.structure && set_id != 0u32 {
-        error = error_set_unsound();
-        let are_sound = numbers::are_sound(&coeffs.ipc, offered);
-        if are_sound {
-            let mut formed = Forming::<R>::default();
-            add_up(&mut formed, coeffs, set_id, offered);
-            let is_same = check.first == formed.word.first && check.second == formed.word.second;
-            error = if in_range(formed.left_over, R::ZERO) && is_same { error_none() } else { error_set_damaged() };
-        }
-    }
-    error
-}
+/// Length of a round of comparisons, as a multiple of the cycles that all comparisons take. In the others nothing is compared,
+/// so that the mean cost of a cycle is small.
+pub const ROUND: u32 = 4;
 
 /// Whether the fade is on its way to 0, because of a set or of the watch.
 #[portable]
@@ -125,12 +101,57 @@ pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
         && state.refused <= error_set_damaged()
 }
 
-/// The set in use acts again: copies its numbers.
+/// Takes the numbers of the offered set, twice. No set is in use until they have been checked.
 #[portable]
-pub fn go_back<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    state.acting_set = state.set_id;
+pub fn copy_offered<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) {
+    numbers::read(&mut state.now, &coeffs.ipc, params);
     numbers::take(&mut state.copy, &coeffs.ipc, &state.now);
-    turn::init(&mut state.turn);
+    state.copied_set = state.offered_set;
+    state.check.set_id = 0u32;
+    state.set_id = 0u32;
+    state.acting_set = 0u32;
+    state.turn = 0u32;
+    // No section runs with numbers that have not been checked.
+    state.ipc.preset = false;
+}
+
+/// The numbers that were copied and checked are in use.
+#[portable]
+pub fn use_copied<R: Real>(state: &mut State<R>) {
+    state.copied_set = 0u32;
+    state.turn = 0u32;
+    state.set_id = state.offered_set;
+    state.acting_set = state.offered_set;
+}
+
+/// Goes on with an offered set that is not in use: checks a piece of it in each cycle; then fades out; then copies its numbers
+/// and checks these. Returns the reason if it is refused.
+#[portable]
+pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
+    let mut refused = error_none();
+    let is_copied = state.copied_set == state.offered_set && state.set_id == 0u32;
+    if state.check.set_id != state.offered_set || state.offered_set == 0u32 {
+        state.turn = if is_copied { 0u32 } else { state.turn };
+        check::start(&mut state.check, coeffs, state.offered_set);
+        if params.structure != coeffs.structure || state.offered_set == 0u32 {
+            refused = error_set_structure();
+        }
+    } else if state.check.turn < check::length(coeffs) {
+        if is_copied {
+            state.check.picked.number = state.picked.number;
+        } else {
+            numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
+        }
+        refused = check::step(&mut state.check, coeffs, is_copied);
+        state.turn = if is_copied { state.check.turn } else { state.turn };
+    } else if is_copied {
+        use_copied(state);
+    } else if state.ipc.fade == 0u32 {
+        copy_offered(state, coeffs, params);
+    } else {
+        state.acting_set = 0u32;
+    }
+    refused
 }
 
 /// Handles an offered set. Returns the reason if it is refused.
@@ -139,26 +160,20 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     let mut refused = error_none();
     let must_wait = is_paused(state, coeffs);
     if state.offered_set == state.set_id && state.set_id != 0u32 {
-        go_back(state, coeffs);
+        state.acting_set = state.set_id;
+        state.check.set_id = 0u32;
     } else if must_wait {
         state.pause -= 1u32;
         refused = state.refused;
     } else if !is_leaving(coeffs, state.ipc.fade, state.acting_set, state.ipc.watch.tripped) {
-        numbers::read(&mut state.copy, &coeffs.ipc, params);
-        refused = error_of(coeffs, params.structure, state.offered_set, &params.check, &state.copy);
+        refused = look_at(state, coeffs, params);
         if refused != error_none() {
             state.refused = refused;
             state.refused_set = state.offered_set;
             state.pause = coeffs.ipc.fade_cycles;
-            go_back(state, coeffs);
-        } else if state.ipc.fade == 0u32 {
-            numbers::take(&mut state.now, &coeffs.ipc, &state.copy);
-            turn::init(&mut state.turn);
-            state.set_id = state.offered_set;
-            state.acting_set = state.offered_set;
-            state.ipc.preset = false;
-        } else {
-            state.acting_set = 0u32;
+            state.acting_set = state.set_id;
+            state.copied_set = 0u32;
+            state.check.set_id = 0u32;
         }
     }
     refused
@@ -169,31 +184,35 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
 pub fn drop_set<R: Real>(state: &mut State<R>) {
     state.set_id = 0u32;
     state.acting_set = 0u32;
+    state.copied_set = 0u32;
     state.pause = 0u32;
+    state.check.set_id = 0u32;
 }
 
-/// Compares the number whose turn it is with its copy. A difference is a corrupted state.
+/// Compares the number in use whose turn it is with its copy. A difference is a corrupted state. If no set is in use, the number
+/// is only picked, for the check of what was copied.
 #[portable]
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    let turn = state.turn.next;
-    let numbers = numbers::compare(&mut state.turn, turn, &coeffs.ipc, &state.now, &state.copy);
-    if turn < 0i32 {
-        state.turn.next = turn::differed();
-    }
-    if turn >= numbers {
+    let numbers = check::length(coeffs);
+    if state.turn < numbers {
+        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now);
+        if state.set_id != 0u32 {
+            numbers::pick(&mut state.picked_copy, state.turn, &coeffs.ipc, &state.copy);
+            if in_range(state.picked.number - state.picked_copy.number, R::ZERO) {
+                state.turn += 1u32;
+            } else {
+                note(
+                    "a number in use was corrupted: this cycle reports it, then the block takes the offered set over again",
+                );
+                state.turn = 0u32;
+                ipc::disturb(&mut state.ipc, &coeffs.ipc);
+            }
+        }
+    } else if state.turn < numbers * ROUND {
         note("every number has been compared; the rest of the round is a pause");
-        let end = numbers * turn::ROUND;
-        if turn < end {
-            state.turn.next = turn + 1i32;
-        } else {
-            state.turn.next = 0i32;
-        }
-        if turn > end {
-            note(
-                "a number in use was corrupted: the next cycle reports the fault, then the block takes the offered set over again",
-            );
-            ipc::disturb(&mut state.ipc, &coeffs.ipc);
-        }
+        state.turn += 1u32;
+    } else {
+        state.turn = 0u32;
     }
 }
 
@@ -266,9 +285,6 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
     hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
-    if state.acting_set != 0u32 {
-        compare_one(state, coeffs);
-    }
     put_out(state.set_id, &ipc_outputs, refused, outputs);
 }
 
@@ -276,6 +292,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
 /// result as `any_cycle`, with fewer conditions.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    compare_one(state, coeffs);
     let mut ipc_inputs = ipc::Inputs::<R>::default();
     hand_over(inputs, inputs.mode, &mut ipc_inputs);
     if inputs.params.set_id == state.acting_set
@@ -290,45 +307,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
         ipc::tell_trip(&state.ipc, &coeffs.ipc, &mut ipc_outputs);
         hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
-        compare_one(state, coeffs);
         put_out(state.acting_set, &ipc_outputs, error_none(), outputs);
     } else {
         any_cycle(state, coeffs, inputs, outputs);
     }
-}
-
-/// The numbers of a block.
-pub fn numbers_of<R: Real>(ipc: &ipc::Coeffs<R>) -> Numbers<R> {
-    let of_filter = |filter: &filter::Coeffs<R>| filter::Numbers { bandpass: filter.bandpass, allpass: filter.allpass };
-    let of_stage = |stage: &stage::Coeffs<R>| stage::Numbers {
-        oscillation: stage.oscillation,
-        filter: stage.filter.each_ref().map(of_filter),
-        gain: stage.gain,
-    };
-    Numbers {
-        limit: ipc.limit,
-        lower_limit: ipc.lower_limit,
-        sum_limit: ipc.sum_limit,
-        watch: watch::Numbers { quiet: ipc.watch.quiet },
-        stage: ipc.stage.each_ref().map(of_stage),
-    }
-}
-
-/// The parameter set with the numbers of a block.
-pub fn params<R: Real>(coeffs: &Coeffs<R>) -> Params<R> {
-    let Coeffs { structure, set_id, ipc } = coeffs;
-    let Numbers { limit, lower_limit, sum_limit, watch, stage } = numbers_of(ipc);
-    let (structure, set_id) = (*structure, *set_id);
-    let mut formed = Forming::<R>::default();
-    add_up(&mut formed, coeffs, set_id, &numbers_of(ipc));
-    Params { structure, set_id, check: formed.word, limit, lower_limit, sum_limit, watch, stage }
-}
-
-/// The reason why the block would refuse a set that does not change; no error: it accepts the set.
-pub fn refusal<R: Real>(coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
-    let mut offered = Numbers::<R>::default();
-    numbers::read(&mut offered, &coeffs.ipc, params);
-    error_of(coeffs, params.structure, params.set_id, &params.check, &offered)
 }
 
 /// The block.

@@ -243,6 +243,7 @@ fn usual_calls_are_like_any() {
             assert_eq!(leaves(&tuned.call()), leaves(&outputs), "seed {seed}, cycle {cycle}");
             assert_eq!(leaves(&tuned.state), leaves(&state), "seed {seed}, cycle {cycle}");
             let (mut state, mut outputs) = (sets.state, <tunable_ipc::TunableIpc as Block<f64>>::outputs());
+            tunable_ipc::compare_one(&mut state, &sets.coeffs);
             tunable_ipc::any_cycle(&mut state, &sets.coeffs, &sets.inputs, &mut outputs);
             assert_eq!(leaves(&sets.call()), leaves(&outputs), "seed {seed}, cycle {cycle}");
             assert_eq!(leaves(&sets.state), leaves(&state), "seed {seed}, cycle {cycle}");

@@ -7,8 +7,8 @@ use portable::{Literal, RealKind};
 /// A set, part by part.
 pub type Set = Vec<(usize, Literal)>;
 
-/// Integers before the numbers: structure, id, both halves of the check word.
-const WORDS: usize = 4;
+/// Integers before the numbers: structure and id.
+const WORDS: usize = 2;
 
 /// What became of a set: another one each time it is asked for. `others` are sets of the same structure, `foreign` is one of another.
 pub fn corrupted(set: &Set, others: &[Set], foreign: &Set, rng: &mut Rng) -> Set {

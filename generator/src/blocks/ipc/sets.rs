@@ -5,6 +5,7 @@ use crate::axis::Axis;
 use crate::design::rounding::rounded;
 use compiler::leaves;
 use portable::{Literal, RealKind};
+use reference::check_word::empty;
 use reference::ipc::Coeffs as IpcCoeffs;
 use reference::tunable_ipc::{Coeffs, params};
 use xxhash_rust::xxh3::xxh3_64;
@@ -16,12 +17,13 @@ pub(crate) fn shown(number: u32) -> String {
 
 /// The ids of an axis's sets: the structure id, and the set number of its own parameters.
 pub(in crate::blocks) fn sets(axis: &Axis, ipc: &IpcCoeffs<f64>) -> [u32; 2] {
-    [structure(axis, ipc), set(axis, ipc)]
+    let structure = structure(axis, ipc);
+    [structure, set(structure, axis, ipc)]
 }
 
 /// The structure id: a hash of the axis name, the real type and all coefficients that are not reals, except the start mode.
 /// Sets of the same structure fit the same block; those of another axis never do. The number after `ipc` is increased when
-/// the meaning of a number of a set changes, as that of B did with 3.
+/// the meaning of a number of a set changes, as that of `set_id` did with 4.
 fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     let fixed = IpcCoeffs { enable: 0, ..*ipc };
     let mut all = leaves(&fixed);
@@ -32,25 +34,22 @@ fn structure(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
     }
     let kept = all.into_iter().filter(|leaf| !matches!(leaf, Literal::F64(_)));
     let real = if axis.real == RealKind::F64 { "f64" } else { "f32" };
-    number(kept.fold(format!("ipc 3 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
+    number(kept.fold(format!("ipc 4 {} {real}", axis.name), |text, leaf| format!("{text} {:?}", leaf.at_run_time())))
 }
 
-/// The set number: a hash of all numbers of the set, rounded to the real type.
-fn set(axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
-    let all = match axis.real {
-        RealKind::F64 => leaves(&params(&Coeffs { structure: 0, set_id: 0, ipc: *ipc })),
-        RealKind::F32 => {
-            let ipc: IpcCoeffs<f32> = rounded(ipc, axis.real);
-            leaves(&params(&Coeffs { structure: 0, set_id: 0, ipc }))
-        }
-    };
-    number(all.into_iter().fold(String::new(), |text, leaf| match leaf {
-        Literal::F64(value) => format!("{text} {:016x}", value.to_bits()),
-        Literal::F32(value) => format!("{text} {:08x}", value.to_bits()),
-        Literal::Bool(_) | Literal::I32(_) | Literal::U32(_) | Literal::Usize(_) | Literal::Variant(_) => {
-            format!("{text} {leaf:?}")
-        }
-    }))
+/// The set number: the check word of the numbers of the set, rounded to the real type.
+fn set(structure: u32, axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
+    let coeffs = with(structure, 0, ipc);
+    match axis.real {
+        RealKind::F64 => params(&coeffs).set_id,
+        RealKind::F32 => params(&rounded::<_, Coeffs<f32>>(&coeffs, axis.real)).set_id,
+    }
+}
+
+/// The coefficients of the block that takes sets.
+pub(super) fn with(structure: u32, set_id: u32, ipc: &IpcCoeffs<f64>) -> Coeffs<f64> {
+    let [empty_first, empty_second] = empty(structure);
+    Coeffs { structure, empty_first, empty_second, set_id, ipc: *ipc }
 }
 
 /// A 32-bit hash of a text, never 0.

@@ -2,14 +2,14 @@
 //! constants.
 
 use super::notes::note;
-use super::sets::shown;
+use super::sets::{self, shown};
 use crate::blocks::{Certified, Design, Designed};
 use reference::tunable_ipc::{Coeffs, TunableIpc};
 
 impl Design for TunableIpc {
     fn design(designed: &Designed) -> Coeffs<f64> {
         let [structure, set_id] = designed.sets;
-        Coeffs { structure, set_id, ipc: designed.ipc }
+        sets::with(structure, set_id, &designed.ipc)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Random axes for the block `ipc` that stands alone, and the parameter sets that fit each: other numbers of the same structure.
 
 use super::block;
-use super::damage::number;
 use super::set::{Set, Structure};
 use crate::model::coefficients::Coefficients;
 use crate::model::ipc::assert_bounds;
@@ -73,7 +72,7 @@ impl Drawn {
         if takes_sets {
             let mut set = sets[rng.below(sets.len())].clone();
             let limit = *rng.pick(&[0.0, set.numbers[0] / 2.0, set.numbers[0] / 64.0]);
-            (set.numbers[0], set.numbers[1], set.set_id) = (limit, -limit, number(rng));
+            (set.numbers[0], set.numbers[1]) = (limit, -limit);
             sets.push(set.sealed(&structure));
         }
         let ts = f64::from(parameters.cycle_ns) * 1e-9;

@@ -79,14 +79,9 @@ where
         Literal::U32(value) => value,
         other => panic!("{name} is {other:?}"),
     };
-    let word = |name: &str| match value(name) {
-        Literal::I32(value) => value,
-        other => panic!("{name} is {other:?}"),
-    };
     Set {
         structure: integer("structure"),
         set_id: integer("set_id"),
-        check: [word("check.first"), word("check.second")],
         numbers: structure.names.iter().map(|name| number(value(name))).collect(),
         of,
     }
@@ -106,7 +101,6 @@ enum Input {
     Cycle,
     Structure,
     SetId,
-    Check(usize),
     Number(usize),
     /// of a stage that the axis does not have
     Unused,
@@ -129,8 +123,6 @@ impl Input {
             "task_cycle_ns" => Self::Cycle,
             "structure" => Self::Structure,
             "set_id" => Self::SetId,
-            "check.first" => Self::Check(0),
-            "check.second" => Self::Check(1),
             number => structure.names.iter().position(|name| name == number).map_or(Self::Unused, Self::Number),
         }
     }
@@ -187,7 +179,6 @@ impl Block {
             Input::Cycle => Literal::U32(inputs.task_cycle_ns),
             Input::Structure => Literal::U32(offered.structure),
             Input::SetId => Literal::U32(offered.set_id),
-            Input::Check(i) => Literal::I32(offered.check[i]),
             Input::Number(i) => real(offered.numbers[i]),
             Input::Unused => *zero,
         };

@@ -33,10 +33,12 @@ fn pieces(real: f64, single: bool) -> (Vec<i64>, bool) {
     ((0..count).map(piece).collect(), is_left_over)
 }
 
-/// The word of these reals, and whether something of them is left over, which no word covers. Remainders have the sign of what is divided.
+/// The word of these reals in a set of that structure; `None` if something of them is left over, which no word covers. Remainders have the sign
+/// of what is divided.
 #[must_use]
-pub fn word(reals: impl IntoIterator<Item = f64>, single: bool) -> ([i32; 2], bool) {
-    let (mut word, mut is_left_over) = ([0; 2], false);
+pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) -> Option<u32> {
+    let structure = i64::from(structure);
+    let (mut word, mut is_left_over) = ([structure % MODULUS, structure / MODULUS], false);
     for real in reals {
         let (pieces, is_one_left_over) = pieces(real, single);
         is_left_over |= is_one_left_over;
@@ -46,5 +48,6 @@ pub fn word(reals: impl IntoIterator<Item = f64>, single: bool) -> ([i32; 2], bo
             }
         }
     }
-    (word.map(|value| i32::try_from(value).expect("below the modulus")), is_left_over)
+    let [first, second] = word.map(|value| value.rem_euclid(MODULUS));
+    (!is_left_over).then(|| u32::try_from(1 + first * MODULUS + second).expect("at most the square of the modulus"))
 }

@@ -3,9 +3,10 @@
 
 use super::axes::Drawn;
 use super::history::Given;
-use super::set::Set;
+use super::set::{Checking, Set};
 use crate::model::ipc::{Ipc, NOTHING};
 use crate::model::rounding::{Expected, flag, id};
+use std::rc::Rc;
 
 /// What the block put out, as far as the model goes on from it: each is compared before it is used.
 #[derive(Clone, Copy, Debug)]
@@ -37,6 +38,9 @@ pub struct Alone<'d> {
     /// whether the block fades out for a set
     leaves: bool,
     refused: Option<Refused>,
+    checking: Option<Checking>,
+    /// the offered set as it was when its numbers were copied, until they have been checked
+    copied: Option<Rc<Set>>,
 }
 
 impl<'d> Alone<'d> {
@@ -44,7 +48,7 @@ impl<'d> Alone<'d> {
     #[must_use]
     pub fn new(of: &'d Drawn) -> Self {
         let ipc = Ipc::new(&of.parameters, &of.coefficients, of.sum_limit);
-        Self { of, ipc, in_use: 0, leaves: false, refused: None }
+        Self { of, ipc, in_use: 0, leaves: false, refused: None, checking: None, copied: None }
     }
 
     /// Whether a set is in use.
@@ -114,13 +118,13 @@ impl<'d> Alone<'d> {
     }
 
     /// What the block does with the set that is offered; why it is refused.
-    fn look_at(&mut self, offered: &Set) -> u32 {
+    fn look_at(&mut self, offered: &Rc<Set>) -> u32 {
         if self.ipc.is_disturbed() {
-            (self.in_use, self.leaves, self.refused) = (0, false, None);
+            (self.in_use, self.leaves, self.refused, self.checking, self.copied) = (0, false, None, None, None);
             return 0;
         }
         if self.in_use != 0 && offered.set_id == self.in_use {
-            self.leaves = false;
+            (self.leaves, self.checking) = (false, None);
             return 0;
         }
         if let Some(refused) = self.refused.as_mut().filter(|of| of.set == offered.set_id && of.left > 0) {
@@ -130,16 +134,38 @@ impl<'d> Alone<'d> {
         if self.ipc.is_open() && (self.leaves || self.ipc.is_tripped()) {
             return 0;
         }
-        let why = offered.refusal(&self.of.structure);
+        let why = self.go_on(offered);
         if why != 0 {
             self.refused = Some(Refused { set: offered.set_id, why, left: self.ipc.fade_cycles() });
-            self.leaves = false;
+            (self.leaves, self.checking, self.copied) = (false, None, None);
+        }
+        why
+    }
+
+    /// The next step towards the use of a set: a piece of its check, the fade, the copy, a piece of the check of the copy; why it is refused.
+    fn go_on(&mut self, offered: &Rc<Set>) -> u32 {
+        let structure = &self.of.structure;
+        let copied = self.copied.clone().filter(|copied| copied.set_id == offered.set_id && self.in_use == 0);
+        let checking = self.checking.as_mut().filter(|checking| checking.set == offered.set_id && checking.set != 0);
+        let Some(checking) = checking else {
+            let begun = Checking::new(offered.set_id);
+            let why = begun.begin(offered, structure);
+            self.checking = Some(begun);
+            return why;
+        };
+        if !checking.is_done(structure) {
+            let numbers = &copied.as_ref().unwrap_or(offered).numbers;
+            return checking.piece(numbers, structure, copied.is_some()).unwrap_or(0);
+        }
+        if let Some(copied) = copied {
+            self.ipc.take(&self.of.filters[copied.of], copied.limits(structure));
+            (self.in_use, self.leaves, self.copied) = (offered.set_id, false, None);
         } else if self.ipc.is_open() {
             self.leaves = true;
         } else {
-            self.ipc.take(&self.of.filters[offered.of], offered.limits(&self.of.structure));
-            (self.in_use, self.leaves) = (offered.set_id, false);
+            self.ipc.stop();
+            (self.in_use, self.leaves, self.checking, self.copied) = (0, false, None, Some(Rc::clone(offered)));
         }
-        why
+        0
     }
 }

@@ -6,16 +6,16 @@ use crate::random::rng::Rng;
 /// Memory that nobody has written.
 #[must_use]
 pub fn zeros(of: &Structure) -> Set {
-    Set { structure: 0, set_id: 0, check: [0; 2], numbers: vec![0.0; of.names.len()], of: 0 }
+    Set { structure: 0, set_id: 0, numbers: vec![0.0; of.names.len()], of: 0 }
 }
 
 /// A set without a number.
 #[must_use]
-pub fn absent(whole: &Set, of: &Structure) -> Set {
-    Set { set_id: 0, ..whole.clone() }.sealed(of)
+pub fn absent(whole: &Set) -> Set {
+    Set { set_id: 0, ..whole.clone() }
 }
 
-/// A set that a block must not take over, or one that has become another one; its own word may fit all the same.
+/// A set that a block must not take over, or one that has become another one; its number may fit all the same.
 #[must_use]
 pub fn damaged(whole: &Set, other: &Set, of: &Structure, rng: &mut Rng) -> Set {
     let mut set = whole.clone();
@@ -27,7 +27,7 @@ pub fn damaged(whole: &Set, other: &Set, of: &Structure, rng: &mut Rng) -> Set {
     }
     match rng.below(16) {
         0 => return zeros(of),
-        1 => return absent(whole, of),
+        1 => return absent(whole),
         2 => set.structure ^= 1 << rng.below(32),
         3 => {
             let limit = rounded(of.limit * (1.0 + 1e-6), of);
@@ -56,7 +56,7 @@ pub fn damaged(whole: &Set, other: &Set, of: &Structure, rng: &mut Rng) -> Set {
             return set;
         }
         14 => {
-            set.check[rng.below(2)] += 1;
+            set.set_id ^= 1 << rng.below(32);
             return set;
         }
         // Below what the word covers.

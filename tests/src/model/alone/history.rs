@@ -60,7 +60,7 @@ impl<'d> History<'d> {
             let whole = &of.sets[rng.below(of.sets.len())];
             match rng.below(4) {
                 0 => {}
-                1 => offered = absent(whole, structure),
+                1 => offered = absent(whole),
                 2 => offered = damaged(whole, &of.sets[0], structure, &mut rng),
                 _ => offered = whole.clone(),
             }
@@ -153,14 +153,13 @@ impl<'d> History<'d> {
         }
     }
 
-    /// The number that is offered becomes that of a whole set.
+    /// What is offered becomes the whole set of that number, or any.
     fn repair(&mut self) {
-        let Drawn { sets, structure, .. } = self.of;
+        let sets = &self.of.sets;
         let kept = self.offered.set_id;
         let whole = sets.iter().find(|set| set.set_id == kept);
         let any = &sets[self.rng.below(sets.len())];
-        let repaired = whole.cloned().unwrap_or_else(|| Set { set_id: kept, ..any.clone() }.sealed(structure));
-        self.offered = Rc::new(repaired);
+        self.offered = Rc::new(whole.unwrap_or(any).clone());
     }
 
     fn begin_phase(&mut self) {

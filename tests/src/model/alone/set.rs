@@ -18,8 +18,6 @@ pub struct Set {
     pub structure: u32,
     /// `set_id`
     pub set_id: u32,
-    /// `check_first`, `check_second`
-    pub check: [i32; 2],
     /// the numbers, in the order of [`Structure::names`]
     pub numbers: Vec<f64>,
     /// which parameters the numbers belong to: a set that is taken over has all of them
@@ -121,6 +119,48 @@ impl Structure {
         Self { number, single: p.single, limit, names, sections, gains, limits }
     }
 
+    /// Pieces of a number.
+    fn pieces(&self) -> usize {
+        if self.single { 3 } else { 4 }
+    }
+
+    /// A number as the check word cuts it.
+    fn cut(&self, at: usize, number: f64) -> f64 {
+        if at < self.limits { number / 1_048_576.0 } else { number }
+    }
+
+    /// Whether a number is in range, fits the numbers before it, and the section whose poles it decides is stable.
+    fn is_sound(&self, at: usize, before: &[f64], number: f64) -> bool {
+        let decided = self.poles_end().find(|(_, end)| *end == at);
+        match at {
+            0 => (0.0..=self.limit).contains(&number),
+            1 => number + before[0] == 0.0,
+            2 => (before[0]..=LARGEST_LIMIT).contains(&number),
+            3 if self.limits > 3 => number.abs() <= self.limit,
+            _ if self.gains.contains(&at) => number.abs() <= LARGEST_WEIGHT,
+            _ => {
+                let is_stable = |((kind, first), _): ((Section, usize), usize)| {
+                    let mut numbers = before[first..].to_vec();
+                    numbers.push(number);
+                    numbers.resize(7, 0.0);
+                    kind.is_stable(&numbers, self.single)
+                };
+                number.abs() <= LARGEST && decided.is_none_or(is_stable)
+            }
+        }
+    }
+
+    /// Each section with the place of the number that completes its poles.
+    fn poles_end(&self) -> impl Iterator<Item = ((Section, usize), usize)> {
+        let end = |(kind, first): (Section, usize)| match (kind, self.single) {
+            (Section::Oscillation, true) => first + 3,
+            (Section::Oscillation, false) => first + 4,
+            (Section::Allpass, false) => first + 1,
+            (Section::Bandpass | Section::Allpass, _) => first + 2,
+        };
+        self.sections.iter().map(move |of| (*of, end(*of)))
+    }
+
     /// Where the numbers of the limits end.
     #[must_use]
     pub fn limits(&self) -> usize {
@@ -157,50 +197,80 @@ impl Set {
         [self.numbers[0], self.numbers[2], if of.limits > 3 { self.numbers[3] } else { 0.0 }]
     }
 
-    /// Its numbers as the check word cuts them, its two integers after them.
-    fn cut<'s>(&'s self, of: &'s Structure) -> impl Iterator<Item = f64> + 's {
-        let scaled = |(at, number): (usize, &f64)| if at < of.limits { number / 1_048_576.0 } else { *number };
-        let halves = |integer: u32| [integer % 65_536, integer / 65_536].map(|half| f64::from(half) / 2.0);
-        let integers = halves(self.structure).into_iter().chain(halves(self.set_id));
-        self.numbers.iter().enumerate().map(scaled).chain(integers)
-    }
-
-    /// The same set with the check word that belongs to its numbers.
+    /// The same set with the number that belongs to its numbers.
     #[must_use]
     pub fn sealed(self, of: &Structure) -> Self {
-        // What is beyond the range is refused whatever the word is.
-        let is_cut = self.cut(of).all(|number| number.abs() <= LARGEST);
-        let check = if is_cut { word(self.cut(of), of.single).0 } else { self.check };
-        Self { check, ..self }
+        let cut: Vec<f64> = self.numbers.iter().enumerate().map(|(at, number)| of.cut(at, *number)).collect();
+        // What is beyond the range is refused whatever the number is.
+        let is_cut = cut.iter().all(|number| number.abs() <= LARGEST);
+        let word = if is_cut { word(self.structure, cut, of.single) } else { None };
+        Self { set_id: word.unwrap_or(self.set_id), ..self }
     }
 
-    /// The id for which it is refused; 0: it is not.
+    /// The id for which it is refused while it does not change; 0: it is not.
     #[must_use]
     pub fn refusal(&self, of: &Structure) -> u32 {
-        if self.structure != of.number || self.set_id == 0 {
-            return 6;
+        let mut checked = Checking::new(self.set_id);
+        match checked.begin(self, of) {
+            0 => loop {
+                match checked.piece(&self.numbers, of, false) {
+                    Some(why) => return why,
+                    None => {}
+                }
+            },
+            why => why,
         }
-        if !self.is_sound(of) {
-            return 7;
-        }
-        if word(self.cut(of), of.single) == (self.check, false) { 0 } else { 8 }
+    }
+}
+
+/// A set that is checked, a piece of a number in a cycle: docs/parameter-sets.md, "What the block does".
+#[derive(Clone, Debug)]
+pub struct Checking {
+    /// its number
+    pub set: u32,
+    /// cycles so far
+    pieces: usize,
+    /// each number as it was when its first piece was taken
+    cut: Vec<f64>,
+    /// each number as it was when its last piece was taken
+    seen: Vec<f64>,
+}
+
+impl Checking {
+    /// Before the first piece.
+    #[must_use]
+    pub fn new(set: u32) -> Self {
+        Self { set, pieces: 0, cut: Vec::new(), seen: Vec::new() }
     }
 
-    /// Every real is a number and in range, the limits fit, each section is stable.
-    fn is_sound(&self, of: &Structure) -> bool {
-        let [limit, lower_limit, sum_limit] = [0, 1, 2].map(|at| self.numbers[at]);
-        let quiet = if of.limits > 3 { self.numbers[3] } else { 0.0 };
-        let are_limits_sound = (0.0..=of.limit).contains(&limit)
-            && lower_limit + limit == 0.0
-            && (limit..=LARGEST_LIMIT).contains(&sum_limit)
-            && quiet.abs() <= of.limit;
-        let is_section_stable = |(kind, at): &(Section, usize)| {
-            let end = at + kind.names(of.single).len();
-            kind.is_stable(&self.numbers[*at..end], of.single)
-        };
-        are_limits_sound
-            && self.numbers[of.limits..].iter().all(|number| number.abs() <= LARGEST)
-            && of.gains.iter().all(|at| self.numbers[*at].abs() <= LARGEST_WEIGHT)
-            && of.sections.iter().all(is_section_stable)
+    /// The first cycle: 6 for a set of another structure or without a number.
+    #[must_use]
+    pub fn begin(&self, offered: &Set, of: &Structure) -> u32 {
+        if offered.structure != of.number || offered.set_id == 0 { 6 } else { 0 }
+    }
+
+    /// Whether the last piece was taken.
+    #[must_use]
+    pub fn is_done(&self, of: &Structure) -> bool {
+        self.pieces == of.names.len() * of.pieces()
+    }
+
+    /// The next piece of these numbers. The id for which the set is refused, or 0 after the last piece. `was_checked`: only the word is formed.
+    pub fn piece(&mut self, numbers: &[f64], of: &Structure, was_checked: bool) -> Option<u32> {
+        let (at, piece) = (self.pieces / of.pieces(), self.pieces % of.pieces());
+        if !was_checked && !of.is_sound(at, &self.seen, numbers[at]) {
+            return Some(7);
+        }
+        if piece == 0 {
+            self.cut.push(of.cut(at, numbers[at]));
+        }
+        if piece + 1 == of.pieces() {
+            self.seen.push(numbers[at]);
+        }
+        self.pieces += 1;
+        // What is beyond the range has no word.
+        let is_cut = || self.cut.iter().all(|number| number.abs() <= LARGEST);
+        let is_its_number = || is_cut() && word(of.number, self.cut.iter().copied(), of.single) == Some(self.set);
+        self.is_done(of).then(|| if is_its_number() { 0 } else { 8 })
     }
 }
