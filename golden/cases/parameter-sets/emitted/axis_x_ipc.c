@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    c7a0e27c51b7e186d6b5ed96e4e0457e
+ * structure   392c4d77e7aa1ba25c7177cf5a298517
+ * checksum    1351a6f444629a130cdfe892c058c543
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -77,13 +77,10 @@ static const float axis_x_ipc_sample_limit = 1000000000.0f;
 /* added to every change of an input and to the filter state low, so that a section at rest never decays into
  * subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
-static const int32_t axis_x_ipc_differed = 2147483647; /* a number differed from its copy */
 
 const axis_x_ipc_params axis_x_ipc_designed = {
-    3436647191u, /* structure */
-    3593715943u, /* set_id */
-    1368, /* check_first */
-    45075, /* check_second */
+    262723498u, /* structure */
+    616253684u, /* set_id */
     8000.0f, /* limit */
     -8000.0f, /* lower_limit */
     3056884.3f, /* sum_limit */
@@ -100,6 +97,7 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->set_id = 0u;
     state->acting_set = 0u;
     state->offered_set = 0u;
+    state->copied_set = 0u;
     state->pause = 0u;
     state->refused = 0u;
     state->refused_set = 0u;
@@ -117,7 +115,20 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->copy_stage0_filter0_bandpass0_b = 0.0f;
     state->copy_stage0_filter0_bandpass0_c = 0.0f;
     state->copy_stage0_gain = 0.0f;
-    state->turn_next = 0;
+    state->turn = 0u;
+    state->picked_number = 0.0f;
+    state->picked_copy_number = 0.0f;
+    state->check_set_id = 0u;
+    state->check_turn = 0u;
+    state->check_picked_number = 0.0f;
+    state->check_picked_role = 0;
+    state->check_before = 0.0f;
+    state->check_before_2 = 0.0f;
+    state->check_forming_first = 0;
+    state->check_forming_second = 0;
+    state->check_forming_pieces = 0u;
+    state->check_forming_rest = 0.0f;
+    state->check_forming_left_over = 0.0f;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -144,13 +155,21 @@ static void axis_x_ipc_any_cycle(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    /* accepts parameter sets for the set structure ccd71317 = 3436647191 */
-    static const uint32_t structure = 3436647191u; /* id of the block structure: a parameter set for another structure is refused */
+    /* accepts parameter sets for the set structure 0fa8d7aa = 262723498 */
+    static const uint32_t structure = 262723498u; /* id of the block structure: a parameter set for another structure is refused */
+    static const int32_t empty_first = 39045; /* check word of the structure, before the first number of a set: its first part */
+    static const int32_t empty_second = 5669; /* check word of the structure, before the first number of a set: its second part */
 
     /* fade from OFF to ON: 0.05 s (key fade) */
     static const float ipc_fade_step = 0.02f; /* 1 / fade_cycles */
 
     /* constants that do not depend on the axis */
+    static const int32_t role_coefficient = 0; /* what a number of a set is: a coefficient of a section */
+    static const int32_t role_limit = 1; /* what a number of a set is: the largest |v_add| */
+    static const int32_t role_lower_limit = 2; /* what a number of a set is: the negative limit, after the limit */
+    static const int32_t role_sum_limit = 3; /* what a number of a set is: the largest sum, after both limits */
+    static const int32_t role_c = 7; /* what a number of a set is: C of a trapezoidal section, after its A and B */
+    static const int32_t role_gain = 5; /* what a number of a set is: -weight */
     static const float limit_scale = 9.536743e-7f; /* 2^-20: scales a limit for the check word */
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled by 2^-20 */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
@@ -160,7 +179,7 @@ static void axis_x_ipc_any_cycle(
     static const float largest_piece = 2147483500.0f;
     /* 2^31: scales the remainder of a number before its next integer for the check word is taken */
     static const float next_cut = 2147483600.0f;
-    static const float half = 0.5f; /* 1/2: scales each half of a 32-bit integer for the check word */
+    static const uint32_t last_piece = 2u; /* The last piece of a number, counted from 0. */
 
     state->offered_set = inputs->params->set_id;
     int32_t mode;
@@ -168,7 +187,9 @@ static void axis_x_ipc_any_cycle(
     if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
         state->set_id = 0u;
         state->acting_set = 0u;
+        state->copied_set = 0u;
         state->pause = 0u;
+        state->check_set_id = 0u;
         mode = inputs->mode;
         refused = AXIS_X_IPC_ERROR_NONE;
     } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
@@ -177,14 +198,7 @@ static void axis_x_ipc_any_cycle(
                 && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
         if (state->offered_set == state->set_id && state->set_id != 0u) {
             state->acting_set = state->set_id;
-            state->copy_limit = state->now_limit;
-            state->copy_lower_limit = state->now_lower_limit;
-            state->copy_sum_limit = state->now_sum_limit;
-            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-            state->copy_stage0_gain = state->now_stage0_gain;
-            state->turn_next = 0;
+            state->check_set_id = 0u;
             refused = AXIS_X_IPC_ERROR_NONE;
         } else if (must_wait) {
             state->pause = state->pause - 1u;
@@ -195,551 +209,225 @@ static void axis_x_ipc_any_cycle(
             if (fade > 0u && acting_set == 0u) {
                 refused = AXIS_X_IPC_ERROR_NONE;
             } else {
-                state->copy_limit = inputs->params->limit;
-                state->copy_lower_limit = inputs->params->lower_limit;
-                state->copy_sum_limit = inputs->params->sum_limit;
-                state->copy_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                state->copy_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                state->copy_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                state->copy_stage0_gain = inputs->params->stage0_gain;
-                const uint32_t set_id = state->offered_set;
-                if (inputs->params->structure == structure && set_id != 0u) {
-                    bool are_sound_so_far;
-                    if (axis_x_ipc_magnitude(state->copy_limit) <= axis_x_ipc_ipc_limit
-                            && axis_x_ipc_magnitude(state->copy_lower_limit) <= axis_x_ipc_ipc_limit
-                            && axis_x_ipc_magnitude(state->copy_sum_limit * limit_scale) <= largest_number) {
-                        are_sound_so_far =
-                            state->copy_limit >= 0.0f && axis_x_ipc_is_zero(state->copy_lower_limit + state->copy_limit)
-                                && state->copy_sum_limit >= state->copy_limit;
+                const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+                if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
+                    state->check_forming_left_over = 0.0f;
+                    state->check_forming_pieces = 0u;
+                    state->check_forming_second = empty_second;
+                    state->check_forming_first = empty_first;
+                    state->check_turn = 0u;
+                    uint32_t turn_last;
+                    if (is_copied) {
+                        turn_last = 0u;
                     } else {
-                        are_sound_so_far = false;
+                        turn_last = state->turn;
                     }
-                    const bool is_sound_so_far0 = axis_x_ipc_magnitude(state->copy_stage0_gain) <= weight_limit;
-                    const float a000 = state->copy_stage0_filter0_bandpass0_a;
-                    const float b000 = state->copy_stage0_filter0_bandpass0_b;
-                    const float c000 = state->copy_stage0_filter0_bandpass0_c;
-                    bool is_stable000;
-                    if (axis_x_ipc_magnitude(a000) <= largest_number && axis_x_ipc_magnitude(b000) <= pole_limit
-                            && axis_x_ipc_magnitude(c000) <= largest_number) {
-                        const float product000 = a000 * c000;
-                        is_stable000 = 0.0f < product000 && product000 < b000 && b000 < pole_limit;
+                    state->turn = turn_last;
+                    const uint32_t set_id = state->offered_set;
+                    state->check_set_id = set_id;
+                    if (inputs->params->structure != structure || state->offered_set == 0u) {
+                        refused = AXIS_X_IPC_ERROR_SET_STRUCTURE;
                     } else {
-                        is_stable000 = false;
+                        refused = AXIS_X_IPC_ERROR_NONE;
                     }
-                    const bool is_sound_so_far00 = is_sound_so_far0 && is_stable000;
-                    const bool are_sound_so_far0 = are_sound_so_far && is_sound_so_far00;
-                    if (are_sound_so_far0) {
-                        const float limits = state->copy_limit;
-                        const float limits_next = state->copy_lower_limit;
-                        const float limits_last = state->copy_sum_limit;
-                        const float number0 = limits * limit_scale;
-                        const float rest0 = number0 * first_cut;
-                        int32_t piece00;
-                        if (axis_x_ipc_magnitude(rest0) <= largest_piece) {
-                            piece00 = (int32_t)rest0;
+                } else if (state->check_turn < 7u) {
+                    if (is_copied) {
+                        state->check_picked_number = state->picked_number;
+                    } else {
+                        const uint32_t turn_then = state->check_turn;
+                        if (turn_then == 0u) {
+                            state->check_picked_number = inputs->params->limit;
+                        } else if (turn_then == 1u) {
+                            state->check_picked_number = inputs->params->lower_limit;
+                        } else if (turn_then == 2u) {
+                            state->check_picked_number = inputs->params->sum_limit;
+                        } else if (turn_then == 3u) {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
+                        } else if (turn_then == 4u) {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
+                        } else if (turn_then == 5u) {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
+                        } else if (turn_then == 6u) {
+                            state->check_picked_number = inputs->params->stage0_gain;
+                        } else {
+                            /* no action */
+                        }
+                    }
+                    bool check_is_in_order;
+                    if (is_copied) {
+                        check_is_in_order = true;
+                    } else {
+                        const uint32_t check_turn = state->check_turn;
+                        state->check_picked_role = role_coefficient;
+                        if (check_turn == 0u) {
+                            state->check_picked_role = role_limit;
+                        } else if (check_turn == 1u) {
+                            state->check_picked_role = role_lower_limit;
+                        } else if (check_turn == 2u) {
+                            state->check_picked_role = role_sum_limit;
+                        } else if (check_turn == 5u) {
+                            state->check_picked_role = role_c;
+                        } else if (check_turn == 6u) {
+                            state->check_picked_role = role_gain;
+                        } else {
+                            /* no action */
+                        }
+                        const float check_number = state->check_picked_number;
+                        const int32_t check_role = state->check_picked_role;
+                        if (check_role == role_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
+                        } else if (check_role == role_lower_limit) {
+                            check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
+                        } else if (check_role == role_sum_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
+                                    && check_number >= state->check_before_2;
+                        } else if (check_role == role_gain) {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
+                        } else if (check_role == role_c) {
+                            const float check_a = state->check_before_2;
+                            const float check_b = state->check_before;
+                            if (axis_x_ipc_magnitude(check_a) <= largest_number
+                                    && axis_x_ipc_magnitude(check_b) <= pole_limit
+                                    && axis_x_ipc_magnitude(check_number) <= largest_number) {
+                                const float check_product = check_a * check_number;
+                                check_is_in_order =
+                                    0.0f < check_product && check_product < check_b && check_b < pole_limit;
+                            } else {
+                                check_is_in_order = false;
+                            }
+                        } else {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
+                        }
+                    }
+                    if (check_is_in_order) {
+                        const float check_number_next = state->check_picked_number;
+                        const bool check_is_limit = state->check_turn < 3u;
+                        float check_scaled;
+                        if (check_is_limit) {
+                            check_scaled = check_number_next * limit_scale;
+                        } else {
+                            check_scaled = check_number_next;
+                        }
+                        float check_forming_rest;
+                        if (state->check_forming_pieces == 0u) {
+                            check_forming_rest = check_scaled * first_cut;
+                        } else {
+                            check_forming_rest = state->check_forming_rest;
+                        }
+                        int32_t check_forming_piece;
+                        if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
+                            check_forming_piece = (int32_t)check_forming_rest;
                         } else {
                             /* reached only if the block's memory was corrupted */
-                            piece00 = 0;
+                            check_forming_piece = 0;
                         }
-                        const int32_t part00 = piece00 % 46337;
-                        const int32_t first00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
-                        const int32_t second00 = ((int32_t)((uint32_t)0 + (uint32_t)part00)) % 46337;
-                        const float rest00 = (rest0 - (float)piece00) * next_cut;
-                        int32_t piece01;
-                        if (axis_x_ipc_magnitude(rest00) <= largest_piece) {
-                            piece01 = (int32_t)rest00;
+                        state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                        state->check_forming_first =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337)) + (uint32_t)(check_forming_piece % 46337))) % 46337;
+                        state->check_forming_second =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389)) + (uint32_t)(check_forming_piece % 46337))) % 46337;
+                        const bool check_forming_is_last = state->check_forming_pieces >= last_piece;
+                        if (check_forming_is_last) {
+                            state->check_forming_pieces = 0u;
+                            state->check_forming_left_over = state->check_forming_left_over + state->check_forming_rest;
                         } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece01 = 0;
+                            state->check_forming_pieces = state->check_forming_pieces + 1u;
                         }
-                        const int32_t part01 = piece01 % 46337;
-                        const int32_t first01 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00 * (uint32_t)31337)) + (uint32_t)part01)) % 46337;
-                        const int32_t second01 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00 * (uint32_t)17389)) + (uint32_t)part01)) % 46337;
-                        const float rest01 = (rest00 - (float)piece01) * next_cut;
-                        int32_t piece02;
-                        if (axis_x_ipc_magnitude(rest01) <= largest_piece) {
-                            piece02 = (int32_t)rest01;
+                        bool check_is_done;
+                        if (check_forming_is_last) {
+                            state->check_before_2 = state->check_before;
+                            state->check_before = check_number_next;
+                            state->check_turn = state->check_turn + 1u;
+                            check_is_done = state->check_turn >= 7u;
                         } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece02 = 0;
+                            check_is_done = false;
                         }
-                        const int32_t part02 = piece02 % 46337;
-                        const int32_t first02 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first01 * (uint32_t)31337)) + (uint32_t)part02)) % 46337;
-                        const int32_t second02 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second01 * (uint32_t)17389)) + (uint32_t)part02)) % 46337;
-                        const float rest02 = (rest01 - (float)piece02) * next_cut;
-                        const float left_over0 = 0.0f + rest02;
-                        const float number1 = limits_next * limit_scale;
-                        const float rest1 = number1 * first_cut;
-                        int32_t piece10;
-                        if (axis_x_ipc_magnitude(rest1) <= largest_piece) {
-                            piece10 = (int32_t)rest1;
+                        if (check_is_done) {
+                            const uint32_t check_set_id = state->check_set_id;
+                            bool check_is_same;
+                            if (check_set_id != 0u) {
+                                const uint32_t check_above = check_set_id - 1u;
+                                const int32_t check_part = state->check_forming_first;
+                                int32_t check_value;
+                                if (check_part < 0) {
+                                    check_value = (int32_t)((uint32_t)check_part + (uint32_t)46337);
+                                } else {
+                                    check_value = check_part;
+                                }
+                                const float check_first = (float)(check_above / 46337u) - (float)check_value;
+                                const int32_t check_part_next = state->check_forming_second;
+                                int32_t check_value_next;
+                                if (check_part_next < 0) {
+                                    check_value_next = (int32_t)((uint32_t)check_part_next + (uint32_t)46337);
+                                } else {
+                                    check_value_next = check_part_next;
+                                }
+                                const float check_second = (float)(check_above % 46337u) - (float)check_value_next;
+                                check_is_same =
+                                    axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
+                                        && axis_x_ipc_is_zero(state->check_forming_left_over);
+                            } else {
+                                check_is_same = false;
+                            }
+                            if (check_is_same) {
+                                refused = AXIS_X_IPC_ERROR_NONE;
+                            } else {
+                                refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
+                            }
                         } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece10 = 0;
-                        }
-                        const int32_t part10 = piece10 % 46337;
-                        const int32_t first10 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02 * (uint32_t)31337)) + (uint32_t)part10)) % 46337;
-                        const int32_t second10 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02 * (uint32_t)17389)) + (uint32_t)part10)) % 46337;
-                        const float rest10 = (rest1 - (float)piece10) * next_cut;
-                        int32_t piece11;
-                        if (axis_x_ipc_magnitude(rest10) <= largest_piece) {
-                            piece11 = (int32_t)rest10;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece11 = 0;
-                        }
-                        const int32_t part11 = piece11 % 46337;
-                        const int32_t first11 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first10 * (uint32_t)31337)) + (uint32_t)part11)) % 46337;
-                        const int32_t second11 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second10 * (uint32_t)17389)) + (uint32_t)part11)) % 46337;
-                        const float rest11 = (rest10 - (float)piece11) * next_cut;
-                        int32_t piece12;
-                        if (axis_x_ipc_magnitude(rest11) <= largest_piece) {
-                            piece12 = (int32_t)rest11;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece12 = 0;
-                        }
-                        const int32_t part12 = piece12 % 46337;
-                        const int32_t first12 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first11 * (uint32_t)31337)) + (uint32_t)part12)) % 46337;
-                        const int32_t second12 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second11 * (uint32_t)17389)) + (uint32_t)part12)) % 46337;
-                        const float rest12 = (rest11 - (float)piece12) * next_cut;
-                        const float left_over1 = left_over0 + rest12;
-                        const float number2 = limits_last * limit_scale;
-                        const float rest2 = number2 * first_cut;
-                        int32_t piece20;
-                        if (axis_x_ipc_magnitude(rest2) <= largest_piece) {
-                            piece20 = (int32_t)rest2;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece20 = 0;
-                        }
-                        const int32_t part20 = piece20 % 46337;
-                        const int32_t first20 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first12 * (uint32_t)31337)) + (uint32_t)part20)) % 46337;
-                        const int32_t second20 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second12 * (uint32_t)17389)) + (uint32_t)part20)) % 46337;
-                        const float rest20 = (rest2 - (float)piece20) * next_cut;
-                        int32_t piece21;
-                        if (axis_x_ipc_magnitude(rest20) <= largest_piece) {
-                            piece21 = (int32_t)rest20;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece21 = 0;
-                        }
-                        const int32_t part21 = piece21 % 46337;
-                        const int32_t first21 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first20 * (uint32_t)31337)) + (uint32_t)part21)) % 46337;
-                        const int32_t second21 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second20 * (uint32_t)17389)) + (uint32_t)part21)) % 46337;
-                        const float rest21 = (rest20 - (float)piece21) * next_cut;
-                        int32_t piece22;
-                        if (axis_x_ipc_magnitude(rest21) <= largest_piece) {
-                            piece22 = (int32_t)rest21;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece22 = 0;
-                        }
-                        const int32_t part22 = piece22 % 46337;
-                        const int32_t first22 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first21 * (uint32_t)31337)) + (uint32_t)part22)) % 46337;
-                        const int32_t second22 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second21 * (uint32_t)17389)) + (uint32_t)part22)) % 46337;
-                        const float rest22 = (rest21 - (float)piece22) * next_cut;
-                        const float left_over2 = left_over1 + rest22;
-                        const float numbers000 = state->copy_stage0_filter0_bandpass0_a;
-                        const float numbers000_next = state->copy_stage0_filter0_bandpass0_b;
-                        const float numbers000_last = state->copy_stage0_filter0_bandpass0_c;
-                        const float rest0000 = numbers000 * first_cut;
-                        int32_t piece00000;
-                        if (axis_x_ipc_magnitude(rest0000) <= largest_piece) {
-                            piece00000 = (int32_t)rest0000;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00000 = 0;
-                        }
-                        const int32_t part00000 = piece00000 % 46337;
-                        const int32_t first00000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first22 * (uint32_t)31337)) + (uint32_t)part00000)) % 46337;
-                        const int32_t second00000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second22 * (uint32_t)17389)) + (uint32_t)part00000)) % 46337;
-                        const float rest00000 = (rest0000 - (float)piece00000) * next_cut;
-                        int32_t piece00001;
-                        if (axis_x_ipc_magnitude(rest00000) <= largest_piece) {
-                            piece00001 = (int32_t)rest00000;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00001 = 0;
-                        }
-                        const int32_t part00001 = piece00001 % 46337;
-                        const int32_t first00001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00000 * (uint32_t)31337)) + (uint32_t)part00001)) % 46337;
-                        const int32_t second00001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00000 * (uint32_t)17389)) + (uint32_t)part00001)) % 46337;
-                        const float rest00001 = (rest00000 - (float)piece00001) * next_cut;
-                        int32_t piece00002;
-                        if (axis_x_ipc_magnitude(rest00001) <= largest_piece) {
-                            piece00002 = (int32_t)rest00001;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00002 = 0;
-                        }
-                        const int32_t part00002 = piece00002 % 46337;
-                        const int32_t first00002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00001 * (uint32_t)31337)) + (uint32_t)part00002)) % 46337;
-                        const int32_t second00002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00001 * (uint32_t)17389)) + (uint32_t)part00002)) % 46337;
-                        const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
-                        const float left_over0000 = left_over2 + rest00002;
-                        const float rest0001 = numbers000_next * first_cut;
-                        int32_t piece00010;
-                        if (axis_x_ipc_magnitude(rest0001) <= largest_piece) {
-                            piece00010 = (int32_t)rest0001;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00010 = 0;
-                        }
-                        const int32_t part00010 = piece00010 % 46337;
-                        const int32_t first00010 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00002 * (uint32_t)31337)) + (uint32_t)part00010)) % 46337;
-                        const int32_t second00010 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00002 * (uint32_t)17389)) + (uint32_t)part00010)) % 46337;
-                        const float rest00010 = (rest0001 - (float)piece00010) * next_cut;
-                        int32_t piece00011;
-                        if (axis_x_ipc_magnitude(rest00010) <= largest_piece) {
-                            piece00011 = (int32_t)rest00010;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00011 = 0;
-                        }
-                        const int32_t part00011 = piece00011 % 46337;
-                        const int32_t first00011 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00010 * (uint32_t)31337)) + (uint32_t)part00011)) % 46337;
-                        const int32_t second00011 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00010 * (uint32_t)17389)) + (uint32_t)part00011)) % 46337;
-                        const float rest00011 = (rest00010 - (float)piece00011) * next_cut;
-                        int32_t piece00012;
-                        if (axis_x_ipc_magnitude(rest00011) <= largest_piece) {
-                            piece00012 = (int32_t)rest00011;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00012 = 0;
-                        }
-                        const int32_t part00012 = piece00012 % 46337;
-                        const int32_t first00012 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00011 * (uint32_t)31337)) + (uint32_t)part00012)) % 46337;
-                        const int32_t second00012 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00011 * (uint32_t)17389)) + (uint32_t)part00012)) % 46337;
-                        const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
-                        const float left_over0001 = left_over0000 + rest00012;
-                        const float rest0002 = numbers000_last * first_cut;
-                        int32_t piece00020;
-                        if (axis_x_ipc_magnitude(rest0002) <= largest_piece) {
-                            piece00020 = (int32_t)rest0002;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00020 = 0;
-                        }
-                        const int32_t part00020 = piece00020 % 46337;
-                        const int32_t first00020 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00012 * (uint32_t)31337)) + (uint32_t)part00020)) % 46337;
-                        const int32_t second00020 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00012 * (uint32_t)17389)) + (uint32_t)part00020)) % 46337;
-                        const float rest00020 = (rest0002 - (float)piece00020) * next_cut;
-                        int32_t piece00021;
-                        if (axis_x_ipc_magnitude(rest00020) <= largest_piece) {
-                            piece00021 = (int32_t)rest00020;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00021 = 0;
-                        }
-                        const int32_t part00021 = piece00021 % 46337;
-                        const int32_t first00021 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00020 * (uint32_t)31337)) + (uint32_t)part00021)) % 46337;
-                        const int32_t second00021 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00020 * (uint32_t)17389)) + (uint32_t)part00021)) % 46337;
-                        const float rest00021 = (rest00020 - (float)piece00021) * next_cut;
-                        int32_t piece00022;
-                        if (axis_x_ipc_magnitude(rest00021) <= largest_piece) {
-                            piece00022 = (int32_t)rest00021;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00022 = 0;
-                        }
-                        const int32_t part00022 = piece00022 % 46337;
-                        const int32_t first00022 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00021 * (uint32_t)31337)) + (uint32_t)part00022)) % 46337;
-                        const int32_t second00022 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00021 * (uint32_t)17389)) + (uint32_t)part00022)) % 46337;
-                        const float rest00022 = (rest00021 - (float)piece00022) * next_cut;
-                        const float left_over0002 = left_over0001 + rest00022;
-                        const float number0_next = state->copy_stage0_gain;
-                        const float rest0_next = number0_next * first_cut;
-                        int32_t piece00_next;
-                        if (axis_x_ipc_magnitude(rest0_next) <= largest_piece) {
-                            piece00_next = (int32_t)rest0_next;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece00_next = 0;
-                        }
-                        const int32_t part00_next = piece00_next % 46337;
-                        const int32_t first00_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00022 * (uint32_t)31337)) + (uint32_t)part00_next)) % 46337;
-                        const int32_t second00_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00022 * (uint32_t)17389)) + (uint32_t)part00_next)) % 46337;
-                        const float rest00_next = (rest0_next - (float)piece00_next) * next_cut;
-                        int32_t piece01_next;
-                        if (axis_x_ipc_magnitude(rest00_next) <= largest_piece) {
-                            piece01_next = (int32_t)rest00_next;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece01_next = 0;
-                        }
-                        const int32_t part01_next = piece01_next % 46337;
-                        const int32_t first01_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00_next * (uint32_t)31337)) + (uint32_t)part01_next)) % 46337;
-                        const int32_t second01_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00_next * (uint32_t)17389)) + (uint32_t)part01_next)) % 46337;
-                        const float rest01_next = (rest00_next - (float)piece01_next) * next_cut;
-                        int32_t piece02_next;
-                        if (axis_x_ipc_magnitude(rest01_next) <= largest_piece) {
-                            piece02_next = (int32_t)rest01_next;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece02_next = 0;
-                        }
-                        const int32_t part02_next = piece02_next % 46337;
-                        const int32_t first02_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first01_next * (uint32_t)31337)) + (uint32_t)part02_next)) % 46337;
-                        const int32_t second02_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
-                        const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
-                        const float left_over0_next = left_over0002 + rest02_next;
-                        const uint32_t low_half0 = structure % 65536u;
-                        const uint32_t high_half0 = structure / 65536u;
-                        const float low0 = (float)low_half0;
-                        const float high0 = (float)high_half0;
-                        const float number00 = low0 * half;
-                        const float rest00_last = number00 * first_cut;
-                        int32_t piece000;
-                        if (axis_x_ipc_magnitude(rest00_last) <= largest_piece) {
-                            piece000 = (int32_t)rest00_last;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece000 = 0;
-                        }
-                        const int32_t part000 = piece000 % 46337;
-                        const int32_t first000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02_next * (uint32_t)31337)) + (uint32_t)part000)) % 46337;
-                        const int32_t second000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02_next * (uint32_t)17389)) + (uint32_t)part000)) % 46337;
-                        const float rest000 = (rest00_last - (float)piece000) * next_cut;
-                        int32_t piece001;
-                        if (axis_x_ipc_magnitude(rest000) <= largest_piece) {
-                            piece001 = (int32_t)rest000;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece001 = 0;
-                        }
-                        const int32_t part001 = piece001 % 46337;
-                        const int32_t first001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first000 * (uint32_t)31337)) + (uint32_t)part001)) % 46337;
-                        const int32_t second001 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second000 * (uint32_t)17389)) + (uint32_t)part001)) % 46337;
-                        const float rest001 = (rest000 - (float)piece001) * next_cut;
-                        int32_t piece002;
-                        if (axis_x_ipc_magnitude(rest001) <= largest_piece) {
-                            piece002 = (int32_t)rest001;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece002 = 0;
-                        }
-                        const int32_t part002 = piece002 % 46337;
-                        const int32_t first002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first001 * (uint32_t)31337)) + (uint32_t)part002)) % 46337;
-                        const int32_t second002 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second001 * (uint32_t)17389)) + (uint32_t)part002)) % 46337;
-                        const float rest002 = (rest001 - (float)piece002) * next_cut;
-                        const float left_over00 = left_over0_next + rest002;
-                        const float number01 = high0 * half;
-                        const float rest01_last = number01 * first_cut;
-                        int32_t piece010;
-                        if (axis_x_ipc_magnitude(rest01_last) <= largest_piece) {
-                            piece010 = (int32_t)rest01_last;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece010 = 0;
-                        }
-                        const int32_t part010 = piece010 % 46337;
-                        const int32_t first010 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first002 * (uint32_t)31337)) + (uint32_t)part010)) % 46337;
-                        const int32_t second010 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second002 * (uint32_t)17389)) + (uint32_t)part010)) % 46337;
-                        const float rest010 = (rest01_last - (float)piece010) * next_cut;
-                        int32_t piece011;
-                        if (axis_x_ipc_magnitude(rest010) <= largest_piece) {
-                            piece011 = (int32_t)rest010;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece011 = 0;
-                        }
-                        const int32_t part011 = piece011 % 46337;
-                        const int32_t first011 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first010 * (uint32_t)31337)) + (uint32_t)part011)) % 46337;
-                        const int32_t second011 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second010 * (uint32_t)17389)) + (uint32_t)part011)) % 46337;
-                        const float rest011 = (rest010 - (float)piece011) * next_cut;
-                        int32_t piece012;
-                        if (axis_x_ipc_magnitude(rest011) <= largest_piece) {
-                            piece012 = (int32_t)rest011;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece012 = 0;
-                        }
-                        const int32_t part012 = piece012 % 46337;
-                        const int32_t first012 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first011 * (uint32_t)31337)) + (uint32_t)part012)) % 46337;
-                        const int32_t second012 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second011 * (uint32_t)17389)) + (uint32_t)part012)) % 46337;
-                        const float rest012 = (rest011 - (float)piece012) * next_cut;
-                        const float left_over01 = left_over00 + rest012;
-                        const uint32_t low_half1 = set_id % 65536u;
-                        const uint32_t high_half1 = set_id / 65536u;
-                        const float low1 = (float)low_half1;
-                        const float high1 = (float)high_half1;
-                        const float number10 = low1 * half;
-                        const float rest10_next = number10 * first_cut;
-                        int32_t piece100;
-                        if (axis_x_ipc_magnitude(rest10_next) <= largest_piece) {
-                            piece100 = (int32_t)rest10_next;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece100 = 0;
-                        }
-                        const int32_t part100 = piece100 % 46337;
-                        const int32_t first100 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first012 * (uint32_t)31337)) + (uint32_t)part100)) % 46337;
-                        const int32_t second100 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second012 * (uint32_t)17389)) + (uint32_t)part100)) % 46337;
-                        const float rest100 = (rest10_next - (float)piece100) * next_cut;
-                        int32_t piece101;
-                        if (axis_x_ipc_magnitude(rest100) <= largest_piece) {
-                            piece101 = (int32_t)rest100;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece101 = 0;
-                        }
-                        const int32_t part101 = piece101 % 46337;
-                        const int32_t first101 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first100 * (uint32_t)31337)) + (uint32_t)part101)) % 46337;
-                        const int32_t second101 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second100 * (uint32_t)17389)) + (uint32_t)part101)) % 46337;
-                        const float rest101 = (rest100 - (float)piece101) * next_cut;
-                        int32_t piece102;
-                        if (axis_x_ipc_magnitude(rest101) <= largest_piece) {
-                            piece102 = (int32_t)rest101;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece102 = 0;
-                        }
-                        const int32_t part102 = piece102 % 46337;
-                        const int32_t first102 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first101 * (uint32_t)31337)) + (uint32_t)part102)) % 46337;
-                        const int32_t second102 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second101 * (uint32_t)17389)) + (uint32_t)part102)) % 46337;
-                        const float rest102 = (rest101 - (float)piece102) * next_cut;
-                        const float left_over10 = left_over01 + rest102;
-                        const float number11 = high1 * half;
-                        const float rest11_next = number11 * first_cut;
-                        int32_t piece110;
-                        if (axis_x_ipc_magnitude(rest11_next) <= largest_piece) {
-                            piece110 = (int32_t)rest11_next;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece110 = 0;
-                        }
-                        const int32_t part110 = piece110 % 46337;
-                        const int32_t first110 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first102 * (uint32_t)31337)) + (uint32_t)part110)) % 46337;
-                        const int32_t second110 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second102 * (uint32_t)17389)) + (uint32_t)part110)) % 46337;
-                        const float rest110 = (rest11_next - (float)piece110) * next_cut;
-                        int32_t piece111;
-                        if (axis_x_ipc_magnitude(rest110) <= largest_piece) {
-                            piece111 = (int32_t)rest110;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece111 = 0;
-                        }
-                        const int32_t part111 = piece111 % 46337;
-                        const int32_t first111 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first110 * (uint32_t)31337)) + (uint32_t)part111)) % 46337;
-                        const int32_t second111 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second110 * (uint32_t)17389)) + (uint32_t)part111)) % 46337;
-                        const float rest111 = (rest110 - (float)piece111) * next_cut;
-                        int32_t piece112;
-                        if (axis_x_ipc_magnitude(rest111) <= largest_piece) {
-                            piece112 = (int32_t)rest111;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            piece112 = 0;
-                        }
-                        const int32_t part112 = piece112 % 46337;
-                        const int32_t first112 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first111 * (uint32_t)31337)) + (uint32_t)part112)) % 46337;
-                        const int32_t second112 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second111 * (uint32_t)17389)) + (uint32_t)part112)) % 46337;
-                        const float rest112 = (rest111 - (float)piece112) * next_cut;
-                        const float left_over11 = left_over10 + rest112;
-                        const bool is_same =
-                            inputs->params->check_first == first112 && inputs->params->check_second == second112;
-                        if (axis_x_ipc_is_zero(left_over11) && is_same) {
                             refused = AXIS_X_IPC_ERROR_NONE;
-                        } else {
-                            refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
                         }
                     } else {
                         refused = AXIS_X_IPC_ERROR_SET_UNSOUND;
                     }
+                    uint32_t turn_after;
+                    if (is_copied) {
+                        turn_after = state->check_turn;
+                    } else {
+                        turn_after = state->turn;
+                    }
+                    state->turn = turn_after;
                 } else {
-                    refused = AXIS_X_IPC_ERROR_SET_STRUCTURE;
+                    if (is_copied) {
+                        state->copied_set = 0u;
+                        state->turn = 0u;
+                        state->set_id = state->offered_set;
+                        state->acting_set = state->offered_set;
+                    } else if (state->ipc_fade == 0u) {
+                        state->now_limit = inputs->params->limit;
+                        state->now_lower_limit = inputs->params->lower_limit;
+                        state->now_sum_limit = inputs->params->sum_limit;
+                        state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
+                        state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
+                        state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
+                        state->now_stage0_gain = inputs->params->stage0_gain;
+                        state->copy_limit = state->now_limit;
+                        state->copy_lower_limit = state->now_lower_limit;
+                        state->copy_sum_limit = state->now_sum_limit;
+                        state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+                        state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+                        state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+                        state->copy_stage0_gain = state->now_stage0_gain;
+                        state->copied_set = state->offered_set;
+                        state->check_set_id = 0u;
+                        state->set_id = 0u;
+                        state->acting_set = 0u;
+                        state->turn = 0u;
+                        state->ipc_preset = false;
+                    } else {
+                        state->acting_set = 0u;
+                    }
+                    refused = AXIS_X_IPC_ERROR_NONE;
                 }
                 if (refused != AXIS_X_IPC_ERROR_NONE) {
                     state->refused = refused;
                     state->refused_set = state->offered_set;
                     state->pause = axis_x_ipc_ipc_fade_cycles;
                     state->acting_set = state->set_id;
-                    state->copy_limit = state->now_limit;
-                    state->copy_lower_limit = state->now_lower_limit;
-                    state->copy_sum_limit = state->now_sum_limit;
-                    state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-                    state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-                    state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-                    state->copy_stage0_gain = state->now_stage0_gain;
-                    state->turn_next = 0;
-                } else if (state->ipc_fade == 0u) {
-                    state->now_limit = state->copy_limit;
-                    state->now_lower_limit = state->copy_lower_limit;
-                    state->now_sum_limit = state->copy_sum_limit;
-                    state->now_stage0_filter0_bandpass0_a = state->copy_stage0_filter0_bandpass0_a;
-                    state->now_stage0_filter0_bandpass0_b = state->copy_stage0_filter0_bandpass0_b;
-                    state->now_stage0_filter0_bandpass0_c = state->copy_stage0_filter0_bandpass0_c;
-                    state->now_stage0_gain = state->copy_stage0_gain;
-                    state->turn_next = 0;
-                    state->set_id = state->offered_set;
-                    state->acting_set = state->offered_set;
-                    state->ipc_preset = false;
-                } else {
-                    state->acting_set = 0u;
+                    state->copied_set = 0u;
+                    state->check_set_id = 0u;
                 }
             }
         }
@@ -914,113 +602,6 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
-    if (state->acting_set != 0u) {
-        const int32_t turn_next = state->turn_next;
-        switch (turn_next) {
-        case 0: {
-            const float turn_limit_difference_next = *(const volatile float *)&state->now_limit - state->copy_limit;
-            int32_t turn_after_limit_next;
-            if (axis_x_ipc_is_zero(turn_limit_difference_next)) {
-                turn_after_limit_next = 1;
-            } else {
-                turn_after_limit_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_limit_next;
-            break;
-        }
-        case 1: {
-            int32_t turn_after_lower_limit_next;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
-                turn_after_lower_limit_next = 2;
-            } else {
-                turn_after_lower_limit_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_lower_limit_next;
-            break;
-        }
-        case 2: {
-            int32_t turn_after_sum_limit_next;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
-                turn_after_sum_limit_next = 3;
-            } else {
-                turn_after_sum_limit_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_sum_limit_next;
-            break;
-        }
-        case 3: {
-            const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
-            const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
-            const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
-            int32_t turn_next0000_next;
-            if (axis_x_ipc_is_zero(turn_difference0000_next)) {
-                turn_next0000_next = 4;
-            } else {
-                turn_next0000_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0000_next;
-            break;
-        }
-        case 4: {
-            const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
-            const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
-            const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
-            int32_t turn_next0001_next;
-            if (axis_x_ipc_is_zero(turn_difference0001_next)) {
-                turn_next0001_next = 5;
-            } else {
-                turn_next0001_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0001_next;
-            break;
-        }
-        case 5: {
-            const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
-            const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
-            const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
-            int32_t turn_next0002_next;
-            if (axis_x_ipc_is_zero(turn_difference0002_next)) {
-                turn_next0002_next = 6;
-            } else {
-                turn_next0002_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0002_next;
-            break;
-        }
-        case 6: {
-            const float turn_gain_difference0_next =
-                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
-            int32_t turn_after_gain0_next;
-            if (axis_x_ipc_is_zero(turn_gain_difference0_next)) {
-                turn_after_gain0_next = 7;
-            } else {
-                turn_after_gain0_next = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_gain0_next;
-            break;
-        }
-        default: {
-            if (turn_next < 0) {
-                state->turn_next = axis_x_ipc_differed;
-            } else if (turn_next >= 7) {
-                /* every number has been compared; the rest of the round is a pause */
-                if (turn_next < 28) {
-                    state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
-                } else {
-                    state->turn_next = 0;
-                }
-                if (turn_next > 28) {
-                    /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
-                     * set over again */
-                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
-                }
-            } else {
-                /* no action */
-            }
-            break;
-        }
-        }
-    }
     const uint32_t set_id_next = state->set_id;
     outputs->active_set = set_id_next;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
@@ -1037,6 +618,59 @@ void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
+    if (state->turn < 7u) {
+        const uint32_t turn = state->turn;
+        if (turn == 0u) {
+            state->picked_number = state->now_limit;
+        } else if (turn == 1u) {
+            state->picked_number = state->now_lower_limit;
+        } else if (turn == 2u) {
+            state->picked_number = state->now_sum_limit;
+        } else if (turn == 3u) {
+            state->picked_number = state->now_stage0_filter0_bandpass0_a;
+        } else if (turn == 4u) {
+            state->picked_number = state->now_stage0_filter0_bandpass0_b;
+        } else if (turn == 5u) {
+            state->picked_number = state->now_stage0_filter0_bandpass0_c;
+        } else if (turn == 6u) {
+            state->picked_number = state->now_stage0_gain;
+        } else {
+            /* no action */
+        }
+        if (state->set_id != 0u) {
+            const uint32_t turn_next = state->turn;
+            if (turn_next == 0u) {
+                state->picked_copy_number = state->copy_limit;
+            } else if (turn_next == 1u) {
+                state->picked_copy_number = state->copy_lower_limit;
+            } else if (turn_next == 2u) {
+                state->picked_copy_number = state->copy_sum_limit;
+            } else if (turn_next == 3u) {
+                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_a;
+            } else if (turn_next == 4u) {
+                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_b;
+            } else if (turn_next == 5u) {
+                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_c;
+            } else if (turn_next == 6u) {
+                state->picked_copy_number = state->copy_stage0_gain;
+            } else {
+                /* no action */
+            }
+            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy_number)) {
+                state->turn = state->turn + 1u;
+            } else {
+                /* a number in use was corrupted: this cycle reports it, then the block takes the offered set over
+                 * again */
+                state->turn = 0u;
+                state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
+            }
+        }
+    } else if (state->turn < 28u) {
+        /* every number has been compared; the rest of the round is a pause */
+        state->turn = state->turn + 1u;
+    } else {
+        state->turn = 0u;
+    }
     if (inputs->params->set_id == state->acting_set
             && axis_x_ipc_magnitude(inputs->v_motor) <= axis_x_ipc_sample_limit
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_x_ipc_ipc_cycle_time_ns)
@@ -1101,111 +735,6 @@ void axis_x_ipc_step(
             outputs->v_add = 0.0f;
             outputs->v_add_calculated = 0.0f;
             outputs->limited = true;
-        }
-        const int32_t turn = state->turn_next;
-        switch (turn) {
-        case 0: {
-            const float turn_limit_difference = *(const volatile float *)&state->now_limit - state->copy_limit;
-            int32_t turn_after_limit;
-            if (axis_x_ipc_is_zero(turn_limit_difference)) {
-                turn_after_limit = 1;
-            } else {
-                turn_after_limit = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_limit;
-            break;
-        }
-        case 1: {
-            int32_t turn_after_lower_limit;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
-                turn_after_lower_limit = 2;
-            } else {
-                turn_after_lower_limit = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_lower_limit;
-            break;
-        }
-        case 2: {
-            int32_t turn_after_sum_limit;
-            if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
-                turn_after_sum_limit = 3;
-            } else {
-                turn_after_sum_limit = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_sum_limit;
-            break;
-        }
-        case 3: {
-            const float turn_numbers0000 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
-            const float turn_copies0000 = state->copy_stage0_filter0_bandpass0_a;
-            const float turn_difference0000 = turn_numbers0000 - turn_copies0000;
-            int32_t turn_next0000;
-            if (axis_x_ipc_is_zero(turn_difference0000)) {
-                turn_next0000 = 4;
-            } else {
-                turn_next0000 = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0000;
-            break;
-        }
-        case 4: {
-            const float turn_numbers0001 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
-            const float turn_copies0001 = state->copy_stage0_filter0_bandpass0_b;
-            const float turn_difference0001 = turn_numbers0001 - turn_copies0001;
-            int32_t turn_next0001;
-            if (axis_x_ipc_is_zero(turn_difference0001)) {
-                turn_next0001 = 5;
-            } else {
-                turn_next0001 = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0001;
-            break;
-        }
-        case 5: {
-            const float turn_numbers0002 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
-            const float turn_copies0002 = state->copy_stage0_filter0_bandpass0_c;
-            const float turn_difference0002 = turn_numbers0002 - turn_copies0002;
-            int32_t turn_next0002;
-            if (axis_x_ipc_is_zero(turn_difference0002)) {
-                turn_next0002 = 6;
-            } else {
-                turn_next0002 = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_next0002;
-            break;
-        }
-        case 6: {
-            const float turn_gain_difference0 =
-                *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
-            int32_t turn_after_gain0;
-            if (axis_x_ipc_is_zero(turn_gain_difference0)) {
-                turn_after_gain0 = 7;
-            } else {
-                turn_after_gain0 = axis_x_ipc_differed;
-            }
-            state->turn_next = turn_after_gain0;
-            break;
-        }
-        default: {
-            if (turn < 0) {
-                state->turn_next = axis_x_ipc_differed;
-            } else if (turn >= 7) {
-                /* every number has been compared; the rest of the round is a pause */
-                if (turn < 28) {
-                    state->turn_next = (int32_t)((uint32_t)turn + (uint32_t)1);
-                } else {
-                    state->turn_next = 0;
-                }
-                if (turn > 28) {
-                    /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
-                     * set over again */
-                    state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
-                }
-            } else {
-                /* no action */
-            }
-            break;
-        }
         }
         outputs->active_set = state->acting_set;
     } else {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    ef64ca69b0c17c986bb1976f7df1d308
+ * structure   392c4d77e7aa1ba25c7177cf5a298517
+ * checksum    825c85720cac8f1a21f7424a66e18c1e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,14 +44,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x6e374858u
-#define AXIS_X_IPC_STRUCTURE_1 0xb5fe7a14u
-#define AXIS_X_IPC_STRUCTURE_2 0x92c6199cu
-#define AXIS_X_IPC_STRUCTURE_3 0x2bb5921eu
+#define AXIS_X_IPC_STRUCTURE_0 0x392c4d77u
+#define AXIS_X_IPC_STRUCTURE_1 0xe7aa1ba2u
+#define AXIS_X_IPC_STRUCTURE_2 0x5c7177cfu
+#define AXIS_X_IPC_STRUCTURE_3 0x5a298517u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
-#define AXIS_X_IPC_PARAMS_SIZE 44u
+#define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 104u
+#define AXIS_X_IPC_STATE_SIZE 160u
 
 /* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
  * alignment of members. */
@@ -91,10 +91,9 @@ typedef struct {
     /* id of the block structure that the set fits: axis, stages, modes, filters, real type, cycle time, fade,
      * ride_through, watch */
     uint32_t structure;
-    /* number of the set, not 0; a number other than that of the set in use offers this set to the block */
+    /* number of the set, its check word, never 0; a number other than that of the set in use offers this set to the
+     * block */
     uint32_t set_id;
-    int32_t check_first; /* check word: the numbers as a polynomial at 31337, modulo 46337 */
-    int32_t check_second; /* check word: the numbers as a polynomial at 17389, modulo 46337 */
     float limit; /* largest |v_add|; at most the limit that the block was generated with */
     float lower_limit; /* -limit */
     float sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
@@ -141,6 +140,7 @@ typedef struct {
     /* number of the set in use while it acts; 0: the block fades out for another set, or no set is in use */
     uint32_t acting_set;
     uint32_t offered_set; /* number of the set that is offered */
+    uint32_t copied_set; /* number of the set whose numbers were copied and are being checked again; 0: none */
     uint32_t pause; /* cycles until a refused set is checked again */
     uint32_t refused; /* error id of the last set that was refused */
     uint32_t refused_set; /* number of the last set that was refused */
@@ -158,9 +158,21 @@ typedef struct {
     float copy_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
     float copy_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
     float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
-    /* cycle in the round of comparisons, from 0 on; it selects the number to compare with its copy; a value outside
-     * the round: a number differed */
-    int32_t turn_next;
+    uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
+    float picked_number; /* the number whose turn it is */
+    float picked_copy_number; /* the number whose turn it is */
+    uint32_t check_set_id; /* number of the set that is checked; 0: none */
+    uint32_t check_turn; /* the number whose turn it is; after the last one, the check is complete */
+    float check_picked_number; /* the number whose turn it is */
+    int32_t check_picked_role; /* what that number is, which decides what is checked */
+    float check_before; /* the number before it */
+    float check_before_2; /* the number two before it */
+    int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
+    int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
+    uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
+    float check_forming_rest; /* what is left of that number after these pieces, scaled */
+    /* sum of what is left of all numbers: 0, unless a number is smaller than any coefficient */
+    float check_forming_left_over;
     bool ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
     /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t ipc_fade;
