@@ -15,6 +15,7 @@ pub mod call_rate;
 pub mod change;
 pub mod check_word;
 pub mod delay;
+pub mod design;
 pub mod excitation;
 pub mod feedforward;
 pub mod filter;
