@@ -22,7 +22,7 @@ use reference::stage::{Coeffs, Mode, Numbers};
 use reference::{allpass, bandpass, oscillation};
 
 const SEED: u64 = 20_261_125;
-/// 2^-20 relative: the step of a difference quotient is 2^-60.
+/// The relative step of a difference quotient is 2^-60.
 const STEP: usize = 60;
 const LIMIT: i32 = 10;
 
@@ -44,7 +44,9 @@ fn case(index: usize) -> Case {
     let mut structure = Coeffs { mode: Mode::Indirect, ..Coeffs::default() };
     structure.filter[bandpass] = filter::Coeffs { kind: Type::Bandpass, order, ..filter::Coeffs::default() };
     structure.filter[1 - bandpass].kind = Type::Allpass;
-    Case { structure, prototypes: [prototype; 2], inputs: inputs(&mut rng, cycle_time_ns), cycle_time_ns, bandpass }
+    let mut inputs = inputs(&mut rng, cycle_time_ns);
+    inputs.filter[1] = inputs.filter[0];
+    Case { structure, prototypes: [prototype; 2], inputs, cycle_time_ns, bandpass }
 }
 
 impl Case {
@@ -113,6 +115,22 @@ fn numbers_have_the_stated_accuracy() {
     println!("{count} designs: {worst:.2} times 2^-53 (1 + condition), number {index}");
     assert!(worst <= f64::from(LIMIT), "{worst} times 2^-53 (1 + condition): design {index}");
     assert!(worst > 1.0, "the numbers are more accurate than doubles can be: {worst}");
+}
+
+#[test]
+fn the_oscillation_has_the_centre_of_the_first_band_pass() {
+    for (kinds, first) in
+        [([Type::Bandpass; 2], 0), ([Type::Bandpass, Type::Allpass], 0), ([Type::Allpass, Type::Bandpass], 1)]
+    {
+        let filter = kinds.map(|kind| filter::Coeffs { kind, order: 1, ..filter::Coeffs::default() });
+        let structure = Coeffs { mode: Mode::SetPoint, filter, ..Coeffs::default() };
+        let inputs = inputs(&mut Rng::new(SEED), CYCLES[0]);
+        let mut numbers = Numbers::default();
+        stage::design(&mut numbers, &structure, &[Prototype::Bessel; 2], &inputs, cycle_time(CYCLES[0]));
+        let angle = std::f64::consts::PI * inputs.filter[first].f0 * f64::from(CYCLES[0]) * 1e-9;
+        let error = numbers.oscillation.g / libm::tan(angle) - 1.0;
+        assert!(error.abs() < 1e-14, "{kinds:?}: {error:e}");
+    }
 }
 
 /// Each number that a block in single precision uses is the single that is nearest to the double.

@@ -28,9 +28,8 @@ fn evenly(rng: &mut Rng, lowest: f64, highest: f64) -> f64 {
     lowest * libm::exp2(octaves * unit(rng))
 }
 
-/// Inputs of a stage whose two filters lie at the same frequency: f0 Ts from 6e-6 to 0.45, Q from 1 to 10, D from 0 to 1;
-/// bounds and 0.25, where a coefficient is near 0, more often.
-fn inputs(rng: &mut Rng, cycle_time_ns: u32) -> Inputs<f64> {
+/// Inputs of a filter: f0 Ts from 6e-6 to 0.45, Q from 1 to 10; bounds and 0.25, where a coefficient is near 0, more often.
+fn filter(rng: &mut Rng, cycle_time_ns: u32) -> FilterInputs<f64> {
     let share = match rng.below(16) {
         0 => 0.45,
         1 => 0.25 * (1.0 + 1e-6 * unit(rng)),
@@ -42,6 +41,11 @@ fn inputs(rng: &mut Rng, cycle_time_ns: u32) -> Inputs<f64> {
         1 => 10.0,
         _ => 1.0 + 9.0 * unit(rng),
     };
+    FilterInputs { f0, q_factor }
+}
+
+/// Inputs of a stage, D from 0 to 1.
+fn inputs(rng: &mut Rng, cycle_time_ns: u32) -> Inputs<f64> {
     let damping = if rng.chance(50) { unit(rng) } else { evenly(rng, 1e-4, 0.999) };
-    Inputs { filter: [FilterInputs { f0, q_factor }; 2], damping, weight: 7.0 * unit(rng) }
+    Inputs { filter: [filter(rng, cycle_time_ns), filter(rng, cycle_time_ns)], damping, weight: 7.0 * unit(rng) }
 }

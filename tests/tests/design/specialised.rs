@@ -84,7 +84,7 @@ fn bandpass(order: usize) -> Filter<f64> {
 
 fn structure(mode: Mode, filter: [Filter<f64>; 2], prototype: Prototype, cycle_time_ns: u32) -> Coeffs<f64> {
     let stage = StageCoeffs { mode, filter, ..StageCoeffs::default() };
-    Coeffs { cycle_time_ns, lowest: 0.1, is_single: false, stage, prototype: [prototype; FILTERS] }
+    Coeffs { cycle_time_ns, lowest: 1e-3, is_single: false, stage, prototype: [prototype; FILTERS] }
 }
 
 fn program(coeffs: &Coeffs<f64>) -> Program {
@@ -96,7 +96,7 @@ fn program(coeffs: &Coeffs<f64>) -> Program {
 fn inputs(rng: &mut Rng, cycle_time_ns: u32) -> Inputs<f64> {
     let mut inputs = random_inputs(rng, cycle_time_ns);
     if rng.chance(12) {
-        let x = *rng.pick(&[f64::NAN, f64::INFINITY, -0.0, -3.0, 1e300, 0.05, 11.0, 501.0]);
+        let x = *rng.pick(&[f64::NAN, f64::INFINITY, -0.0, -3.0, 1e300, 1e-4, 11.0, 501.0]);
         match rng.below(5) {
             0 => inputs.filter[0].f0 = x,
             1 => inputs.filter[1].f0 = x,
@@ -123,7 +123,7 @@ fn compare(coeffs: &Coeffs<f64>, count: usize) {
         assert_eq!(found, expected, "{inputs:?}");
         designed += usize::from(outputs.wrong == Wrong::Nothing);
     }
-    assert!(designed > count / 2 && designed < count, "{designed} of {count} inputs are in their ranges");
+    assert!(designed > count / 4 && designed < count, "{designed} of {count} inputs are in their ranges");
 }
 
 #[test]
