@@ -102,10 +102,8 @@ pub fn check<R: Real>(finding: &mut Finding, structure: &Coeffs<R>, inputs: &Inp
         if !is_weight(inputs.weight) {
             wrong = Wrong::Weight;
         }
-        if structure.mode != Mode::Direct {
-            if !is_damping(inputs.damping) {
-                wrong = Wrong::Damping;
-            }
+        if structure.mode != Mode::Direct && !is_damping(inputs.damping) {
+            wrong = Wrong::Damping;
         }
     }
     finding.wrong = wrong;
@@ -116,18 +114,26 @@ pub fn check<R: Real>(finding: &mut Finding, structure: &Coeffs<R>, inputs: &Inp
 #[portable]
 pub fn check_filter<R: Real>(f0: R, q_factor: R, cycle_time_ns: u32, lowest: R) -> Wrong {
     let mut wrong = Wrong::Frequency;
-    if in_range(f0, largest_frequency()) {
-        if R::ZERO < f0 && share(f0, cycle_time_ns) <= largest_share() {
-            wrong = Wrong::LowFrequency;
-            if f0 >= lowest {
-                wrong = if is_quality(q_factor) { Wrong::Nothing } else { Wrong::QualityFactor };
-            }
+    if is_frequency(f0, cycle_time_ns) {
+        wrong = Wrong::LowFrequency;
+        if f0 >= lowest {
+            wrong = if is_quality(q_factor) { Wrong::Nothing } else { Wrong::QualityFactor };
         }
     }
     wrong
 }
 
-/// Whether a number is a quality factor in its range. False for a NaN, which is never compared otherwise.
+/// Whether a number is a centre frequency in its range. False for a NaN, which is compared only by `in_range`.
+#[portable]
+pub fn is_frequency<R: Real>(f0: R, cycle_time_ns: u32) -> bool {
+    let mut is_sound = false;
+    if in_range(f0, largest_frequency()) {
+        is_sound = R::ZERO < f0 && share(f0, cycle_time_ns) <= largest_share();
+    }
+    is_sound
+}
+
+/// Whether a number is a quality factor in its range. False for a NaN.
 #[portable]
 pub fn is_quality<R: Real>(q_factor: R) -> bool {
     let mut is_sound = false;

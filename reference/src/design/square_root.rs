@@ -1,5 +1,7 @@
 //! The square root, correctly rounded.
 
+#![expect(clippy::field_reassign_with_default, reason = "the portable subset has no values of structs")]
+
 use portable::{Real, portable};
 
 /// A number as square * factor^2.

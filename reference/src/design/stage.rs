@@ -1,5 +1,7 @@
 //! All numbers of a stage.
 
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
 use super::band::{Band, band};
 use super::inputs::Inputs;
 use super::poles::Prototype;

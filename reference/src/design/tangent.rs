@@ -4,6 +4,8 @@
 //! each result has the bits of its `tan`: the error is below one unit in the last place. fdlibm clears the low word of two
 //! numbers; [`leading`] does the same by arithmetic.
 
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
 use portable::{Real, portable};
 
 /// 2^-27: the tangent of a smaller angle is the angle
