@@ -1,7 +1,7 @@
 //! The control algorithms, each written once, generic over the real type.
 //!
-//! Every target language is derived from this source. `step` changes the state and never the coefficients. Trigonometry, unit
-//! conversion and parameter ids belong to the design, not here.
+//! Every target language is derived from this source. `step` changes the state and never the coefficients. The numbers of a
+//! stage come from [`design`]; unit conversion and parameter ids belong to the generator, not here.
 #![expect(clippy::assign_op_pattern, reason = "the portable subset has one way to assign")]
 #![no_std]
 #![forbid(unsafe_code)]
@@ -15,6 +15,7 @@ pub mod call_rate;
 pub mod change;
 pub mod check_word;
 pub mod delay;
+pub mod design;
 pub mod excitation;
 pub mod feedforward;
 pub mod filter;

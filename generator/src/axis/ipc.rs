@@ -3,6 +3,7 @@
 use crate::number::digits;
 use crate::parameters::words::{DirectSource, Enable, FilterType, Prototype, StageMode, Words};
 use portable::Extreme;
+use reference::design::limit;
 
 /// Improved position control (`lr_param.improved_position_control`).
 #[derive(Clone, Debug, PartialEq)]
@@ -48,10 +49,9 @@ impl Ipc {
         self.stage.iter().any(Option::is_some)
     }
 
-    /// Largest |v_add| = v_add_max_fact / 1000 * v_max, in the unit of v_max (P-AXIS-00757, P-AXIS-00212). The product is exact
-    /// for every whole v_max, so that there is one rounding.
+    /// Largest |v_add|, in the unit of v_max (P-AXIS-00757, P-AXIS-00212).
     pub fn limit(&self) -> f64 {
-        f64::from(self.v_add_max_fact) * self.v_max / 1000.0
+        limit::limit(self.v_add_max_fact, self.v_max)
     }
 
     /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded

@@ -16,6 +16,7 @@ pub use spindle::{Bus, Changeover, Spindle};
 
 use crate::parameters::words::{RealType, Words};
 use portable::RealKind;
+use reference::design::band::cycle_time;
 use std::collections::BTreeMap;
 
 /// An axis, ready to be designed.
@@ -64,6 +65,6 @@ impl Axis {
 
     /// Position-controller cycle Ts [s].
     pub fn cycle_time(&self) -> f64 {
-        f64::from(self.cycle_time_ns) * 1e-9
+        cycle_time(self.cycle_time_ns)
     }
 }

@@ -1,10 +1,8 @@
-//! The mathematics of design: from frequencies, quality factors, scalings to numbers; the only place with trigonometry. No
-//! parameter, no axis, no block.
+//! The mathematics around the design of a stage: delays, scalings, responses, rounding; the only place with trigonometry. No
+//! parameter, no axis, no block. The numbers of a stage come from `reference::design`.
 //!
 //! ```text
-//! band         f0, Q, Ts -> warped centre and bandwidth
-//! bandpass     prototype, order, band -> sections, in the order of their execution
-//! section      warped centre, damping -> coefficients of a band-pass, an all-pass, the simulated oscillation
+//! band         edges of a band, points of the warped frequency axis
 //! trapezoidal  a section of single precision: step, response
 //! delay        time, cycle -> whole cycles and a fraction
 //! scale        scalings of velocities and accelerations for the drive
@@ -16,10 +14,8 @@
 //! once, in `rounding`.
 
 pub(crate) mod band;
-pub(crate) mod bandpass;
 pub(crate) mod delay;
 pub(crate) mod response;
 pub(crate) mod rounding;
 pub(crate) mod scale;
-pub(crate) mod section;
 pub(crate) mod trapezoidal;

@@ -4,7 +4,6 @@
 //! second-order polynomial in z^-1 becomes one in j t, whose coefficients are sums of the given ones. These sums are exact
 //! where it matters, so a low frequency loses no digits: the result shows the rounding of the coefficients.
 
-use super::section::at_dc_and_nyquist;
 use reference::{allpass, bandpass, filter, filter::Type, oscillation, stage, stage::Mode};
 
 pub(crate) use stability::Complex64 as Complex;
@@ -70,4 +69,12 @@ pub(crate) fn angle(h: Complex) -> f64 {
 fn polynomial(c0: f64, c1: f64, c2: f64, t: f64) -> Complex {
     let [dc, nyquist] = at_dc_and_nyquist(c0, c1, c2);
     Complex { re: dc - nyquist * t * t, im: 2.0 * (c0 - c2) * t }
+}
+
+/// Value of c0 + c1 z^-1 + c2 z^-2 at DC (z = 1) and at the Nyquist frequency (z = -1).
+///
+/// For a denominator (c0 = 1) both are exact where they are small: the 1 is added to a1 first, because 1 + a2 would be
+/// rounded. Their ratio is g^2 for any damping.
+pub(crate) fn at_dc_and_nyquist(c0: f64, c1: f64, c2: f64) -> [f64; 2] {
+    [(c0 + c1) + c2, (c0 - c1) + c2]
 }

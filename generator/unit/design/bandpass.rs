@@ -1,14 +1,14 @@
 //! Band-passes: what the coefficients of 12,000 random ones do, against the closed forms of their prototypes.
 
 use super::rounding::{demanded, of_sections};
+use super::sections_of;
 use crate::axis::{Filter, Prototype};
 use crate::design::band::{Band, band, edges, frequency, warped};
-use crate::design::bandpass;
 use crate::design::response::{magnitude, of_bandpass, of_filter, phase};
-use crate::design::section::Shape;
 use crate::unit::sets::filter as coefficients_of;
 use crate::unit::sets::{Set, sets};
 use portable::Extreme;
+use reference::design::sections::Shape;
 use reference::filter::Coeffs;
 
 const COUNT: usize = 12_000;
@@ -176,7 +176,7 @@ fn nothing_passes_at_dc_and_at_the_nyquist_frequency() {
 fn sections_follow_with_rising_quality_and_equal_ones_with_rising_centre() {
     for set in sets(COUNT) {
         let (band, coeffs) = design(&set);
-        let sections = bandpass::sections(set.prototype, set.order, &band);
+        let sections = sections_of(set.prototype, set.order, &band);
         assert_eq!(sections.len(), set.order);
         for pair in sections.windows(2) {
             let same = pair[0].k.to_bits() == pair[1].k.to_bits();
@@ -192,8 +192,8 @@ fn sections_follow_with_rising_quality_and_equal_ones_with_rising_centre() {
 #[test]
 fn sections_have_the_designed_gain_and_no_more_than_the_largest() {
     within("peak", |set, band, coeffs| {
-        let sections = bandpass::sections(set.prototype, set.order, band);
-        let one = |(section, coeffs): (&Shape, &reference::bandpass::Coeffs<f64>)| {
+        let sections = sections_of(set.prototype, set.order, band);
+        let one = |(section, coeffs): (&Shape<f64>, &reference::bandpass::Coeffs<f64>)| {
             assert!(section.c <= largest_gain(set), "{}: {set:?}", section.c);
             let gain = -2.0 * coeffs.b2 / (1.0 - coeffs.a2);
             ((gain / section.c - 1.0).abs(), of_sections(core::slice::from_ref(coeffs), section.g))

@@ -1,13 +1,14 @@
 //! Numbers of designs that were computed elsewhere, kept to 1e-13.
 
+use super::{oscillation_of, sections_of};
 use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::design;
 use crate::design::band::{Band, band, warped};
-use crate::design::bandpass;
 use crate::design::response::{of_allpass, of_bandpass, of_oscillation, of_stage};
-use crate::design::section::{self, Shape};
 use portable::RealKind;
+use reference::design::allpass as portable_allpass;
+use reference::design::sections::{Shape, allpass_numbers, bandpass_numbers};
 use reference::stage;
 
 /// 1 ms
@@ -38,12 +39,12 @@ fn band_pass_of_order_1() {
         same(band.omega0, omega0);
         same(band.bandwidth, bandwidth);
         for prototype in [Prototype::CritDamping, Prototype::Butterworth, Prototype::Bessel] {
-            let sections = bandpass::sections(prototype, 1, &band);
+            let sections = sections_of(prototype, 1, &band);
             assert_eq!(sections.len(), 1);
             same(sections[0].g, omega0);
             same(sections[0].k, k);
             same(sections[0].c, 1.0);
-            let coeffs = section::bandpass(&sections[0]);
+            let coeffs = bandpass_of(&sections[0]);
             same(coeffs.b2, -b0);
             same(coeffs.a1, a1);
             same(coeffs.a2, a2);
@@ -63,7 +64,7 @@ fn sections_of_higher_orders() {
 }
 
 fn sections(prototype: Prototype, band: &Band, expected: &[[f64; 3]]) {
-    let actual = bandpass::sections(prototype, expected.len(), band);
+    let actual = sections_of(prototype, expected.len(), band);
     assert_eq!(actual.len(), expected.len());
     for (Shape { g, k, c }, expected) in actual.iter().zip(expected) {
         same(*g, expected[0]);
@@ -74,7 +75,7 @@ fn sections(prototype: Prototype, band: &Band, expected: &[[f64; 3]]) {
 
 #[test]
 fn simulated_oscillation() {
-    let coeffs = section::oscillation(&Shape { g: warped(11.0, TS), k: 1.6, c: 1.0 });
+    let coeffs = oscillation_of(warped(11.0, TS), 0.8);
     same(coeffs.b0, 0.053486731356618);
     same(coeffs.b1, 0.0022624952544158466);
     same(coeffs.b2, -0.051224236102202);
@@ -83,7 +84,16 @@ fn simulated_oscillation() {
 }
 
 fn allpass(band: &Band) -> reference::allpass::Coeffs<f64> {
-    section::allpass(&Shape { g: band.omega0, k: band.bandwidth / band.omega0, c: 1.0 })
+    let (mut shape, mut coeffs) = (Shape::default(), reference::allpass::Coeffs::default());
+    portable_allpass::section(&mut shape, band);
+    allpass_numbers(&mut coeffs, &shape);
+    coeffs
+}
+
+fn bandpass_of(shape: &Shape<f64>) -> reference::bandpass::Coeffs<f64> {
+    let mut coeffs = reference::bandpass::Coeffs::default();
+    bandpass_numbers(&mut coeffs, shape);
+    coeffs
 }
 
 #[test]
@@ -172,11 +182,11 @@ fn step_response(coeffs: &stage::Coeffs<f64>, expected: [f64; 6]) {
 #[test]
 fn responses_at_the_centre() {
     let t = warped(53.0, TS);
-    let section = bandpass::sections(Prototype::CritDamping, 1, &band(53.0, 10.0, TS))[0];
-    same(of_bandpass(&section::bandpass(&section), t).re, 1.0);
+    let section = sections_of(Prototype::CritDamping, 1, &band(53.0, 10.0, TS))[0];
+    same(of_bandpass(&bandpass_of(&section), t).re, 1.0);
     same(of_allpass(&allpass(&band(53.0, 10.0, TS)), t).re, -1.0);
     for (damping, gain) in [(0.8, 1.179), (0.4, 1.601), (0.2, 2.693), (0.05, 10.05)] {
-        let h = of_oscillation(&section::oscillation(&Shape { g: t, k: 2.0 * damping, c: 1.0 }), t);
+        let h = of_oscillation(&oscillation_of(t, damping), t);
         same(h.re, 1.0);
         same(h.im, -1.0 / (2.0 * damping));
         assert!((design::response::magnitude(h) - gain).abs() < 5e-4);

@@ -1,9 +1,9 @@
 //! The simulated oscillation: what the coefficients of 12,000 random ones do.
 
+use super::oscillation_of;
 use super::rounding::{demanded, of_numerator, of_section};
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_oscillation};
-use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::{Random, sets};
 use portable::Extreme;
 use reference::oscillation;
@@ -16,7 +16,7 @@ fn response_is_that_of_a_load_behind_a_visco_elastic_coupling() {
     for set in sets(12_000) {
         let damping = 0.001 + 0.998 * random.unit();
         let omega0 = warped(set.f0, set.cycle_time());
-        let coeffs = oscillation(&Shape { g: omega0, k: 2.0 * damping, c: 1.0 });
+        let coeffs = oscillation_of(omega0, damping);
         for w in [0.0, 0.1, 0.5, 1.0, 2.0, 10.0] {
             let h = of_oscillation(&coeffs, w * omega0);
             let expected = visco_elastic(damping, w);
@@ -44,7 +44,7 @@ fn visco_elastic(damping: f64, w: f64) -> Complex {
 #[test]
 fn a_constant_input_is_preset_where_it_stays() {
     for set in sets(1_000) {
-        let coeffs = oscillation(&Shape { g: warped(set.f0, set.cycle_time()), k: 0.6, c: 1.0 });
+        let coeffs = oscillation_of(warped(set.f0, set.cycle_time()), 0.3);
         assert_eq!(coeffs.preset_s1.to_bits(), (1.0 - coeffs.b0).to_bits());
         assert_eq!(coeffs.preset_s2.to_bits(), (coeffs.b2 - coeffs.a2).to_bits());
     }

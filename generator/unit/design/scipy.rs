@@ -1,11 +1,11 @@
 //! The designs of scipy, stored as data: its poles, its gain and its response against ours. `../data/scipy_designs.py` says
 //! how they were made: by its own methods, from the edges of the band, and not from our sections.
 
+use super::oscillation_of;
 use super::rounding::of_section;
 use crate::axis::{Filter, Prototype};
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_filter, of_oscillation};
-use crate::design::section::{Shape, oscillation};
 use crate::unit::sets::filter as coefficients_of;
 use portable::Extreme;
 use reference::oscillation;
@@ -64,7 +64,7 @@ fn complex(cell: &str) -> Complex {
 fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours {
     let filter = match kind {
         "OSCILLATION" => {
-            let coeffs = oscillation(&Shape { g: warped(f0, cycle_time), k: 2.0 * q_or_d, c: 1.0 });
+            let coeffs = oscillation_of(warped(f0, cycle_time), q_or_d);
             let oscillation::Coeffs { b0, a1, a2, .. } = coeffs;
             return Ours {
                 denominators: vec![[a1, a2]],

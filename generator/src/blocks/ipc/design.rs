@@ -6,6 +6,7 @@ use crate::axis::{Axis, Ipc, Stage};
 use portable::Extreme;
 use portable::RealKind;
 use reference::call_rate;
+use reference::design::limit::lower_limit;
 use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision;
@@ -28,7 +29,7 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         slave: axis.control.master.is_some(),
         stage: stages.each_ref().map(|stage| stage.as_ref().map_or_else(Default::default, |stage| stage.coeffs)),
         limit,
-        lower_limit: 0.0 - limit, // not `-limit`: 0 stays +0
+        lower_limit: lower_limit(limit),
         sum_limit: sum_limit(ipc, axis.real, stages.iter().flatten()),
         rest: libm::ldexp(ipc.v_max, rest_exponent(axis.real)),
         fade_cycles,

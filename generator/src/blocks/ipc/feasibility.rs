@@ -3,7 +3,7 @@
 use super::check::damping_given;
 use super::stage::{Element, Section, StageDesign};
 use crate::design::rounding::precision;
-use crate::design::{band::frequency, section::at_dc_and_nyquist, trapezoidal::Trapezoidal};
+use crate::design::{band::frequency, response::at_dc_and_nyquist, trapezoidal::Trapezoidal};
 use crate::{axis::Axis, blocks::designed::Designed, codes, parameters::Name, rules::effective::Effective};
 use portable::RealKind;
 

@@ -6,9 +6,10 @@ use super::stage::{Place, Section, StageDesign};
 use crate::axis::{Axis, Mode, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::band::{frequency, warped};
-use crate::design::{response, section::Shape};
+use crate::design::response;
 use crate::number::digits;
 use crate::parameters::words::Words;
+use reference::design::sections::Shape;
 
 /// Path prefixes in the tree of coefficients (`stage[0].filter[1]`, `limit`) with their texts, in the order of the tree. A
 /// coefficient that is absent, or whose doc comment is sufficient, has no note. ASCII; a parameter as the user wrote it, a

@@ -2,11 +2,14 @@
 
 use super::filter::{self as kinds, FilterDesign};
 use crate::axis::{DirectSource, Mode, Stage};
-use crate::design::band::{band, edges, frequency, warped};
+use crate::design::band::{band, edges, frequency};
 use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
-use crate::design::{section, section::Shape};
-use portable::RealKind;
+use portable::{RealKind, with_numbers};
+use reference::design::inputs::{FilterInputs, Inputs};
+use reference::design::poles::Prototype;
+use reference::design::sections::{Shape, Shapes};
+use reference::design::{oscillation, stage as portable_design};
 use reference::{filter, stage, stage::FILTERS};
 use std::fmt;
 
@@ -28,7 +31,7 @@ pub(crate) struct StageDesign {
 #[derive(Clone, Debug)]
 pub(crate) struct Section {
     pub element: Element,
-    pub shape: Shape,
+    pub shape: Shape<f64>,
     /// denominator 1 + a1 z^-1 + a2 z^-2 of the biquad, for double precision
     pub denominator: [f64; 2],
     /// the section for single precision, its coefficients rounded
@@ -74,10 +77,7 @@ impl Element {
     }
 }
 
-/// A stage at the cycle time [s].
-///
-/// gain = -weight = -min(num / denom, 7): negative in all modes, because the stage moves the motor against the vibration
-/// (P-AXIS-00753, P-AXIS-00754, P-AXIS-00755). The simulated oscillation has the centre of the stage's first band-pass.
+/// A stage at the cycle time [s]: structure and inputs from its parameters, numbers from [`portable_design`].
 pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
     let (mode, direct_source) = match of.mode {
         Mode::Direct { source: DirectSource::Motor } => (stage::Mode::Direct, stage::DirectSource::Motor),
@@ -85,48 +85,63 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         Mode::Indirect { .. } => (stage::Mode::Indirect, stage::DirectSource::default()),
         Mode::SetPoint { .. } => (stage::Mode::SetPoint, stage::DirectSource::default()),
     };
+    let mut structure = stage::Coeffs { mode, direct_source, ..stage::Coeffs::default() };
+    let damping = of.mode.osc_damping();
+    let mut inputs = Inputs { damping: damping.unwrap_or_default(), weight: of.weight(), ..Inputs::default() };
+    let mut prototypes = [Prototype::default(); FILTERS];
+    for (k, filter) in of.filter.iter().enumerate() {
+        if let (Some([f0, q_factor]), Some(kind)) = (filter.f0_and_q(), kinds::of(filter)) {
+            inputs.filter[k] = FilterInputs { f0, q_factor };
+            prototypes[k] = kind.decide(&mut structure.filter[k]);
+        }
+    }
+    let mut numbers = stage::Numbers::default();
+    portable_design::design(&mut numbers, &structure, &prototypes, &inputs, cycle_time);
     let mut design = StageDesign {
         index,
         stage: of.clone(),
         cycle_time,
         filter: [None; FILTERS],
         section: Vec::with_capacity(1 + FILTERS * filter::MAX_ORDER),
-        coeffs: stage::Coeffs { mode, direct_source, gain: -of.weight(), ..stage::Coeffs::default() },
+        coeffs: with_numbers(&structure, &numbers),
     };
-    if let Some(damping) = of.mode.osc_damping() {
-        let shape = Shape { g: warped(of.f0(), cycle_time), k: 2.0 * damping, c: 1.0 };
-        let coeffs = section::oscillation(&shape);
-        let element = Element { stage: index, filter: None };
-        let numbers = [coeffs.h, coeffs.r, coeffs.g, coeffs.g2];
-        let section = |[h, r, g, c]: [f64; 4]| Trapezoidal {
-            a: g * h,
-            b: g * r,
-            c,
-            output: Output::Oscillation,
-            is_by_change: true,
-        };
-        let (unrounded, trapezoidal) = (section(numbers), section(numbers.map(single)));
-        design.section.push(Section { element, shape, denominator: [coeffs.a1, coeffs.a2], trapezoidal, unrounded });
-        design.coeffs.oscillation = coeffs;
-    }
-    for k in 0..FILTERS {
-        design.design_filter(k);
+    design.section.extend(damping.map(|damping| simulated_oscillation(index, damping, &numbers.oscillation)));
+    for (k, prototype) in prototypes.into_iter().enumerate() {
+        design.describe_filter(k, prototype);
     }
     design
 }
 
+/// The section of the simulated oscillation.
+fn simulated_oscillation(stage: usize, damping: f64, of: &reference::oscillation::Coeffs<f64>) -> Section {
+    let mut shape = Shape::default();
+    oscillation::section(&mut shape, of.g, damping);
+    let section =
+        |[h, r, g, c]: [f64; 4]| Trapezoidal { a: g * h, b: g * r, c, output: Output::Oscillation, is_by_change: true };
+    let numbers = [of.h, of.r, of.g, of.g2];
+    Section {
+        element: Element { stage, filter: None },
+        shape,
+        denominator: [of.a1, of.a2],
+        trapezoidal: section(numbers.map(single)),
+        unrounded: section(numbers),
+    }
+}
+
 impl StageDesign {
-    /// Designs a filter (P-AXIS-00849). Coefficients that its type does not use stay 0.
-    fn design_filter(&mut self, index: usize) {
+    /// Describes a filter and its sections (P-AXIS-00849).
+    fn describe_filter(&mut self, index: usize, prototype: Prototype) {
         let filter = self.stage.filter[index];
         let (Some([f0, q_factor]), Some(kind)) = (filter.f0_and_q(), kinds::of(&filter)) else { return };
         let band = band(f0, q_factor, self.cycle_time);
         let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
         self.filter[index] = Some(FilterDesign { index, filter, band, edges });
-        let coeffs = &mut self.coeffs.filter[index];
+        let coeffs = &self.coeffs.filter[index];
         let is_behind = self.stage.filter[..index].iter().any(kinds::is_selective) && kind.is_selective();
-        let shapes = kind.shapes(&band);
-        for (i, (numbers, shape)) in kind.design(&shapes, coeffs).into_iter().zip(shapes).enumerate() {
+        let mut shapes = Shapes::default();
+        portable_design::shapes(&mut shapes, coeffs, prototype, &band);
+        for (i, shape) in shapes.section.into_iter().enumerate().take(kind.order()) {
+            let numbers = kind.numbers(coeffs, i);
             let is_by_change = i == 0 && !is_behind;
             let section = |[a, b, c]: [f64; 3]| Trapezoidal { a, b, c, output: kind.output(), is_by_change };
             self.section.push(Section {

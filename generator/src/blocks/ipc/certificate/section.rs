@@ -1,7 +1,7 @@
 //! Second-order sections as measured: a step, and bounds of all future steps. Nothing is measured here.
 
 use super::free::{Denominator, Free};
-use crate::design::section::at_dc_and_nyquist;
+use crate::design::response::at_dc_and_nyquist;
 use crate::design::trapezoidal::Trapezoidal;
 use portable::Extreme;
 

@@ -5,13 +5,12 @@ use super::rules::f0;
 use crate::axis::Filter;
 use crate::design::band::Band;
 use crate::design::response::Complex;
-use crate::design::section::{self, Shape};
 use crate::design::trapezoidal::Output;
 use crate::number::significant;
 use crate::parameters::Name;
 use crate::parameters::words::{FilterType, Words};
 use crate::rules::effective::Effective;
-use reference::{allpass, filter};
+use reference::{allpass, design::poles, filter};
 
 /// An all-pass of second order.
 pub(crate) struct Allpass {
@@ -84,20 +83,14 @@ impl FilterKind for Allpass {
         Some(-2.0 * libm::atan2(bandwidth * t, (omega0 - t) * (omega0 + t)).to_degrees())
     }
 
-    fn shapes(&self, Band { omega0, bandwidth }: &Band) -> Vec<Shape> {
-        vec![Shape { g: *omega0, k: bandwidth / omega0, c: 1.0 }]
+    fn decide(&self, coeffs: &mut filter::Coeffs<f64>) -> poles::Prototype {
+        coeffs.kind = filter::Type::Allpass;
+        poles::Prototype::default()
     }
 
-    fn design(&self, shapes: &[Shape], coeffs: &mut filter::Coeffs<f64>) -> Vec<Numbers> {
-        coeffs.kind = filter::Type::Allpass;
-        let shapes = shapes.iter();
-        shapes
-            .map(|shape| {
-                coeffs.allpass = section::allpass(shape);
-                let allpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.allpass;
-                Numbers { denominator: [a1, a2], trapezoidal: [a, b, c] }
-            })
-            .collect()
+    fn numbers(&self, coeffs: &filter::Coeffs<f64>, _: usize) -> Numbers {
+        let allpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.allpass;
+        Numbers { denominator: [a1, a2], trapezoidal: [a, b, c] }
     }
 
     fn place(&self, _: usize) -> String {

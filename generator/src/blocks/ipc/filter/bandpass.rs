@@ -5,13 +5,12 @@ use super::rules::f0;
 use crate::axis::{Filter, Prototype};
 use crate::codes;
 use crate::design::band::Band;
-use crate::design::bandpass::{Pole, poles, sections};
 use crate::design::response::Complex;
-use crate::design::section::{self, Shape};
 use crate::design::trapezoidal::Output;
 use crate::parameters::Name;
 use crate::parameters::words::{FilterType, Words};
 use crate::rules::effective::{Effective, as_written};
+use reference::design::poles::{self, has_pair, pair_omega, pair_sigma, real_poles, real_sigma};
 use reference::{bandpass, filter};
 
 /// A band-pass.
@@ -119,20 +118,14 @@ impl FilterKind for Bandpass {
         None
     }
 
-    fn shapes(&self, band: &Band) -> Vec<Shape> {
-        sections(self.prototype, self.order, band)
+    fn decide(&self, coeffs: &mut filter::Coeffs<f64>) -> poles::Prototype {
+        (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, self.order);
+        portable(self.prototype)
     }
 
-    fn design(&self, shapes: &[Shape], coeffs: &mut filter::Coeffs<f64>) -> Vec<Numbers> {
-        (coeffs.kind, coeffs.order) = (filter::Type::Bandpass, self.order);
-        let places = shapes.iter().zip(&mut coeffs.bandpass);
-        places
-            .map(|(shape, place)| {
-                *place = section::bandpass(shape);
-                let bandpass::Coeffs { a1, a2, a, b, c, .. } = *place;
-                Numbers { denominator: [a1, a2], trapezoidal: [a, b, c] }
-            })
-            .collect()
+    fn numbers(&self, coeffs: &filter::Coeffs<f64>, section: usize) -> Numbers {
+        let bandpass::Coeffs { a1, a2, a, b, c, .. } = coeffs.bandpass[section];
+        Numbers { denominator: [a1, a2], trapezoidal: [a, b, c] }
     }
 
     fn place(&self, section: usize) -> String {
@@ -147,15 +140,24 @@ impl FilterKind for Bandpass {
     /// (sigma^2 + omega^2) / (sigma^2 + omega^2 - w^2 + 2 j sigma w).
     fn response(&self, Band { omega0, bandwidth }: &Band, t: f64) -> Complex {
         let w = (t - omega0) * (t + omega0) / (bandwidth * t);
-        poles(self.prototype, self.order).iter().fold(Complex::from(1.0), |h, pole| {
-            let (dc, denominator) = match *pole {
-                Pole::Real { sigma } => (sigma, Complex { re: sigma, im: w }),
-                Pole::Pair { sigma, omega } => {
-                    let square = sigma * sigma + omega * omega;
-                    (square, Complex { re: square - w * w, im: 2.0 * sigma * w })
-                }
-            };
-            h * (Complex::from(dc) / denominator)
-        })
+        let (prototype, order) = (portable(self.prototype), self.order);
+        let sigma = real_sigma(prototype, order);
+        let real = Complex::from(sigma) / Complex { re: sigma, im: w };
+        let h = (0..real_poles(prototype, order)).fold(Complex::from(1.0), |h, _| h * real);
+        if !has_pair(prototype, order) {
+            return h;
+        }
+        let (sigma, omega): (f64, f64) = (pair_sigma(prototype, order), pair_omega(prototype, order));
+        let square = sigma * sigma + omega * omega;
+        h * (Complex::from(square) / Complex { re: square - w * w, im: 2.0 * sigma * w })
+    }
+}
+
+/// The prototype as the design names it.
+pub(crate) fn portable(prototype: Prototype) -> poles::Prototype {
+    match prototype {
+        Prototype::CritDamping => poles::Prototype::CritDamping,
+        Prototype::Butterworth => poles::Prototype::Butterworth,
+        Prototype::Bessel => poles::Prototype::Bessel,
     }
 }

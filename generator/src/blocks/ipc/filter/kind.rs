@@ -1,9 +1,9 @@
 //! The interface that the file of each filter type implements.
 
 use crate::axis::Filter;
-use crate::design::{band::Band, response::Complex, section::Shape, trapezoidal::Output};
+use crate::design::{band::Band, response::Complex, trapezoidal::Output};
 use crate::number::significant;
-use reference::filter;
+use reference::{design::poles::Prototype, filter};
 
 /// What the generator knows of a type of filter.
 pub(crate) trait FilterKind {
@@ -32,10 +32,10 @@ pub(crate) trait FilterKind {
     fn is_selective(&self) -> bool;
     /// the phase [deg] at t = tan(pi f Ts); `None` for a filter that is not used for its phase
     fn phase(&self, band: &Band, t: f64) -> Option<f64>;
-    /// its sections before the transform, in the order of their execution
-    fn shapes(&self, band: &Band) -> Vec<Shape>;
-    /// writes its coefficients, and returns the numbers of each section
-    fn design(&self, shapes: &[Shape], coeffs: &mut filter::Coeffs<f64>) -> Vec<Numbers>;
+    /// writes what decides on its structure; returns the prototype, which only a band-pass has
+    fn decide(&self, coeffs: &mut filter::Coeffs<f64>) -> Prototype;
+    /// the designed numbers of a section
+    fn numbers(&self, coeffs: &filter::Coeffs<f64>, section: usize) -> Numbers;
     /// the place of a section's coefficients among those of the filter
     fn place(&self, section: usize) -> String;
     /// the output of each section

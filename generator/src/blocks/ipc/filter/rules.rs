@@ -3,23 +3,19 @@
 use crate::parameters::{Name, real_text, time_text};
 use crate::rules::effective::Effective;
 use crate::{codes, number::rounded};
-
-/// The highest f0 * Ts: above it the tangent in the design approaches its pole.
-pub(super) const MAX_F0_TS: f64 = 0.45;
+use reference::design::inputs::{largest_share, share};
 
 /// The frequency, whose upper bound depends on the cycle time.
 pub(super) fn f0(e: &mut Effective<'_>, index: [u32; 2], cycle_time: Option<u32>) -> Option<f64> {
     let key = (Name::FilterF0, index);
     let f0 = e.real(key)?;
     let Some(ns) = cycle_time else { return Some(f0) };
-    // In nanoseconds, where 450 Hz and 1 ms make exactly 0.45.
-    let f0_ts = f0 * f64::from(ns) / 1e9;
+    let (f0_ts, largest) = (share(f0, ns), largest_share::<f64>());
     let time = time_text(u64::from(ns));
-    if f0_ts > MAX_F0_TS {
-        let highest = (MAX_F0_TS * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
+    if f0_ts > largest {
+        let highest = (largest * 1e9 / f64::from(ns) * 1e3).floor() / 1e3;
         let found = format!("{} is {} Hz, {} of the sampling frequency", e.title(key), real_text(f0), rounded(f0_ts));
-        let allowed =
-            format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({MAX_F0_TS} of the sampling frequency)");
+        let allowed = format!("fg_f0 <= {highest} Hz at a cycle time of {time} ({largest} of the sampling frequency)");
         e.refuse(codes::NYQUIST, key, found, [Some(allowed), None]);
         return None;
     }
