@@ -160,6 +160,12 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
     }
 }
 
+/// largest |weight| (P-AXIS-00754/00755)
+#[portable]
+pub fn weight_limit<R: Real>() -> R {
+    R::lit(7.0)
+}
+
 /// Copies the numbers of another stage of the same structure.
 #[portable]
 pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numbers<R>) {

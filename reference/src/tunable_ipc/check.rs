@@ -2,14 +2,15 @@
 
 use super::Coeffs;
 use crate::check_word::{self, Forming, largest_number, limit_scale};
+use crate::filter;
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::ipc::{self, watch};
 use crate::section::{are_poles_inside, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
+use crate::stage::{self, weight_limit};
 use crate::turn::{
     Picked, role_a2, role_c, role_g2, role_gain, role_limit, role_lower_limit, role_quiet, role_sum_limit,
 };
-use crate::{filter, stage};
 use portable::{Real, in_range, portable};
 
 /// State.
@@ -30,12 +31,6 @@ pub struct State<R> {
     pub before_3: R,
     /// the check word
     pub forming: Forming<R>,
-}
-
-/// largest |weight| (P-AXIS-00754/00755)
-#[portable]
-pub fn weight_limit<R: Real>() -> R {
-    R::lit(7.0)
 }
 
 /// Starts with the first number.
