@@ -65,7 +65,7 @@ fn draw(path: &Path, designed: &Designed, force: bool) -> Result<(), Exit> {
         Exit::input(codes::USAGE, "--picture", found)
     })?;
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    one_file::write(Some(path), picture.as_bytes(), Rule::own(force, &is_picture))
+    one_file::write(Some(path), picture.as_bytes(), Rule::earlier_output(force, &is_picture))
 }
 
 fn as_json(designed: &Designed) -> Value {

@@ -61,7 +61,7 @@ pub fn run(arguments: &SetArguments, format: Format, request: &RunArguments) -> 
     let outputs = Shape::of(&block.program.outputs, designed.axis.real);
     let head = csv::write(&[&Samples::with_capacity(outputs, 0)], Reals::Decimal);
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
-    let rule = Rule::own(request.force, &is_output);
+    let rule = Rule::earlier_output(request.force, &is_output);
     if let Some(out) = out {
         let RunArguments { stimulus, scenario, compare, .. } = request;
         let inputs = [Some(arguments.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];

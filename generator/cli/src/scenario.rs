@@ -55,14 +55,15 @@ pub fn run(arguments: &SetArguments, format: Format, request: &ScenarioArguments
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let [of_stimulus, of_picture] = [Rule::own(request.force, &is_stimulus), Rule::own(request.force, &is_picture)];
+    let [of_stimulus, of_picture] =
+        [Rule::earlier_output(request.force, &is_stimulus), Rule::earlier_output(request.force, &is_picture)];
     let stimulus = request.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
     let picture = request.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
     let staged = [stimulus.transpose()?, picture.transpose()?];
     one_file::commit(staged.into_iter().flatten())?;
     output::print(table(&scenario, designed, &block))?;
-    let Some(verdict) = scenario.oscillation.verdict() else { return Ok(Exit::Done) };
-    output::print(format!("{verdict}\n"))?;
+    let Some(message) = scenario.oscillation.message() else { return Ok(Exit::Done) };
+    output::print(format!("{message}\n"))?;
     Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
 }
 

@@ -60,7 +60,7 @@ pub fn run<'a>(
     let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
     let [is_csv, is_picture, is_recording] = [text::HEAD, svg::HEAD, recording::HEAD].map(begins);
     let [of_csv, of_picture, of_recording] =
-        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::own(to.force, begins));
+        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::earlier_output(to.force, begins));
     let all = [
         (&to.csv, of_csv),
         (&to.picture, of_picture),

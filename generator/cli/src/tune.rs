@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &TuneArguments) -> Result<Exit, Exit> {
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let rules = [Rule::by_force(of.force), Rule::own(of.force, &is_picture)];
+    let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
     allowed(arguments, of, rules)?;
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };

@@ -5,7 +5,7 @@ use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
 use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
-use crate::target::{BlockIdentity, LegalBlock};
+use crate::target::{BlockIdentity, TargetBlock};
 use askama::Template;
 use compiler::legalise::{Cycle, RealInput};
 use compiler::print::{signals, st};
@@ -65,7 +65,7 @@ struct Switch<'a> {
 }
 
 /// The self-test as a function block.
-pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Dialect) -> Listing {
+pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> Listing {
     let (program, language) = (&block.program, dialect.language);
     let trial = &block.block.trial;
     let [inputs, outputs] = &signals(program, language);
@@ -132,7 +132,7 @@ fn member(ty: Cow<'static, str>, name: String, doc: &str) -> Member {
     Member { ty, name, doc: doc.to_owned(), value: String::new() }
 }
 
-fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
+fn body(block: &TargetBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
     let (program, literal) = (&block.program, dialect.language.literal);
     let is_single = program.real == RealKind::F32;
     let real = |value: f64| if is_single { Literal::F32(f32::lit(value)) } else { Literal::F64(value) };
@@ -197,7 +197,7 @@ fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outpu
 }
 
 /// What is expected, where it changes.
-fn steps<'n>(block: &'n LegalBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
+fn steps<'n>(block: &'n TargetBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
     let all = &block.block.program.outputs;
     let place = |path: &str| all.iter().position(|known| known.path == path);
     let [fault, error_id] = ["fault", "error_id"].map(place);
