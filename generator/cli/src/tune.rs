@@ -19,7 +19,8 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &TuneArguments) -> Result<Exit, Exit> {
+pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
+    let arguments = &of.set;
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
@@ -27,7 +28,7 @@ pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &Tu
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
     let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
-    let designed = input::axis(&set, axis)?;
+    let designed = input::axis(&set, of.axis.as_deref())?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
     let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;

@@ -90,7 +90,8 @@ fn the_page_of_an_axis_without_a_stage() {
             "| band of the excitation | up to 125 Hz |",
             // (M + 1) N T = 6 * 1023 * 8 * 0.5 ms, and the fade; at 2.5 A.
             "| duration | 24.7 s |",
-            "at least 7500 um/s, in one direction, over at least 184.1 mm.",
+            "at least 7500 um/s, in one direction, over at least 184.9 mm.",
+            "`error_id` has the number of what is not a fault.",
             "axgen measure moves.csv --excited excited.csv --excitation 10x8 --response response.csv",
             "drive.response = \"response.csv\"",
             "axgen tune SET --axis X --recording moves.csv --excited excited.csv --excitation 10x8 --apply recommended",
