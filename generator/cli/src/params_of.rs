@@ -7,7 +7,6 @@ use crate::input::{self, said};
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use generator::codes;
-use generator::config::ListOptions;
 use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::params_of::{self, Form};
 
@@ -17,11 +16,7 @@ pub fn run(of: &ParamsOfArguments, format: Format) -> Result<Exit, Exit> {
     let form =
         Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
     one_file::kept_apart(to.output.as_deref(), [arguments.set.as_path(), on.as_path()])?;
-    let options = ListOptions {
-        cycle_time: arguments.cycle_time.clone(),
-        name: arguments.name.clone(),
-        ..ListOptions::default()
-    };
+    let options = arguments.list_options(Vec::new());
     let (before, after) = diff::both(on, &arguments.set, &options, format)?;
     let new = input::axis(&after, axis.as_deref())?;
     let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {

@@ -9,7 +9,7 @@ use crate::one_file::{self, Rule};
 use crate::output;
 use generator::axis::{Filter, Mode, Stage};
 use generator::codes;
-use generator::config::{self, ListOptions};
+use generator::config;
 use generator::diagnostics::Slashes;
 use generator::parameters::words::Words;
 use golden::measure::{Measured, Record, Verdict};
@@ -115,11 +115,7 @@ fn draw(
 
 /// Writes a proposal where the axis has its parameters, unless the file has changed meanwhile.
 fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is_json: bool) -> Result<(), Exit> {
-    let options = ListOptions {
-        cycle_time: arguments.cycle_time.clone(),
-        name: arguments.name.clone(),
-        ..ListOptions::default()
-    };
+    let options = arguments.list_options(Vec::new());
     let path = &arguments.set;
     let (applied, report) = generator::apply::stages(path, &options, axis, &of.stages, &config::load);
     let applied = input::said(applied, &report, format)?;
@@ -151,19 +147,19 @@ fn as_json(axis: &str, tuning: &Tuning, all: &Recordings<'_>) -> Value {
 
 fn proposal_json(tuning: &Tuning, proposal: &Proposal) -> Value {
     let predicted = proposal.predicted.as_ref();
-    let residuals = predicted.iter().flat_map(|of| tuning.chosen.iter().zip(&of.residuals));
+    let residuals = predicted.iter().flat_map(|of| tuning.chosen.iter().zip(&of.left.residuals));
     let residuals = residuals.map(|(chosen, left)| json!({ "hz": chosen.hz, "ratio": left }));
     json!({
         "kind": proposal.kind.word(),
         "stages": proposal.stages.iter().enumerate().map(stage_json).collect::<Vec<_>>(),
         "residuals": residuals.collect::<Vec<_>>(),
-        "ring_down": predicted.and_then(|of| of.ring_down),
-        "following_error_ratio": predicted.and_then(|of| of.following_error),
-        "peak_v_add": predicted.map(|of| of.peak_v_add),
+        "ring_down": predicted.and_then(|of| of.left.ring),
+        "following_error_ratio": predicted.and_then(|of| of.effect.following_error),
+        "peak_v_add": predicted.map(|of| of.effect.peak_v_add),
         "ms": predicted.map(|of| of.ms[0]),
         "ms_half_cycle": predicted.map(|of| of.ms[1]),
         "ms_load": predicted.map(|of| &of.ms[2..]),
-        "hardly_useful": predicted.map(|of| of.is_useless),
+        "hardly_useful": predicted.map(|_| proposal.is_useless()),
     })
 }
 

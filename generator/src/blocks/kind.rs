@@ -1,13 +1,13 @@
-//! The interface of a block's folder, and the types of its results. Derived results are in `products`.
+//! The interface of a block's folder, and that of its reference, without its real type. No product is made here.
 
+use super::block::{Block, Certified, Figure};
 use super::designed::Designed;
 use super::effects::{self, Effects};
-use super::products::Typed;
 use crate::axis::Axis;
-use crate::exercise::Drill;
+use crate::exercise::{Drill, Run};
 use compiler::pass::Defect;
 use compiler::program::Program;
-use portable::Literal;
+use portable::{Block as Reference, Field, Literal};
 
 /// The interface of a block's folder: the results of an axis's parameters for a reference.
 pub trait BlockKind: Typed {
@@ -84,22 +84,30 @@ pub struct Summary {
     pub lines: Vec<String>,
 }
 
-/// The proven properties of a block.
-#[derive(Clone, Debug, Default)]
-pub struct Certified {
-    /// in words, a line each
-    pub lines: Vec<String>,
-    /// for code
-    pub figures: Vec<Figure>,
+/// A reference that an axis may run.
+pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
+    /// Its coefficients, in double precision.
+    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
+
+    /// The block that an axis runs instead, if any.
+    fn other(_: &Designed) -> Option<&'static dyn Typed> {
+        None
+    }
 }
 
-/// A number that a program may compare with its expected value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Figure {
-    /// in capital letters
-    pub name: &'static str,
-    /// meaning and unit
-    pub doc: String,
-    /// in the real type of the block
-    pub value: Literal,
+/// A reference in the real type of an axis. `kind`: the folder of its block.
+pub trait Typed: Sync {
+    /// The name of its block in files and on the command line.
+    fn name(&self) -> &'static str;
+    /// The inputs and the outputs of its block with their meanings.
+    fn signals(&self) -> [&'static [Field]; 2];
+    /// The reference that an axis runs.
+    fn typed(&self, designed: &Designed) -> &dyn Typed;
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
+    /// The program after the pass of that name.
+    fn specialise(&self, kind: &dyn BlockKind, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
+    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
+    fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect>;
+    fn run(&self, designed: &Designed) -> Box<dyn Run>;
+    fn numbers(&self, designed: &Designed) -> Vec<Literal>;
 }

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! designed  an axis with all results of the design
+//! block     a block of an axis, ready to be printed
 //! kind      the interface of a block's folder
 //! products  its products: verified program, self-test, recorded run
 //! effects   named effects of two versions, for the semantic diff
@@ -10,6 +11,7 @@
 //! files that the block needs.
 
 pub(crate) mod axis;
+mod block;
 mod designed;
 mod effects;
 pub(crate) mod excitation;
@@ -22,12 +24,12 @@ pub(crate) mod spindle;
 mod spindle_axis;
 
 pub use crate::exercise::Drill;
+pub use block::{Block, Certified, Figure};
 pub use designed::Designed;
 pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use kind::{BlockKind, Certified, Figure, Summary};
-pub use products::{Block, Design, Typed};
+pub use kind::{BlockKind, Design, Summary, Typed};
 
 use crate::axis::Axis;
 use compiler::pass::Defect;

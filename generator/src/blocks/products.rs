@@ -1,31 +1,20 @@
 //! The products of a block's folder for any type of its reference: verified program, self-test, recorded run.
 
+use super::block::Block;
 use super::designed::Designed;
-use super::kind::{BlockKind, Certified};
+use super::kind::{BlockKind, Design, Typed};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
-use crate::exercise::{self, Exercise, RecordedAnswers, Run, Running, SelfTest, Trial, Wanted};
-use compiler::legalise::{self, AxisProgram};
+use crate::exercise::{self, Exercise, Run, Running, SelfTest, Trial, Wanted};
+use compiler::legalise;
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
 use portable::{Block as Reference, Field, Literal, Portable, Real, RealKind, Ty};
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The last pass.
 pub(super) const VERIFIED: &str = "verified";
-
-/// A reference that an axis may run.
-pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
-    /// Its coefficients, in double precision.
-    fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
-
-    /// The block that an axis runs instead, if any.
-    fn other(_: &Designed) -> Option<&'static dyn Typed> {
-        None
-    }
-}
 
 impl dyn BlockKind + '_ {
     /// The program after the pass of that name; none: as the specialiser gives it.
@@ -66,23 +55,6 @@ impl dyn BlockKind + '_ {
     pub fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
         self.typed(designed).numbers(designed)
     }
-}
-
-/// A reference in the real type of an axis. `kind`: the folder of its block.
-pub trait Typed: Sync {
-    /// The name of its block in files and on the command line.
-    fn name(&self) -> &'static str;
-    /// The inputs and the outputs of its block with their meanings.
-    fn signals(&self) -> [&'static [Field]; 2];
-    /// The reference that an axis runs.
-    fn typed(&self, designed: &Designed) -> &dyn Typed;
-    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
-    /// The program after the pass of that name.
-    fn specialise(&self, kind: &dyn BlockKind, designed: &Designed, last: Option<&str>) -> Result<Program, Defect>;
-    #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]
-    fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect>;
-    fn run(&self, designed: &Designed) -> Box<dyn Run>;
-    fn numbers(&self, designed: &Designed) -> Vec<Literal>;
 }
 
 impl<B: Design> Typed for B {
@@ -175,33 +147,4 @@ fn shown(kind: &dyn BlockKind, designed: &Designed, program: &Program) -> Shown 
     // If nothing adds a velocity, the limit is 0.
     let limit = kind.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
     ranges::run(program, &["v_add", "v_add_calculated", "v_excite"].map(|path| (path, limit)))
-}
-
-/// A block of one axis, ready to be printed.
-#[derive(Clone, Debug)]
-pub struct Block {
-    /// after the last pass
-    pub program: Program,
-    /// the same with the signals that the axis has
-    pub for_axis: AxisProgram,
-    /// what the coefficients under a path mean, for a reviewer
-    pub(crate) notes: BTreeMap<String, String>,
-    pub(crate) exercise: Arc<Exercise>,
-    pub(crate) self_test: SelfTest,
-    pub(crate) trial: Trial,
-    /// what the reference answers in the trial
-    pub(crate) answers: RecordedAnswers,
-    /// what is certain of its range, and its measured response
-    pub certificate: Certified,
-    /// the ranges of its outputs for any state and any inputs
-    pub shown: Shown,
-    /// its structure without the values of its coefficients: equal text, equal structure
-    pub structure: String,
-}
-
-impl Block {
-    /// The inputs of its self-test on the controller, sample by sample.
-    pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
-        self.trial.inputs()
-    }
 }
