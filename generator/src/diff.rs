@@ -5,7 +5,7 @@
 //! is reported as well.
 
 use crate::axis::Stage;
-use crate::blocks::{self, BLOCKS, Designed, Value};
+use crate::blocks::{self, BLOCKS, Designed, Effect, Effects};
 use crate::number::significant;
 use crate::set_change::judge;
 use portable::Literal;
@@ -18,7 +18,7 @@ pub fn lines(old: &[Designed], new: &[Designed]) -> (Vec<String>, bool) {
         Some(position) => (of, differences(of, &new[position])),
         None => (of, vec!["removed".to_owned()]),
     });
-    let added = new.iter().filter(|of| named(old, &of.axis.name).is_none()).map(|of| (of, description(of)));
+    let added = new.iter().filter(|of| named(old, &of.axis.name).is_none()).map(|of| (of, added(of)));
     let changes: Vec<(&Designed, Vec<String>)> = kept.chain(added).collect();
     if changes.iter().all(|(_, lines)| lines.is_empty()) {
         return (vec!["no difference in what the blocks do".to_owned()], false);
@@ -37,7 +37,7 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     if coefficients(old) == coefficients(new) && caps(old) == caps(new) {
         return Vec::new();
     }
-    let mut lines = blocks::differences(&values(old), &values(new));
+    let mut lines = blocks::differences(&effects(old), &effects(new));
     lines.extend(BLOCKS.into_iter().flat_map(|kind| kind.differences(old, new)));
     if lines.is_empty() {
         lines.push("the coefficients differ by no more than their rounding".to_owned());
@@ -63,22 +63,22 @@ fn by_set(old: &Designed, new: &Designed) -> Option<String> {
 }
 
 /// The values of the axis itself, and its blocks.
-fn values(of: &Designed) -> Vec<(String, Value)> {
+fn effects(of: &Designed) -> Effects {
     let values = [
-        ("cycle time", Value::Number(cycle_time(of), " us")),
-        ("v_max", Value::Number(of.axis.ipc.v_max, "")),
-        ("real type", Value::Words(of.axis.real_name().to_owned())),
-        ("calls", Value::Words(of.axis.calls().to_owned())),
-        ("blocks", Value::Words(blocks::names(&of.axis).join(", "))),
+        ("cycle time", Effect::Number(cycle_time(of), " us")),
+        ("v_max", Effect::Number(of.axis.ipc.v_max, "")),
+        ("real type", Effect::Words(of.axis.real_name().to_owned())),
+        ("calls", Effect::Words(of.axis.calls().to_owned())),
+        ("blocks", Effect::Words(blocks::names(&of.axis).join(", "))),
     ];
     values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()
 }
 
 /// The lines of an axis that has no older version.
-fn description(of: &Designed) -> Vec<String> {
+fn added(of: &Designed) -> Vec<String> {
     let (real, cycle_time) = (of.axis.real_name(), significant(cycle_time(of), 7));
     let head = format!("{real}, cycle time {cycle_time} us, blocks {}", blocks::names(&of.axis).join(", "));
-    let lines = std::iter::once(head).chain(BLOCKS.into_iter().flat_map(|kind| kind.description(of)));
+    let lines = std::iter::once(head).chain(BLOCKS.into_iter().flat_map(|kind| kind.added(of)));
     lines.map(|line| format!("added: {line}")).collect()
 }
 

@@ -1,6 +1,6 @@
 //! From a set to its files. Each step is one call.
 
-use crate::blocks::{self, Block, Designed, Part};
+use crate::blocks::{self, Block, BlockKind, Designed};
 use crate::target::{BlockIdentity, File, Target, Unit};
 use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
@@ -80,7 +80,7 @@ pub fn identity(axis: &Axis, block: &Block) -> BlockIdentity {
     BlockIdentity {
         name: axis.name.clone(),
         real: axis.real,
-        short_name: kind.filter(|_| axis.short_names).map(Part::short_name),
+        short_name: kind.filter(|_| axis.short_names).map(BlockKind::short_name),
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,
         parameters_digest: parameters_digest(axis, name),
@@ -102,15 +102,15 @@ fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'sta
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
     let identities: Vec<BlockIdentity> = blocks.iter().map(|(_, block)| identity(&designed.axis, block)).collect();
-    let (mut files, mut legal) = (Vec::new(), BTreeMap::new());
+    let (mut files, mut in_form) = (Vec::new(), BTreeMap::new());
     for target in targets {
         for (identity, (kind, block)) in identities.iter().zip(&blocks) {
-            let legal = match legal.entry((block.program.block, target.passes_of(block))) {
+            let in_form = match in_form.entry((block.program.block, target.passes_of(block))) {
                 Entry::Occupied(known) => known.into_mut(),
-                Entry::Vacant(unknown) => unknown.insert(target.legal(block)?),
+                Entry::Vacant(unknown) => unknown.insert(target.block(block)?),
             };
-            let runner = target.runner(identity, legal, |samples| kind.runner(designed, block, samples));
-            files.extend((target.files)(identity, legal).into_iter().chain(runner).map(|file| (target.name, file)));
+            let runner = target.runner(identity, in_form, |samples| kind.runner(designed, block, samples));
+            files.extend((target.files)(identity, in_form).into_iter().chain(runner).map(|file| (target.name, file)));
         }
     }
     Ok(files)

@@ -114,7 +114,7 @@ fn refused(refusal: &Refusal, name: &str, file: &str, on: &str) -> Diagnostic {
 ///
 /// # Errors
 /// A defect of the block or of a pass.
-pub fn values(designed: &Designed) -> Result<Vec<(String, Literal)>, Defect> {
+pub fn numbers(designed: &Designed) -> Result<Vec<(String, Literal)>, Defect> {
     Ok(block(designed)?.map_or_else(Vec::new, |block| members(&block, &c::LANGUAGE)))
 }
 
@@ -221,7 +221,7 @@ fn block(designed: &Designed) -> Result<Option<Block>, Defect> {
 
 /// The members of the set that the block was generated with, in its order, with their names in a language.
 fn members(block: &Block, language: &Language) -> Vec<(String, Literal)> {
-    let program = &block.own.program;
+    let program = &block.for_axis.program;
     let [names, _] = signals(program, language);
     let all = program.inputs.iter().zip(names).filter(|(input, _)| program.in_set(input).is_some());
     // A caller writes the name after that of the set.

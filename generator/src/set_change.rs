@@ -3,7 +3,7 @@
 
 use crate::axis::{Filter, Stage};
 use crate::blocks::ipc::filter;
-use crate::blocks::{self, Design, Designed, IPC, Value, differences};
+use crate::blocks::{self, Design, Designed, Effect, Effects, IPC, differences};
 use crate::design::rounding::rounded;
 use crate::number::pair;
 use crate::parameters::words::{StageMode, Words};
@@ -37,11 +37,6 @@ pub enum Refusal {
 }
 
 impl Judgement {
-    /// Whether the set on the old block has the full effect of the new version.
-    pub fn is_enough(&self) -> bool {
-        self.refused.is_none() && self.left.is_empty()
-    }
-
     /// The reasons for new code, in words; empty if none is needed.
     pub fn reasons(&self) -> Vec<String> {
         let mut reasons = match &self.refused {
@@ -113,25 +108,25 @@ fn coeffs<R: Real>(of: &Designed) -> Coeffs<R> {
 }
 
 /// The parts of the structure id, in the words of the semantic diff.
-fn structure(of: &Designed) -> Vec<(String, Value)> {
+fn structure(of: &Designed) -> Effects {
     let (axis, ipc) = (&of.axis, &of.ipc);
     let watch = match ipc.watch.active {
         true => format!("in blocks of {} cycles, alarm {}", ipc.watch.block_cycles, ipc.watch.alarm),
         false => "none".to_owned(),
     };
     let mut values = vec![
-        ("axis".to_owned(), Value::Words(axis.name.clone())),
-        ("cycle time".to_owned(), Value::Number(f64::from(axis.cycle_time_ns) / 1e3, " us")),
-        ("real type".to_owned(), Value::Words(axis.real_name().to_owned())),
-        ("calls".to_owned(), Value::Words(axis.calls().to_owned())),
-        ("fade".to_owned(), Value::Number(f64::from(ipc.fade_cycles), " cycles")),
-        ("rides through".to_owned(), Value::Number(f64::from(ipc.ride_through.cycles), " bad samples in a row")),
-        ("watch".to_owned(), Value::Words(watch)),
-        ("gantry slave".to_owned(), Value::Words(if ipc.slave { "yes" } else { "no" }.to_owned())),
+        ("axis".to_owned(), Effect::Words(axis.name.clone())),
+        ("cycle time".to_owned(), Effect::Number(f64::from(axis.cycle_time_ns) / 1e3, " us")),
+        ("real type".to_owned(), Effect::Words(axis.real_name().to_owned())),
+        ("calls".to_owned(), Effect::Words(axis.calls().to_owned())),
+        ("fade".to_owned(), Effect::Number(f64::from(ipc.fade_cycles), " cycles")),
+        ("rides through".to_owned(), Effect::Number(f64::from(ipc.ride_through.cycles), " bad samples in a row")),
+        ("watch".to_owned(), Effect::Words(watch)),
+        ("gantry slave".to_owned(), Effect::Words(if ipc.slave { "yes" } else { "no" }.to_owned())),
     ];
     values.extend(axis.ipc.stage.iter().enumerate().map(|(index, stage)| {
         let text = stage.as_ref().map_or_else(|| StageMode::NotActive.name().to_owned(), parts);
-        (format!("stage[{index}]"), Value::Words(text))
+        (format!("stage[{index}]"), Effect::Words(text))
     }));
     values
 }
@@ -146,11 +141,11 @@ fn parts(stage: &Stage) -> String {
 }
 
 /// The properties of a block besides its structure and the numbers of a set.
-fn beside(of: &Designed) -> Vec<(String, Value)> {
+fn beside(of: &Designed) -> Effects {
     let ipc = &of.axis.ipc;
     vec![
-        ("starts".to_owned(), Value::Words(ipc.enable.name().to_owned())),
-        ("v_max".to_owned(), Value::Number(ipc.v_max, "")),
+        ("starts".to_owned(), Effect::Words(ipc.enable.name().to_owned())),
+        ("v_max".to_owned(), Effect::Number(ipc.v_max, "")),
     ]
 }
 

@@ -11,9 +11,9 @@ pub fn text(designed: &Designed) -> String {
     lines(designed, &heads, summaries.into_iter().flat_map(|summary| summary.lines))
 }
 
-/// The detailed lines for an axis: a table and verdicts.
-pub fn verdict(designed: &Designed) -> String {
-    let of_blocks = blocks::of_axis(&designed.axis).flat_map(|kind| kind.verdict(designed));
+/// The detailed lines for an axis: the details of its blocks.
+pub fn details(designed: &Designed) -> String {
+    let of_blocks = blocks::of_axis(&designed.axis).flat_map(|kind| kind.details(designed));
     lines(designed, "", of_blocks.chain(drive(&designed.axis)).chain(keys(&designed.axis)))
 }
 

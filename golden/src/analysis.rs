@@ -2,7 +2,7 @@
 //! is in `svg`, the analysis in the generator.
 
 use crate::svg::{Across, Curve, Curves, Over, Panel, Part, Picture, Plane, Point};
-use generator::analysis::{Analysis, OfDrive, summary};
+use generator::analysis::{Analysis, OfDrive, headline};
 use generator::blocks::Designed;
 use portable::Extreme;
 use stability::{Complex64, MAX_MS};
@@ -54,7 +54,7 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
     };
     let picture = Picture {
         title: format!("axis {}: the loop of improved position control", designed.axis.name),
-        setup: analysis.drives.iter().map(summary).collect(),
+        setup: analysis.drives.iter().map(headline).collect(),
         parts: vec![Part::Over(over), Part::Plane(plane)],
     };
     Some(picture.svg())

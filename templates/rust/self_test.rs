@@ -61,7 +61,7 @@ pub fn self_test() -> u32 {
         // each input is NaN for one sample; a build that does not detect it goes on with different bits
 {%- endif %}
         let value = {% if input.is_fraction %}{% if bits == 64 %}f64::from(integer()){% else %}integer() as f32{% endif %} * {{ part }}{% else %}noise(integer(), scale){% endif %};
-        inputs.{{ inputs[input.own].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
+        inputs.{{ inputs[input.in_axis].name }} = if sample == {{ bad_sample }} { not_a_number } else { value };
 {%- endfor %}
         step(&mut state, &inputs, &mut outputs);
 {%- for words in watched %}

@@ -330,7 +330,7 @@ fn a_coefficient_that_is_off_by_one_bit_is_found() {
         // Of a spindle the turn, by which its position is wrapped: rounding hides a bit of what is added in a cycle.
         let found = found.or_else(|| constants.iter().position(|constant| constant.path == "full_turn"));
         let path = constants[found.expect("every block has one of them")].path.clone();
-        let own = &mut case.block.own.program.constants;
+        let own = &mut case.block.for_axis.program.constants;
         for coefficient in constants.iter_mut().chain(own).filter(|constant| constant.path == path) {
             coefficient.value = match coefficient.value {
                 Literal::F64(value) => Literal::F64(f64::from_bits(value.to_bits() ^ 1)),

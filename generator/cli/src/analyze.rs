@@ -1,6 +1,6 @@
 //! `axgen analyze`: stability of the loop of each axis, its margins, its largest weights; as a table, as JSON, as a picture.
 
-use crate::arguments::{AnalyzeArguments, DriveArguments, SetArguments};
+use crate::arguments::{AnalyzeArguments, DriveArguments};
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
@@ -32,23 +32,18 @@ impl DriveArguments {
 }
 
 /// Runs the command.
-pub fn run(
-    arguments: &SetArguments,
-    format: Format,
-    axis: Option<&str>,
-    drive: &DriveArguments,
-    to: &AnalyzeArguments,
-) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
-    if let Some(path) = &to.picture {
-        one_file::kept_apart(path.as_path(), [arguments.set.as_path()])?;
-        draw(path, input::axis(&set, axis)?, to.force)?;
+pub fn run(of: &AnalyzeArguments, format: Format) -> Result<Exit, Exit> {
+    let (set, _) = input::read_to_look_at(&of.set, of.drive.keys(), format)?;
+    let axis = of.axis.as_deref();
+    if let Some(path) = &of.picture {
+        one_file::kept_apart(path.as_path(), [of.set.set.as_path()])?;
+        draw(path, input::axis(&set, axis)?, of.force)?;
     }
     let axes: Vec<&Designed> = match axis {
         Some(name) => vec![input::axis(&set, Some(name))?],
         None => set.axes.iter().collect(),
     };
-    if to.json {
+    if of.json {
         let all: Vec<Value> = axes.iter().map(|designed| as_json(designed)).collect();
         let one = if axis.is_some() { all.into_iter().next().unwrap_or_default() } else { Value::Array(all) };
         output::line(format!("{one:#}"))?;
@@ -65,7 +60,7 @@ fn draw(path: &Path, designed: &Designed, force: bool) -> Result<(), Exit> {
         Exit::input(codes::USAGE, "--picture", found)
     })?;
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    one_file::write(Some(path), picture.as_bytes(), Rule::own(force, &is_picture))
+    one_file::write(Some(path), picture.as_bytes(), Rule::earlier_output(force, &is_picture))
 }
 
 fn as_json(designed: &Designed) -> Value {

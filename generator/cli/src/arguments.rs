@@ -29,34 +29,7 @@ pub struct Cli {
 #[derive(Subcommand)]
 pub enum Command {
     /// Writes the blocks of every axis
-    Generate {
-        #[command(flatten)]
-        set: SetArguments,
-        /// Target language, may be given several times [default: the set's targets, else c and st]
-        #[arg(long = "target", value_name = "T")]
-        targets: Vec<String>,
-        /// Only this axis, may be given several times
-        #[arg(long = "axis", value_name = "X")]
-        axes: Vec<String>,
-        /// Write a runner next to each block in C: a program for your own board that compares this number of samples with the reference [default: 100000]
-        #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
-            value_parser = verify::samples, conflicts_with = "emit")]
-        runner: Option<usize>,
-        /// Folder for the files; created if it does not exist
-        #[arg(long, value_name = "DIR", default_value = "generated")]
-        out: PathBuf,
-        /// Overwrite files that were changed by hand
-        #[arg(long)]
-        force: bool,
-        /// Write nothing; list the files that differ or are no longer generated; exit code 1 if there are any
-        #[arg(long, conflicts_with_all = ["diff", "emit", "force"])]
-        check: bool,
-        /// As --check, and show the lines that differ
-        #[arg(long, conflicts_with_all = ["emit", "force"])]
-        diff: bool,
-        #[arg(long, value_name = "STAGE", conflicts_with = "force", help = emit::help())]
-        emit: Option<String>,
-    },
+    Generate(GenerateArguments),
     /// Reads and checks only; says in words what the blocks mean for the machine
     Check {
         #[command(flatten)]
@@ -66,145 +39,19 @@ pub enum Command {
         verbose: bool,
     },
     /// Runs one block through one engine, sample by sample
-    Run {
-        #[command(flatten)]
-        set: SetArguments,
-        /// The axis; optional if the set has only one
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
-        #[arg(long, value_name = "B", default_value = "ipc")]
-        block: String,
-        /// The engine: reference, program, c, rust, st, twincat, codesys or scl
-        #[arg(long, value_name = "E", default_value = "reference")]
-        engine: String,
-        /// CSV file with the inputs, `-`: standard input
-        #[arg(long, value_name = "FILE", required_unless_present_any = ["compare", "scenario"])]
-        stimulus: Option<PathBuf>,
-        /// NC program whose scenario gives the inputs
-        #[arg(long, value_name = "FILE", conflicts_with = "stimulus")]
-        scenario: Option<PathBuf>,
-        /// The axis of the program that the axis follows [default: that of its name]
-        #[arg(long, value_name = "A", requires = "scenario")]
-        program_axis: Option<String>,
-        /// Stops the scenario after this number of cycles [default: 200000]
-        #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
-        cycles: Option<usize>,
-        /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
-        #[arg(long, value_name = "FILE")]
-        compare: Option<PathBuf>,
-        /// Which column of the CSV file is which signal, where the names differ; `SCOPE=-` leaves a column out
-        #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
-        map: Vec<(String, String)>,
-        /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
-        #[arg(long, value_name = "FILE")]
-        out: Option<PathBuf>,
-        /// Replace any file of that name, not only an earlier output of this command
-        #[arg(long, requires = "out")]
-        force: bool,
-        /// Writes reals as the hexadecimal digits of their bits
-        #[arg(long)]
-        hex: bool,
-    },
+    Run(RunArguments),
     /// Runs every block of every axis through every engine and counts the bits that differ from the reference
-    Verify {
-        #[command(flatten)]
-        set: SetArguments,
-        /// Samples of each run
-        #[arg(long, value_name = "N", default_value = "100000", value_parser = verify::samples)]
-        samples: usize,
-        /// NC program whose scenario gives the inputs of one block
-        #[arg(long, value_name = "FILE", conflicts_with = "samples")]
-        scenario: Option<PathBuf>,
-        /// The axis of the scenario; optional if the set has only one
-        #[arg(long, value_name = "X", requires = "scenario")]
-        axis: Option<String>,
-        /// The block of the scenario [default: spindle, else axis, else the one that there is]
-        #[arg(long, value_name = "B", requires = "scenario")]
-        block: Option<String>,
-        /// The axis of the program that the axis follows [default: that of its name]
-        #[arg(long, value_name = "A", requires = "scenario")]
-        program_axis: Option<String>,
-        /// Stops the scenario after this number of cycles [default: 200000]
-        #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
-        cycles: Option<usize>,
-        /// Only this engine in addition to the reference, may be given several times [default: all]
-        #[arg(long = "engine", value_name = "E")]
-        engines: Vec<String>,
-        #[command(flatten)]
-        results: Files,
-    },
+    Verify(VerifyArguments),
     /// Says whether the loop of an axis is stable, how far from instability it is, and which weights it bears
-    Analyze {
-        #[command(flatten)]
-        set: SetArguments,
-        /// Only this axis [default: all]
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        #[command(flatten)]
-        drive: DriveArguments,
-        #[command(flatten)]
-        to: AnalyzeArguments,
-    },
+    Analyze(AnalyzeArguments),
     /// Runs the block of an axis in a closed loop with a drive, off against on: vibrations, following error, stability
-    Simulate {
-        #[command(flatten)]
-        set: SetArguments,
-        /// The axis; optional if the set has only one
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        #[command(flatten)]
-        drive: DriveArguments,
-        #[command(flatten)]
-        to: SimulateArguments,
-    },
+    Simulate(SimulateArguments),
     /// Measures a recording of an axis: sampling, vibrations, and with an excitation the response of the drive
-    Measure {
-        /// CSV file of a recorder, `-`: standard input
-        recording: PathBuf,
-        #[command(flatten)]
-        of: MeasureArguments,
-    },
+    Measure(MeasureArguments),
     /// Proposes stages for an axis from its recordings, with what they would leave of each vibration
-    Tune {
-        #[command(flatten)]
-        set: SetArguments,
-        /// The axis; optional if the set has only one
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        #[command(flatten)]
-        of: TuneArguments,
-    },
+    Tune(TuneArguments),
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
-    Scenario {
-        #[command(flatten)]
-        set: SetArguments,
-        /// The NC program
-        program: PathBuf,
-        /// The axis; optional if the set has only one
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        /// The block [default: spindle, else axis, else the one that there is]
-        #[arg(long, value_name = "B")]
-        block: Option<String>,
-        #[command(flatten)]
-        drive: DriveArguments,
-        /// The axis of the program that the axis follows [default: that of its name]
-        #[arg(long, value_name = "A")]
-        program_axis: Option<String>,
-        /// Stops the scenario after this number of cycles [default: 200000]
-        #[arg(long, value_name = "N", value_parser = scenario::cycles)]
-        cycles: Option<usize>,
-        /// CSV file for the inputs of the block
-        #[arg(long, value_name = "FILE")]
-        stimulus: Option<PathBuf>,
-        /// SVG file for the picture
-        #[arg(long, value_name = "FILE")]
-        picture: Option<PathBuf>,
-        /// Replace any files of these names, not only earlier outputs of this command
-        #[arg(long)]
-        force: bool,
-    },
+    Scenario(ScenarioArguments),
     /// Shows what a change between two sets means, in Hz, dB, degrees and seconds
     Diff {
         /// The set (or list) before
@@ -251,21 +98,7 @@ pub enum Command {
         markdown: bool,
     },
     /// Writes the parameter set of an axis with `tunable = "all"`, for the block that was generated from OLD
-    ParamsOf {
-        #[command(flatten)]
-        set: SetArguments,
-        /// The axis; optional if the set has only one
-        #[arg(long, value_name = "X")]
-        axis: Option<String>,
-        /// The set that the block on the machine was generated from
-        #[arg(long, value_name = "OLD")]
-        on: PathBuf,
-        /// The form: c, rust, st, scl, csv or bin
-        #[arg(long = "as", value_name = "FORM", default_value = "c")]
-        form: String,
-        #[command(flatten)]
-        to: ToFile,
-    },
+    ParamsOf(ParamsOfArguments),
     /// Explains the code of a message, an error of the controller, an error_id of a block, a signal or a word, and what to do
     Explain {
         /// The code (AX304), the error (70350, P-ERR-70350), the error_id (12), a signal (limited), a parameter or a word of one
@@ -336,6 +169,110 @@ pub struct SetArguments {
     pub name: Option<String>,
 }
 
+/// What is generated, and where it goes.
+#[derive(Args)]
+pub struct GenerateArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// Target language, may be given several times [default: the set's targets, else c and st]
+    #[arg(long = "target", value_name = "T")]
+    pub targets: Vec<String>,
+    /// Only this axis, may be given several times
+    #[arg(long = "axis", value_name = "X")]
+    pub axes: Vec<String>,
+    /// Write a runner next to each block in C: a program for your own board that compares this number of samples with the reference [default: 100000]
+    #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
+        value_parser = verify::samples, conflicts_with = "emit")]
+    pub runner: Option<usize>,
+    /// Folder for the files; created if it does not exist
+    #[arg(long, value_name = "DIR", default_value = "generated")]
+    pub out: PathBuf,
+    /// Overwrite files that were changed by hand
+    #[arg(long)]
+    pub force: bool,
+    /// Write nothing; list the files that differ or are no longer generated; exit code 1 if there are any
+    #[arg(long, conflicts_with_all = ["diff", "emit", "force"])]
+    pub check: bool,
+    /// As --check, and show the lines that differ
+    #[arg(long, conflicts_with_all = ["emit", "force"])]
+    pub diff: bool,
+    #[arg(long, value_name = "STAGE", conflicts_with = "force", help = emit::help())]
+    pub emit: Option<String>,
+}
+
+/// The block and the engine of a run, its samples, and where its outputs go.
+#[derive(Args)]
+pub struct RunArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+    /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
+    #[arg(long, value_name = "B", default_value = "ipc")]
+    pub block: String,
+    /// The engine: reference, program, c, rust, st, twincat, codesys or scl
+    #[arg(long, value_name = "E", default_value = "reference")]
+    pub engine: String,
+    /// CSV file with the inputs, `-`: standard input
+    #[arg(long, value_name = "FILE", required_unless_present_any = ["compare", "scenario"])]
+    pub stimulus: Option<PathBuf>,
+    /// NC program whose scenario gives the inputs
+    #[arg(long, value_name = "FILE", conflicts_with = "stimulus")]
+    pub scenario: Option<PathBuf>,
+    /// The axis of the program that the axis follows [default: that of its name]
+    #[arg(long, value_name = "A", requires = "scenario")]
+    pub program_axis: Option<String>,
+    /// Stops the scenario after this number of cycles [default: 200000]
+    #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
+    pub cycles: Option<usize>,
+    /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
+    #[arg(long, value_name = "FILE")]
+    pub compare: Option<PathBuf>,
+    /// Which column of the CSV file is which signal, where the names differ; `SCOPE=-` leaves a column out
+    #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping)]
+    pub map: Vec<(String, String)>,
+    /// CSV file for the outputs, `-`: standard output [default: -, with --compare none]
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace any file of that name, not only an earlier output of this command
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Writes reals as the hexadecimal digits of their bits
+    #[arg(long)]
+    pub hex: bool,
+}
+
+/// The runs of a verification.
+#[derive(Args)]
+pub struct VerifyArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// Samples of each run
+    #[arg(long, value_name = "N", default_value = "100000", value_parser = verify::samples)]
+    pub samples: usize,
+    /// NC program whose scenario gives the inputs of one block
+    #[arg(long, value_name = "FILE", conflicts_with = "samples")]
+    pub scenario: Option<PathBuf>,
+    /// The axis of the scenario; optional if the set has only one
+    #[arg(long, value_name = "X", requires = "scenario")]
+    pub axis: Option<String>,
+    /// The block of the scenario [default: spindle, else axis, else the one that there is]
+    #[arg(long, value_name = "B", requires = "scenario")]
+    pub block: Option<String>,
+    /// The axis of the program that the axis follows [default: that of its name]
+    #[arg(long, value_name = "A", requires = "scenario")]
+    pub program_axis: Option<String>,
+    /// Stops the scenario after this number of cycles [default: 200000]
+    #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
+    pub cycles: Option<usize>,
+    /// Only this engine in addition to the reference, may be given several times [default: all]
+    #[arg(long = "engine", value_name = "E")]
+    pub engines: Vec<String>,
+    #[command(flatten)]
+    pub results: Files,
+}
+
 /// What stands for the drive: each option means the same as the key of an axis `drive.*`, and takes its place.
 #[derive(Args, Default)]
 pub struct DriveArguments {
@@ -359,9 +296,16 @@ pub struct DriveArguments {
     pub speed_integral_time: Option<String>,
 }
 
-/// Where an analysis goes.
+/// What is analysed, and where the analysis goes.
 #[derive(Args)]
 pub struct AnalyzeArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// Only this axis [default: all]
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+    #[command(flatten)]
+    pub drive: DriveArguments,
     /// Print it for machines: JSON
     #[arg(long)]
     pub json: bool,
@@ -376,6 +320,13 @@ pub struct AnalyzeArguments {
 /// What is simulated, and where it goes.
 #[derive(Args)]
 pub struct SimulateArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+    #[command(flatten)]
+    pub drive: DriveArguments,
     /// A machine with mechanics in the place of the drive
     #[arg(long, value_name = "PLANT", value_parser = ["demonstration"],
         conflicts_with_all = ["delay", "time_constant", "response", "response_from", "speed_gain", "speed_integral_time"])]
@@ -409,9 +360,11 @@ pub struct SimulateArguments {
     pub force: bool,
 }
 
-/// How a recording is measured, and where the results go.
+/// What is measured, and how, and where the results go.
 #[derive(Args)]
 pub struct MeasureArguments {
+    /// CSV file of a recorder, `-`: standard input
+    pub recording: PathBuf,
     /// A second recording of the same machine, made with an excitation: the response, and the side that vibrations are from
     #[arg(long, value_name = "FILE")]
     pub excited: Option<PathBuf>,
@@ -442,6 +395,11 @@ pub struct MeasureArguments {
 /// What stages are proposed from.
 #[derive(Args)]
 pub struct TuneArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
     /// CSV file of a recorder: moves with all stages off, from rest to rest
     #[arg(long, value_name = "FILE")]
     pub recording: PathBuf,
@@ -478,6 +436,56 @@ pub struct TuneArguments {
     /// Replace any files of these names, not only earlier pictures
     #[arg(long)]
     pub force: bool,
+}
+
+/// What a program moves, and where the results go.
+#[derive(Args)]
+pub struct ScenarioArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The NC program
+    pub program: PathBuf,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+    /// The block [default: spindle, else axis, else the one that there is]
+    #[arg(long, value_name = "B")]
+    pub block: Option<String>,
+    #[command(flatten)]
+    pub drive: DriveArguments,
+    /// The axis of the program that the axis follows [default: that of its name]
+    #[arg(long, value_name = "A")]
+    pub program_axis: Option<String>,
+    /// Stops the scenario after this number of cycles [default: 200000]
+    #[arg(long, value_name = "N", value_parser = scenario::cycles)]
+    pub cycles: Option<usize>,
+    /// CSV file for the inputs of the block
+    #[arg(long, value_name = "FILE")]
+    pub stimulus: Option<PathBuf>,
+    /// SVG file for the picture
+    #[arg(long, value_name = "FILE")]
+    pub picture: Option<PathBuf>,
+    /// Replace any files of these names, not only earlier outputs of this command
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// The parameter set that is written, and where it goes.
+#[derive(Args)]
+pub struct ParamsOfArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+    /// The set that the block on the machine was generated from
+    #[arg(long, value_name = "OLD")]
+    pub on: PathBuf,
+    /// The form: c, rust, st, scl, csv or bin
+    #[arg(long = "as", value_name = "FORM", default_value = "c")]
+    pub form: String,
+    #[command(flatten)]
+    pub to: ToFile,
 }
 
 /// Where a single file goes.

@@ -12,7 +12,7 @@ use generator::{blocks, summary};
 pub fn run(arguments: &SetArguments, format: Format, verbose: bool) -> Result<Exit, Exit> {
     let (set, warnings) = input::read(arguments, format)?;
     for designed in &set.axes {
-        output::print(summary::verdict(designed))?;
+        output::print(summary::details(designed))?;
         if !verbose {
             continue;
         }

@@ -1,6 +1,6 @@
 //! `axgen generate`: reads the set, generates the files, writes them.
 
-use crate::arguments::SetArguments;
+use crate::arguments::GenerateArguments;
 use crate::compare_files::{self, Show};
 use crate::emit;
 use crate::exit::Exit;
@@ -17,28 +17,10 @@ use generator::pipeline::Set;
 use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
 use generator::write::{Folder, Refusal};
 use generator::{codes, summary};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Largest number of axes that are described one by one; of more, only the number is printed.
 const DESCRIBED_AXES: usize = 10;
-
-/// What the command takes, in addition to the set.
-pub struct GenerateArguments {
-    /// target languages; empty: the set's
-    pub targets: Vec<String>,
-    /// axes; empty for all
-    pub axes: Vec<String>,
-    /// number of samples of the runners written next to the blocks; `None` for no runners
-    pub runner: Option<usize>,
-    /// the folder for the files
-    pub out: PathBuf,
-    /// whether files that were changed by hand are overwritten
-    pub force: bool,
-    /// compares with what is on disk instead
-    pub compare: Option<Show>,
-    /// prints a stage of the pipeline instead
-    pub emit: Option<String>,
-}
 
 /// The purpose of generating the files.
 enum Purpose {
@@ -47,36 +29,37 @@ enum Purpose {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &GenerateArguments) -> Result<Exit, Exit> {
-    let GenerateArguments { axes, out, .. } = request;
+pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
+    let GenerateArguments { set: arguments, axes, out, .. } = of;
     let (mut set, warnings) = input::read(arguments, format)?;
     for name in axes {
         input::axis(&set, Some(name))?;
     }
-    if let Some(stage) = &request.emit {
-        return emit::run(set.axes.iter().filter(|of| axes.is_empty() || axes.contains(&of.axis.name)), stage);
+    if let Some(stage) = &of.emit {
+        return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.axis.name)), stage);
     }
-    let (purpose, recorded) = match request.compare {
+    let compare = if of.diff { Some(Show::Lines) } else { of.check.then_some(Show::Names) };
+    let (purpose, recorded) = match compare {
         Some(show) => (Purpose::Compare(show), Recorded::read(out, &arguments.set)?),
         None => {
             let (folder, recorded) = into_folder::open(out, &arguments.set)?;
             (Purpose::Write(folder), recorded)
         }
     };
-    let mut targets = chosen(&request.targets, &set, &recorded)?;
-    if let Some(samples) = request.runner {
+    let mut targets = chosen(&of.targets, &set, &recorded)?;
+    if let Some(samples) = of.runner {
         targets = with_runners(targets, samples)?;
     }
-    let scope = Scope::new(&set, axes, &request.targets);
+    let scope = Scope::new(&set, axes, &of.targets);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
     let plan = Plan::new((&set, axes, &targets), &recorded, &dropped, out);
     let folder = match purpose {
         Purpose::Compare(show) => return compare_files::run(&plan, &recorded, &scope, show),
         Purpose::Write(folder) => folder,
     };
-    let done = into_folder::write(folder, &plan, &recorded, &scope, request.force)?;
+    let done = into_folder::write(folder, &plan, &recorded, &scope, of.force)?;
     let left_out = plan.left_out(out);
-    set.axes.retain(|of| axes.is_empty() || axes.contains(&of.axis.name));
+    set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.axis.name));
     let report = done.leftovers.report(out);
     output::say(&messages::text(&report, format));
     say(&set, &done, out, warnings + report.warnings())?;

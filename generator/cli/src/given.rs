@@ -1,8 +1,9 @@
 //! The files of samples for `axgen run`: a stimulus, a recording, or both.
 
+use crate::arguments::RunArguments;
 use crate::exit::Exit;
 use crate::messages::Format;
-use crate::run::{RunArguments, is_standard};
+use crate::run::is_standard;
 use crate::scenario;
 use generator::blocks::{Block, Designed};
 use generator::codes;
@@ -52,7 +53,8 @@ pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: 
             checked(recording::stimulus(table, [&inputs, &outputs], &request.map, cycle), &unknown, file)?
         }
         (None, Some(program), _) => {
-            let scenario = scenario::made(program, designed, block, &request.options, format)?;
+            let options = scenario::options(request.program_axis.clone(), request.cycles);
+            let scenario = scenario::made(program, designed, block, &options, format)?;
             (scenario.inputs, (0..inputs.signals.len()).collect())
         }
         (None, None, Some(recording)) => (recording.inputs.clone(), recording.given.clone()),

@@ -1,5 +1,6 @@
 //! `axgen import`: an axis list as a TOML set.
 
+use crate::arguments::OneFile;
 use crate::exit::Exit;
 use crate::input::said;
 use crate::messages::Format;
@@ -8,27 +9,12 @@ use generator::config::{self, ListOptions};
 use generator::import_export;
 use std::path::Path;
 
-/// What the command takes, in addition to the list.
-pub struct ImportArguments<'r> {
-    /// the cycle time of the set; none: the set has a line to fill in
-    pub cycle_time: Option<String>,
-    /// the name of the axis; `None` for the file's name
-    pub name: Option<String>,
-    /// the file to write; `None` or `-` for standard output
-    pub out: Option<&'r Path>,
-    /// whether an existing file may be replaced
-    pub force: bool,
-    /// the format of messages
-    pub format: Format,
-}
-
-/// Runs the command.
-pub fn run(list: &Path, request: ImportArguments<'_>) -> Result<Exit, Exit> {
-    let ImportArguments { cycle_time, name, out, force, format } = request;
+/// Runs the command. Without a cycle time, the set has a line to fill in.
+pub fn run(list: &Path, options: &ListOptions, to: &OneFile, format: Format) -> Result<Exit, Exit> {
+    let out = to.out.as_deref();
     one_file::kept_apart(out, [list])?;
-    let (set, report) =
-        import_export::import(list, &ListOptions { cycle_time, name, ..ListOptions::default() }, &config::load);
+    let (set, report) = import_export::import(list, options, &config::load);
     let set = said(set, &report, format)?;
-    one_file::write(out, set.as_bytes(), Rule::by_force(force))?;
+    one_file::write(out, set.as_bytes(), Rule::by_force(to.force))?;
     Ok(Exit::Done)
 }

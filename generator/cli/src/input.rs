@@ -10,28 +10,28 @@ use generator::config::{self, ListOptions, OptionKey};
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::{self, Set};
 
+impl SetArguments {
+    /// Its options for an axis list, with options that override keys.
+    pub fn list_options(&self, keys: Vec<OptionKey>) -> ListOptions {
+        ListOptions { cycle_time: self.cycle_time.clone(), name: self.name.clone(), keys }
+    }
+}
+
 /// Reads and checks the set; reports all messages. With an error the command ends here.
 pub fn read(arguments: &SetArguments, format: Format) -> Result<(Set, usize), Exit> {
-    let options = ListOptions {
-        cycle_time: arguments.cycle_time.clone(),
-        name: arguments.name.clone(),
-        ..ListOptions::default()
-    };
-    let (set, report) = pipeline::read(&arguments.set, &options);
+    let (set, report) = pipeline::read(&arguments.set, &arguments.list_options(Vec::new()));
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
 /// Reads the set for a command that shows its effect, with options that override keys: an unstable loop is only a warning.
 pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<(Set, usize), Exit> {
-    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
-    let (set, report) = pipeline::read_to_look_at(&arguments.set, &options, &config::load);
+    let (set, report) = pipeline::read_to_look_at(&arguments.set, &arguments.list_options(keys), &config::load);
     Ok((said(set, &report, format)?, report.warnings()))
 }
 
 /// Reads the set for a command that proposes stages: the drive is read even if no stage is active yet.
 pub fn read_to_tune(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<Set, Exit> {
-    let options = ListOptions { cycle_time: arguments.cycle_time.clone(), name: arguments.name.clone(), keys };
-    let (set, report) = pipeline::read_to_tune(&arguments.set, &options);
+    let (set, report) = pipeline::read_to_tune(&arguments.set, &arguments.list_options(keys));
     said(set, &report, format)
 }
 

@@ -42,8 +42,7 @@ mod times;
 mod tune;
 mod verify;
 
-use arguments::{Cli, Command, Golden, OneFile, ToFile};
-use compare_files::Show;
+use arguments::{Cli, Command, Golden};
 use exit::Exit;
 use generator::config::ListOptions;
 use messages::Format;
@@ -73,66 +72,20 @@ fn too_large_files_are_errors() {
 /// Runs a command.
 fn run(command: Command, format: Format) -> Result<Exit, Exit> {
     match command {
-        Command::Generate { set, targets, axes, runner, out, force, check, diff, emit } => {
-            let compare = if diff { Some(Show::Lines) } else { check.then_some(Show::Names) };
-            generate::run(
-                &set,
-                format,
-                &generate::GenerateArguments { targets, axes, runner, out, force, compare, emit },
-            )
-        }
+        Command::Generate(of) => generate::run(&of, format),
         Command::Check { set, verbose } => check::run(&set, format, verbose),
-        Command::Run {
-            set,
-            axis,
-            block,
-            engine,
-            stimulus,
-            scenario,
-            program_axis,
-            cycles,
-            compare,
-            map,
-            out,
-            force,
-            hex,
-        } => {
-            let options = scenario::options(program_axis, cycles);
-            let of =
-                run::RunArguments { axis, block, engine, stimulus, scenario, options, compare, map, out, force, hex };
-            run::run(&set, format, &of)
-        }
-        Command::Verify { set, samples, scenario: None, engines, results, .. } => {
-            verify::run(&set, format, samples, &engines, &results)
-        }
-        Command::Verify {
-            set, scenario: Some(program), axis, block, program_axis, cycles, engines, results, ..
-        } => {
-            let options = scenario::options(program_axis, cycles);
-            let request = verify::Scenario { program, axis, block, options };
-            verify::run_scenario(&set, format, &request, &engines, &results)
-        }
-        Command::Analyze { set, axis, drive, to } => analyze::run(&set, format, axis.as_deref(), &drive, &to),
-        Command::Simulate { set, axis, drive, to } => simulate::run(&set, format, axis.as_deref(), &drive, &to),
-        Command::Measure { recording, of } => measure::run(&recording, &of, format),
-        Command::Tune { set, axis, of } => tune::run(&set, format, axis.as_deref(), &of),
-        Command::Scenario { set, program, axis, block, drive, program_axis, cycles, stimulus, picture, force } => {
-            let options = scenario::options(program_axis, cycles);
-            let request =
-                scenario::ScenarioArguments { axis, block, drive, program, options, stimulus, picture, force };
-            scenario::run(&set, format, &request)
-        }
-        Command::Diff { old, new, cycle_time, name } => {
-            diff::run(&old, &new, &ListOptions { cycle_time, name, ..ListOptions::default() }, format)
-        }
-        Command::Import { list, cycle_time, name, to: OneFile { out, force } } => {
-            import::run(&list, import::ImportArguments { cycle_time, name, out: out.as_deref(), force, format })
-        }
-        Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), to.out.as_deref(), to.force, format),
+        Command::Run(of) => run::run(&of, format),
+        Command::Verify(of) => verify::run(&of, format),
+        Command::Analyze(of) => analyze::run(&of, format),
+        Command::Simulate(of) => simulate::run(&of, format),
+        Command::Measure(of) => measure::run(&of, format),
+        Command::Tune(of) => tune::run(&of, format),
+        Command::Scenario(of) => scenario::run(&of, format),
+        Command::Diff { old, new, cycle_time, name } => diff::run(&old, &new, &of_list(cycle_time, name), format),
+        Command::Import { list, cycle_time, name, to } => import::run(&list, &of_list(cycle_time, name), &to, format),
+        Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), &to, format),
         Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
-        Command::ParamsOf { set, axis, on, form, to: ToFile { output, force } } => {
-            params_of::run(&set, format, &params_of::ParamsOfArguments { axis, on, form, out: output, force })
-        }
+        Command::ParamsOf(of) => params_of::run(&of, format),
         Command::Explain { code } => explain::run(code.as_deref()),
         Command::Init { file } => init::run(&file),
         Command::Schema => schema::run(),
@@ -141,4 +94,9 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Golden { command: Golden::Record { cases, again } } => golden_cases::record(&cases, again),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
     }
+}
+
+/// The options of axis lists.
+fn of_list(cycle_time: Option<String>, name: Option<String>) -> ListOptions {
+    ListOptions { cycle_time, name, ..ListOptions::default() }
 }

@@ -97,10 +97,11 @@ impl<'a> Recordings<'a> {
 }
 
 /// Runs the command.
-pub fn run(recording: &Path, of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
+pub fn run(of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
+    let recording = of.recording.as_path();
     let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let rules = [Rule::own(of.force, &is_response), Rule::own(of.force, &is_picture)];
+    let rules = [Rule::earlier_output(of.force, &is_response), Rule::earlier_output(of.force, &is_picture)];
     one_file::told_apart(&of.response.iter().chain(&of.picture).map(PathBuf::as_path).collect::<Vec<_>>())?;
     for (out, rule) in [of.response.as_deref(), of.picture.as_deref()].into_iter().zip(rules) {
         let Some(out) = out else { continue };

@@ -27,7 +27,7 @@ impl<'r> Rule<'r> {
     }
 
     /// Empty files, and files that begin like an output of the same command, which is often run again; others with `force`.
-    pub fn own(force: bool, begins: &'r dyn Fn(&[u8]) -> bool) -> Self {
+    pub fn earlier_output(force: bool, begins: &'r dyn Fn(&[u8]) -> bool) -> Self {
         Self {
             replace: if force { Replace::All } else { Replace::Those(begins) },
             found: "is not an earlier output of this command; give another name, or --force to replace it",

@@ -1,42 +1,22 @@
 //! `axgen params-of`: the parameter set of an axis for the block that is on the machine.
 
-use crate::arguments::SetArguments;
+use crate::arguments::ParamsOfArguments;
 use crate::diff;
 use crate::exit::Exit;
 use crate::input::{self, said};
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use generator::codes;
-use generator::config::ListOptions;
 use generator::diagnostics::{Diagnostic, Place, Slashes};
 use generator::params_of::{self, Form};
-use std::path::PathBuf;
-
-/// What the command takes, in addition to the set.
-pub struct ParamsOfArguments {
-    /// the axis; none: the only one
-    pub axis: Option<String>,
-    /// the set from which the block on the machine was generated
-    pub on: PathBuf,
-    /// the name of the form
-    pub form: String,
-    /// the file to write; `None` or `-` for standard output
-    pub out: Option<PathBuf>,
-    /// whether an existing file may be replaced
-    pub force: bool,
-}
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &ParamsOfArguments) -> Result<Exit, Exit> {
-    let ParamsOfArguments { axis, on, form, out, force } = request;
+pub fn run(of: &ParamsOfArguments, format: Format) -> Result<Exit, Exit> {
+    let ParamsOfArguments { set: arguments, axis, on, form, to } = of;
     let form =
         Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
-    one_file::kept_apart(out.as_deref(), [arguments.set.as_path(), on.as_path()])?;
-    let options = ListOptions {
-        cycle_time: arguments.cycle_time.clone(),
-        name: arguments.name.clone(),
-        ..ListOptions::default()
-    };
+    one_file::kept_apart(to.output.as_deref(), [arguments.set.as_path(), on.as_path()])?;
+    let options = arguments.list_options(Vec::new());
     let (before, after) = diff::both(on, &arguments.set, &options, format)?;
     let new = input::axis(&after, axis.as_deref())?;
     let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {
@@ -51,6 +31,6 @@ pub fn run(arguments: &SetArguments, format: Format, request: &ParamsOfArguments
     let report = params_of::check(new, old, [&arguments.set.slashes(), &on.slashes()]);
     said((!report.has_errors()).then_some(()), &report, format)?;
     let bytes = params_of::bytes(new, form).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    one_file::write(out.as_deref(), &bytes, Rule::by_force(*force))?;
+    one_file::write(to.output.as_deref(), &bytes, Rule::by_force(to.force))?;
     Ok(Exit::Done)
 }

@@ -57,7 +57,7 @@ impl<'p> Plan<'p> {
             targets.iter().any(|target| target.name == name) || known.contains(name) && !dropped.contains(&name)
         });
         let others = |target: &Target| recorded.units_of_others(set, target);
-        let own = targets.iter().copied().zip(shared::own(set, axes, targets, out));
+        let own = targets.iter().copied().zip(shared::of_set(set, axes, targets, out));
         let own = own.map(|(target, own)| Shared { target, own, others: others(&target) });
         // Axes of other sets stay in the project when those of this set are removed.
         let dropped = TARGETS.into_iter().filter(|target| dropped.contains(&target.name));

@@ -44,7 +44,7 @@ impl Files {
             [(&self.junit, junit, &|found| found.starts_with(JUNIT.as_bytes())), (&self.json, as_json, &is_json)];
         forms
             .into_iter()
-            .filter_map(|(path, form, begins)| Some((path.as_deref()?, form, Rule::own(self.force, begins))))
+            .filter_map(|(path, form, begins)| Some((path.as_deref()?, form, Rule::earlier_output(self.force, begins))))
     }
 
     /// Refuses to write over an input of the command, or over a file that is not one of its results.

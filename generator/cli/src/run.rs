@@ -1,6 +1,6 @@
 //! `axgen run`: one block, one engine, samples from a CSV file to a CSV file, or compared with a recording.
 
-use crate::arguments::SetArguments;
+use crate::arguments::RunArguments;
 use crate::compared;
 use crate::exit::Exit;
 use crate::given;
@@ -16,33 +16,7 @@ use golden::csv::{self, Reals};
 use golden::engine::{self, ENGINES, Engine};
 use golden::evidence;
 use golden::samples::{Samples, Shape};
-use std::path::{Path, PathBuf};
-
-/// What the command takes, in addition to the set.
-pub struct RunArguments {
-    /// the axis; none: the only one
-    pub axis: Option<String>,
-    /// the block
-    pub block: String,
-    /// the engine
-    pub engine: String,
-    /// file of the inputs; `None` if they are in `compare` or in the scenario
-    pub stimulus: Option<PathBuf>,
-    /// the NC program that generates the inputs
-    pub scenario: Option<PathBuf>,
-    /// the options of that program
-    pub options: golden::scenario::Options,
-    /// a recording of the outputs
-    pub compare: Option<PathBuf>,
-    /// the column of each signal in the recording or the stimulus, where the names differ
-    pub map: Vec<(String, String)>,
-    /// file for the outputs; `None`: no output if they are compared, else standard output
-    pub out: Option<PathBuf>,
-    /// whether any existing file may be replaced, not only an earlier output
-    pub force: bool,
-    /// whether reals are written as the digits of their bits
-    pub hex: bool,
-}
+use std::path::Path;
 
 /// A column and its signal.
 pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
@@ -51,33 +25,33 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 }
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &RunArguments) -> Result<Exit, Exit> {
-    let (set, _) = input::read(arguments, format)?;
-    let designed = input::axis(&set, request.axis.as_deref())?;
-    let block = block_of(designed, &request.block)?;
-    let engine = engine_named(&request.engine)?;
-    let out = request.out.as_deref().filter(|out| !is_standard(out));
+pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
+    let (set, _) = input::read(&of.set, format)?;
+    let designed = input::axis(&set, of.axis.as_deref())?;
+    let block = block_of(designed, &of.block)?;
+    let engine = engine_named(&of.engine)?;
+    let out = of.out.as_deref().filter(|out| !is_standard(out));
     // An earlier output has the same first line.
     let outputs = Shape::of(&block.program.outputs, designed.axis.real);
     let head = csv::write(&[&Samples::with_capacity(outputs, 0)], Reals::Decimal);
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
-    let rule = Rule::own(request.force, &is_output);
+    let rule = Rule::earlier_output(of.force, &is_output);
     if let Some(out) = out {
-        let RunArguments { stimulus, scenario, compare, .. } = request;
-        let inputs = [Some(arguments.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
+        let RunArguments { stimulus, scenario, compare, .. } = of;
+        let inputs = [Some(of.set.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
         rule.allows(out)?;
     }
-    let given::Given { inputs, given, recording } = given::read(request, designed, &block, format)?;
+    let given::Given { inputs, given, recording } = given::read(of, designed, &block, format)?;
     let found = engine::run(engine, designed, &block, &inputs)
         .map_err(|failure| Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure))?;
-    let text = || csv::write(&[&found], if request.hex { Reals::Hexadecimal } else { Reals::Decimal });
+    let text = || csv::write(&[&found], if of.hex { Reals::Hexadecimal } else { Reals::Decimal });
     match out {
         Some(out) => one_file::write(Some(out), text().as_bytes(), rule)?,
-        None if recording.is_none() || request.out.is_some() => output::print(text())?,
+        None if recording.is_none() || of.out.is_some() => output::print(text())?,
         None => {}
     }
-    let (Some(recording), Some(file)) = (recording, request.compare.as_deref()) else { return Ok(Exit::Done) };
+    let (Some(recording), Some(file)) = (recording, of.compare.as_deref()) else { return Ok(Exit::Done) };
     let evidence = evidence::of(&inputs, &given, &recording);
     let others = set.axes.iter().filter(|other| other.axis.name != designed.axis.name).collect();
     let subject = compared::Subject { designed, block: &block, engine, others };

@@ -1,6 +1,6 @@
 //! `axgen scenario`: an NC program on one axis, as a stimulus and as a picture; and the scenarios of `run` and `verify`.
 
-use crate::arguments::{DriveArguments, SetArguments};
+use crate::arguments::ScenarioArguments;
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::messages::Format;
@@ -15,54 +15,35 @@ use golden::csv::{self, Reals};
 use golden::samples::Samples;
 use golden::scenario::{self, Mistake, Note, Options, Scenario, picture};
 use golden::svg;
-use std::path::{Path, PathBuf};
-
-/// What the command takes, in addition to the set.
-pub struct ScenarioArguments {
-    /// the axis; none: the only one
-    pub axis: Option<String>,
-    /// the block; `None` for the usual one of the axis
-    pub block: Option<String>,
-    /// the drive of a path axis
-    pub drive: DriveArguments,
-    /// the NC program
-    pub program: PathBuf,
-    /// the options of the program
-    pub options: Options,
-    /// file for the inputs
-    pub stimulus: Option<PathBuf>,
-    /// file for the picture
-    pub picture: Option<PathBuf>,
-    /// whether any existing file may be replaced, not only an earlier output
-    pub force: bool,
-}
+use std::path::Path;
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, request: &ScenarioArguments) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(arguments, request.drive.keys(), format)?;
-    let designed = input::axis(&set, request.axis.as_deref())?;
-    let block = block_of_scenario(designed, request.block.as_deref())?;
-    let outputs = [request.stimulus.as_deref(), request.picture.as_deref()];
+pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
+    let (set, _) = input::read_to_look_at(&of.set, of.drive.keys(), format)?;
+    let designed = input::axis(&set, of.axis.as_deref())?;
+    let block = block_of_scenario(designed, of.block.as_deref())?;
+    let outputs = [of.stimulus.as_deref(), of.picture.as_deref()];
     let outputs: Vec<&Path> = outputs.into_iter().flatten().collect();
     one_file::told_apart(&outputs)?;
     for out in outputs {
-        one_file::kept_apart(out, [arguments.set.as_path(), &request.program])?;
+        one_file::kept_apart(out, [of.set.set.as_path(), &of.program])?;
     }
-    let scenario = made(&request.program, designed, &block, &request.options, format)?;
+    let scenario = made(&of.program, designed, &block, &options(of.program_axis.clone(), of.cycles), format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
-    let name = request.program.file_stem().unwrap_or_default().to_string_lossy();
+    let name = of.program.file_stem().unwrap_or_default().to_string_lossy();
     let drawn = picture::svg(&scenario, &name, designed);
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let [of_stimulus, of_picture] = [Rule::own(request.force, &is_stimulus), Rule::own(request.force, &is_picture)];
-    let stimulus = request.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
-    let picture = request.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
+    let [of_stimulus, of_picture] =
+        [Rule::earlier_output(of.force, &is_stimulus), Rule::earlier_output(of.force, &is_picture)];
+    let stimulus = of.stimulus.as_deref().map(|path| one_file::stage(path, stimulus.as_bytes(), of_stimulus));
+    let picture = of.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
     let staged = [stimulus.transpose()?, picture.transpose()?];
     one_file::commit(staged.into_iter().flatten())?;
     output::print(table(&scenario, designed, &block))?;
-    let Some(verdict) = scenario.oscillation.verdict() else { return Ok(Exit::Done) };
-    output::print(format!("{verdict}\n"))?;
+    let Some(message) = scenario.oscillation.message() else { return Ok(Exit::Done) };
+    output::print(format!("{message}\n"))?;
     Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
 }
 

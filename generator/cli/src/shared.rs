@@ -22,7 +22,7 @@ const DEPTH: usize = 2;
 const NAMED_AXES: usize = 10;
 
 /// The axes of the set in the shared files of each target: usually all.
-pub fn own<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) -> Vec<Vec<Unit<'s>>> {
+pub fn of_set<'s>(set: &'s Set, axes: &[String], targets: &[Target], out: &Path) -> Vec<Vec<Unit<'s>>> {
     let files = if axes.is_empty() { String::new() } else { names_below(out, DEPTH) };
     let of = |target: &Target| {
         let mut named = units(set);

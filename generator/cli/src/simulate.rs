@@ -1,6 +1,6 @@
 //! `axgen simulate`: the block of an axis in a closed loop, off against on, as a table, as CSV and as a picture.
 
-use crate::arguments::{DriveArguments, SetArguments, SimulateArguments};
+use crate::arguments::SimulateArguments;
 use crate::exit::Exit;
 use crate::input;
 use crate::messages::Format;
@@ -39,15 +39,9 @@ pub fn noise(text: &str) -> Result<f64, String> {
 }
 
 /// Runs the command.
-pub fn run<'a>(
-    arguments: &SetArguments,
-    format: Format,
-    axis: Option<&str>,
-    drive: &DriveArguments,
-    to: &'a SimulateArguments,
-) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(arguments, drive.keys(), format)?;
-    let designed = input::axis(&set, axis)?;
+pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
+    let (set, _) = input::read_to_look_at(&to.set, to.drive.keys(), format)?;
+    let designed = input::axis(&set, to.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
     if !has_stages && to.moves.is_none() && to.excited.is_none()
         || to.csv.is_some()
@@ -60,7 +54,7 @@ pub fn run<'a>(
     let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
     let [is_csv, is_picture, is_recording] = [text::HEAD, svg::HEAD, recording::HEAD].map(begins);
     let [of_csv, of_picture, of_recording] =
-        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::own(to.force, begins));
+        [&is_csv, &is_picture, &is_recording].map(|begins| Rule::earlier_output(to.force, begins));
     let all = [
         (&to.csv, of_csv),
         (&to.picture, of_picture),
@@ -68,7 +62,7 @@ pub fn run<'a>(
         (&to.excited, of_recording),
         (&to.recorded, Rule::by_force(to.force)),
     ];
-    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), arguments)?;
+    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), &to.set.set)?;
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
@@ -106,11 +100,11 @@ fn moved(designed: &Designed, to: &SimulateArguments) -> Result<Moved, Exit> {
 }
 
 /// Refuses outputs that would replace an input, each other, or a file of the user, before anything runs.
-fn allowed(outs: &[(Option<&Path>, Rule<'_>)], arguments: &SetArguments) -> Result<(), Exit> {
+fn allowed(outs: &[(Option<&Path>, Rule<'_>)], set: &Path) -> Result<(), Exit> {
     let asked = || outs.iter().filter_map(|(out, rule)| Some(((*out)?, *rule)));
     one_file::told_apart(&asked().map(|(out, _)| out).collect::<Vec<_>>())?;
     asked().try_for_each(|(out, rule)| {
-        one_file::kept_apart(out, [arguments.set.as_path()])?;
+        one_file::kept_apart(out, [set])?;
         rule.allows(out)
     })
 }

@@ -9,7 +9,7 @@ use crate::one_file::{self, Rule};
 use crate::output;
 use generator::axis::{Filter, Mode, Stage};
 use generator::codes;
-use generator::config::{self, ListOptions};
+use generator::config;
 use generator::diagnostics::Slashes;
 use generator::parameters::words::Words;
 use golden::measure::{Measured, Record, Verdict};
@@ -19,15 +19,16 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Runs the command.
-pub fn run(arguments: &SetArguments, format: Format, axis: Option<&str>, of: &TuneArguments) -> Result<Exit, Exit> {
+pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
+    let arguments = &of.set;
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    let rules = [Rule::by_force(of.force), Rule::own(of.force, &is_picture)];
+    let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
     allowed(arguments, of, rules)?;
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
     let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
-    let designed = input::axis(&set, axis)?;
+    let designed = input::axis(&set, of.axis.as_deref())?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
     let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;
@@ -114,11 +115,7 @@ fn draw(
 
 /// Writes a proposal where the axis has its parameters, unless the file has changed meanwhile.
 fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is_json: bool) -> Result<(), Exit> {
-    let options = ListOptions {
-        cycle_time: arguments.cycle_time.clone(),
-        name: arguments.name.clone(),
-        ..ListOptions::default()
-    };
+    let options = arguments.list_options(Vec::new());
     let path = &arguments.set;
     let (applied, report) = generator::apply::stages(path, &options, axis, &of.stages, &config::load);
     let applied = input::said(applied, &report, format)?;
@@ -150,19 +147,19 @@ fn as_json(axis: &str, tuning: &Tuning, all: &Recordings<'_>) -> Value {
 
 fn proposal_json(tuning: &Tuning, proposal: &Proposal) -> Value {
     let predicted = proposal.predicted.as_ref();
-    let residuals = predicted.iter().flat_map(|of| tuning.chosen.iter().zip(&of.residuals));
+    let residuals = predicted.iter().flat_map(|of| tuning.chosen.iter().zip(&of.left.residuals));
     let residuals = residuals.map(|(chosen, left)| json!({ "hz": chosen.hz, "ratio": left }));
     json!({
         "kind": proposal.kind.word(),
         "stages": proposal.stages.iter().enumerate().map(stage_json).collect::<Vec<_>>(),
         "residuals": residuals.collect::<Vec<_>>(),
-        "ring_down": predicted.and_then(|of| of.ring_down),
-        "following_error_ratio": predicted.and_then(|of| of.following_error),
-        "peak_v_add": predicted.map(|of| of.peak_v_add),
+        "ring_down": predicted.and_then(|of| of.left.ring),
+        "following_error_ratio": predicted.and_then(|of| of.effect.following_error),
+        "peak_v_add": predicted.map(|of| of.effect.peak_v_add),
         "ms": predicted.map(|of| of.ms[0]),
         "ms_half_cycle": predicted.map(|of| of.ms[1]),
         "ms_load": predicted.map(|of| &of.ms[2..]),
-        "hardly_useful": predicted.map(|of| of.is_useless),
+        "hardly_useful": predicted.map(|_| proposal.is_useless()),
     })
 }
 

@@ -1,6 +1,6 @@
 //! `axgen verify`: every block of every axis, or one block in a scenario, every engine, against the reference, bit by bit.
 
-use crate::arguments::SetArguments;
+use crate::arguments::VerifyArguments;
 use crate::compiler;
 use crate::exit::Exit;
 use crate::input;
@@ -13,13 +13,14 @@ use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
+use generator::pipeline::Set;
 use golden::compare::{FirstDifference, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
 use golden::exercise::{self, coverage::coverage};
 use golden::samples::Samples;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::Path;
 
 /// The largest number of samples, with inputs and outputs, that a computer's memory can hold.
 const MOST_SAMPLES: usize = 10_000_000;
@@ -37,63 +38,47 @@ fn chosen(names: &[String]) -> Result<Vec<Engine>, Exit> {
     Ok(ENGINES.into_iter().filter(is_chosen).collect())
 }
 
-/// Runs the command on every block of every axis.
-pub fn run(
-    arguments: &SetArguments,
-    format: Format,
-    samples: usize,
-    engines: &[String],
-    files: &Files,
-) -> Result<Exit, Exit> {
-    let engines = chosen(engines)?;
-    let (set, _) = input::read(arguments, format)?;
-    files.kept_apart(Some(&arguments.set))?;
+/// Runs the command: every block of every axis, or one block with the inputs of a scenario.
+pub fn run(of: &VerifyArguments, format: Format) -> Result<Exit, Exit> {
+    let engines = chosen(&of.engines)?;
+    let (set, _) = input::read(&of.set, format)?;
+    of.results.kept_apart(Some(&of.set.set))?;
+    match &of.scenario {
+        None => every_block(&set, of.samples, &engines, format)?,
+        Some(program) => {
+            of.results.kept_apart(Some(program))?;
+            of_scenario(&set, program, of, &engines, format)?
+        }
+    }
+    .end(&of.results)
+}
+
+fn every_block(set: &Set, samples: usize, engines: &[Engine], format: Format) -> Result<Run, Exit> {
     let blocks: usize = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
-    let mut run = Run::start()?;
-    let bar = progress(blocks * engines.len(), format);
+    let mut run = Run::start(blocks * engines.len(), format)?;
     for designed in &set.axes {
         let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
         for block in &blocks {
-            let inputs = exercise::inputs(designed, block, samples);
-            run.every_engine(&engines, designed, block, &inputs, &bar)?;
+            run.every_engine(engines, designed, block, &exercise::inputs(designed, block, samples))?;
         }
     }
-    bar.finish_and_clear();
-    run.end(files)
+    Ok(run)
 }
 
-/// The scenario of one block.
-pub struct Scenario {
-    /// the NC program
-    pub program: PathBuf,
-    /// the axis; `None` for the only one
-    pub axis: Option<String>,
-    /// the block; `None` for the usual one of the axis
-    pub block: Option<String>,
-    /// the options of the program
-    pub options: golden::scenario::Options,
-}
-
-/// Runs the command on one block, with the inputs of a scenario.
-pub fn run_scenario(
-    arguments: &SetArguments,
+fn of_scenario(
+    set: &Set,
+    program: &Path,
+    of: &VerifyArguments,
+    engines: &[Engine],
     format: Format,
-    request: &Scenario,
-    engines: &[String],
-    files: &Files,
-) -> Result<Exit, Exit> {
-    let engines = chosen(engines)?;
-    let (set, _) = input::read(arguments, format)?;
-    files.kept_apart(Some(&arguments.set))?;
-    files.kept_apart(Some(&request.program))?;
-    let designed = input::axis(&set, request.axis.as_deref())?;
-    let block = scenario::block_of_scenario(designed, request.block.as_deref())?;
-    let inputs = scenario::made(&request.program, designed, &block, &request.options, format)?.inputs;
-    let mut run = Run::start()?;
-    let bar = progress(engines.len(), format);
-    run.every_engine(&engines, designed, &block, &inputs, &bar)?;
-    bar.finish_and_clear();
-    run.end(files)
+) -> Result<Run, Exit> {
+    let designed = input::axis(set, of.axis.as_deref())?;
+    let block = scenario::block_of_scenario(designed, of.block.as_deref())?;
+    let options = scenario::options(of.program_axis.clone(), of.cycles);
+    let inputs = scenario::made(program, designed, &block, &options, format)?.inputs;
+    let mut run = Run::start(engines.len(), format)?;
+    run.every_engine(engines, designed, &block, &inputs)?;
+    Ok(run)
 }
 
 /// The progress, on a terminal only. For programs standard error contains only objects.
@@ -112,20 +97,22 @@ struct Run {
     outcomes: Vec<Outcome>,
     /// the missing engines, and the reasons
     missing: BTreeMap<Engine, String>,
+    bar: ProgressBar,
 }
 
 impl Run {
-    /// Prints the head of the table.
-    fn start() -> Result<Self, Exit> {
+    /// Prints the head of the table of this number of runs.
+    fn start(runs: usize, format: Format) -> Result<Self, Exit> {
         output::line(format!(
             "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
             "axis", "block", "engine", "samples", "differing bits"
         ))?;
-        Ok(Self { outcomes: Vec::new(), missing: BTreeMap::new() })
+        Ok(Self { outcomes: Vec::new(), missing: BTreeMap::new(), bar: progress(runs, format) })
     }
 
     /// Writes the results. A missing engine is reported at the end, after the others have run.
     fn end(self, files: &Files) -> Result<Exit, Exit> {
+        self.bar.finish_and_clear();
         files.write("axgen verify", &self.outcomes)?;
         if self.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
             return Ok(Exit::Different);
@@ -145,54 +132,62 @@ impl Run {
         designed: &Designed,
         block: &Block,
         inputs: &Samples,
-        bar: &ProgressBar,
     ) -> Result<(), Exit> {
-        let axis = &designed.axis;
+        let (axis, of_block) = (&designed.axis.name, block.program.block);
         let mut expected: Option<Samples> = None;
         for &engine in engines {
-            bar.set_message(format!("{} {} {engine}", axis.name, block.program.block));
+            self.bar.set_message(format!("{axis} {of_block} {engine}"));
             let is_missing = self.missing.contains_key(&engine);
-            let found = if is_missing { None } else { Some(engine::run(engine, designed, block, inputs)) };
-            let (bits, first) = match found {
-                Some(Ok(found)) => {
-                    let difference = compare(expected.as_ref().unwrap_or(&found), &found);
-                    expected.get_or_insert(found);
-                    (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
-                }
-                Some(Err(Failure::SelfTest(sample))) => ("-".to_owned(), format!("self-test, sample {sample}")),
-                Some(Err(Failure::Broken(text))) if compiler::works(engine) => ("-".to_owned(), text),
-                Some(Err(failure)) => {
-                    let why = match failure {
-                        Failure::Broken(text) => compiler::broken(engine, &text),
-                        failure => failure.to_string(),
-                    };
-                    self.missing.insert(engine, why);
-                    ("-".to_owned(), NOT_RUN.to_owned())
-                }
-                None => ("-".to_owned(), NOT_RUN.to_owned()),
-            };
-            let name = format!("{} {engine}", block.program.block);
-            let is_run = !self.missing.contains_key(&engine);
-            let failure =
-                (is_run && (!first.is_empty() || bits != "0")).then(|| format!("{bits} differing bits; {first}"));
-            if is_run {
-                self.outcomes.push(Outcome { group: axis.name.clone(), name, failure });
+            let found = (!is_missing).then(|| engine::run(engine, designed, block, inputs));
+            let (bits, first) = self.judge(engine, found, &mut expected);
+            if !self.missing.contains_key(&engine) {
+                let differs = !first.is_empty() || bits != "0";
+                let failure = differs.then(|| format!("{bits} differing bits; {first}"));
+                self.outcomes.push(Outcome { group: axis.clone(), name: format!("{of_block} {engine}"), failure });
             }
-            let is_reference = if engine == Engine::Reference { "(reference)" } else { &bits };
-            let (name, block, samples) = (&axis.name, block.program.block, inputs.len());
-            let row = format!("{name:<20} {block:<16} {engine:<10} {samples:>10} {is_reference:>15}  {first}");
-            bar.suspend(|| output::line(row))?;
-            bar.inc(1);
+            let bits = if engine == Engine::Reference { "(reference)" } else { &bits };
+            let samples = inputs.len();
+            let row = format!("{axis:<20} {of_block:<16} {engine:<10} {samples:>10} {bits:>15}  {first}");
+            self.bar.suspend(|| output::line(row))?;
+            self.bar.inc(1);
         }
         if let Some(outputs) = expected {
             let reached = coverage(designed, block, inputs, &outputs);
-            let line = format!("{:<20} {:<16} reached: {reached}", axis.name, block.program.block);
+            let line = format!("{axis:<20} {of_block:<16} reached: {reached}");
             let missing = reached.missing().map(|line| format!("{:<20} {:<16}   {line}", "", ""));
             for line in [line].into_iter().chain(missing) {
-                bar.suspend(|| output::line(line))?;
+                self.bar.suspend(|| output::line(line))?;
             }
         }
         Ok(())
+    }
+
+    /// The number of differing bits of an engine, and the first difference. Without a result, the engine is missing.
+    fn judge(
+        &mut self,
+        engine: Engine,
+        found: Option<Result<Samples, Failure>>,
+        expected: &mut Option<Samples>,
+    ) -> (String, String) {
+        let none = "-".to_owned();
+        match found {
+            Some(Ok(found)) => {
+                let difference = compare(expected.as_ref().unwrap_or(&found), &found);
+                expected.get_or_insert(found);
+                (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
+            }
+            Some(Err(Failure::SelfTest(sample))) => (none, format!("self-test, sample {sample}")),
+            Some(Err(Failure::Broken(text))) if compiler::works(engine) => (none, text),
+            Some(Err(failure)) => {
+                let why = match failure {
+                    Failure::Broken(text) => compiler::broken(engine, &text),
+                    failure => failure.to_string(),
+                };
+                self.missing.insert(engine, why);
+                (none, NOT_RUN.to_owned())
+            }
+            None => (none, NOT_RUN.to_owned()),
+        }
     }
 }
 

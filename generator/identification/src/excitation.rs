@@ -1,7 +1,6 @@
 //! The signal that excites an axis: a maximum-length sequence; and its effects on the machine.
 
-use crate::{Complex64, fourier};
-use portable::{Extreme, peak};
+use portable::Extreme;
 use std::f64::consts::PI;
 
 /// Duration of a clock of the default excitation [s].
@@ -184,16 +183,10 @@ impl Excitation {
         2.0 * self.amplitude
     }
 
-    /// The steps of the force, with the proportional gain Kp of the velocity controller: Kp 2 A.
-    #[must_use]
-    pub fn force(&self, kp: f64) -> f64 {
-        kp * self.step()
-    }
-
-    /// The length of the move during the excitation (M + 1) N T v, at the speed v.
+    /// The length of the move from the start to the end of the fade, at the speed v: duration times v.
     #[must_use]
     pub fn path(&self, speed: f64) -> f64 {
-        ((self.periods + 1) * self.sequence.period()) as f64 * self.cycle_time * speed
+        self.duration() * speed
     }
 
     /// The slowest move during the excitation, 2.5 A.
@@ -201,24 +194,4 @@ impl Excitation {
     pub fn least_speed(&self) -> f64 {
         LEAST_SPEED * self.amplitude
     }
-
-    /// The largest settled value of the response to the excitation, for this frequency response [Hz]: the acceleration of
-    /// the motor for j 2 pi f P, the acceleration of the load for a response of the load.
-    #[must_use]
-    pub fn peak(&self, response: impl Fn(f64) -> Complex64) -> f64 {
-        let period: Vec<f64> = self.sequence.signs().take(self.sequence.period()).collect();
-        let spacing = self.sequence.spacing(self.cycle_time);
-        let mut lines = fourier::of_real(&period);
-        lines[0] = Complex64::from(0.0);
-        lines.iter_mut().enumerate().skip(1).for_each(|(k, line)| *line *= response(k as f64 * spacing));
-        let answer = fourier::real_of(&lines, period.len());
-        self.amplitude * peak(&answer)
-    }
-}
-
-/// The fastest move, from the pitch of a rack and pinion or of a screw: its mesh frequency speed/pitch stays below the band
-/// of interest [Hz].
-#[must_use]
-pub fn largest_speed(pitch: f64, lowest_hz: f64) -> f64 {
-    pitch * lowest_hz
 }

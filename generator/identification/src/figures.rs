@@ -76,7 +76,8 @@ impl Left {
     }
 
     /// Whether more than 0.8 is left of every vibration.
-    pub(crate) fn is_useless(&self) -> bool {
+    #[must_use]
+    pub fn is_useless(&self) -> bool {
         self.residuals.iter().all(|left| *left > USELESS)
     }
 }

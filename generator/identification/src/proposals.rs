@@ -56,14 +56,18 @@ pub struct Proposal {
     pub kind: Kind,
     /// one stage per vibration
     pub stages: Vec<(Shape, f64)>,
-    /// the remaining parts of the vibrations
+    pub prediction: Prediction,
+}
+
+/// The predicted effect of stages.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Prediction {
+    /// the remaining parts of the vibrations; without meaning if the first loop is not stable
     pub left: Left,
-    /// their effect on the motor in the record
+    /// the effect on the motor in the record
     pub effect: Effect,
-    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more
+    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more; infinite: not stable
     pub ms: [f64; 4],
-    /// more than 0.8 of every vibration remains
-    pub is_useless: bool,
 }
 
 /// The reason why nothing is proposed.
@@ -117,22 +121,11 @@ impl Task<'_, '_> {
     }
 }
 
-/// What given stages do.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Trial {
-    /// what is left of the vibrations; without meaning if the first loop is not stable
-    pub left: Left,
-    pub effect: Effect,
-    /// the largest |S|: at P, half a cycle later, with 15 % less load, with 15 % more; infinite: not stable
-    pub ms: [f64; 4],
-    pub is_useless: bool,
-}
-
 /// What given stages do, as a controller; the stages of the task have no effect.
 ///
 /// # Errors
 /// [`Refused`]
-pub fn try_out(task: &Task<'_, '_>, controller: Controller<'_>) -> Result<Trial, Refused> {
+pub fn try_out(task: &Task<'_, '_>, controller: Controller<'_>) -> Result<Prediction, Refused> {
     let lowest = controller.bands.iter().fold(f64::INFINITY, |lowest: f64, band| lowest.smaller(band.centre));
     let scenarios = task.scenarios(lowest)?;
     let judge = task.judge(&scenarios)?;
@@ -144,7 +137,7 @@ pub fn try_out(task: &Task<'_, '_>, controller: Controller<'_>) -> Result<Trial,
     for (ms, is_stable) in ms.iter_mut().zip(scenarios.stable(controller)) {
         *ms = if is_stable { *ms } else { f64::INFINITY };
     }
-    Ok(Trial { is_useless: left.is_useless(), left, effect, ms })
+    Ok(Prediction { left, effect, ms })
 }
 
 /// The recommended, the strong and the cautious proposal.
@@ -187,14 +180,12 @@ fn modes(count: usize) -> Vec<Vec<Mode>> {
 
 /// A proposal; `None` if a loop is unstable between the points at which its weights were found.
 fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Proposal> {
-    let (stages, left) = (found.stages.clone(), found.left.clone());
-    search.scenarios.are_stable(search.stages, &stages).then(|| Proposal {
-        kind,
-        effect: search.judge.effect(search.stages, &stages),
-        ms: search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0),
-        is_useless: left.is_useless(),
-        left,
-        stages,
+    let stages = found.stages.clone();
+    search.scenarios.are_stable(search.stages, &stages).then(|| {
+        let left = found.left.clone();
+        let effect = search.judge.effect(search.stages, &stages);
+        let ms = search.scenarios.ms(&search.scenarios.controller(search.stages, &stages), 1.0);
+        Proposal { kind, stages, prediction: Prediction { left, effect, ms } }
     })
 }
 

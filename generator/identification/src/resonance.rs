@@ -14,8 +14,6 @@ const STEPS: u32 = 8;
 const START: f64 = 0.03;
 /// Lower limit of a standard error, as a part of the magnitude.
 const LEAST_ERROR: f64 = 1e-6;
-/// Minimum number of lines across a half-power width.
-const FEWEST_LINES: f64 = 6.0;
 
 /// The vibration near a frequency f0 [Hz] in a response H: one pole and a smooth part.
 ///
@@ -63,18 +61,4 @@ pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
         damping_error: variances[0].sqrt() / size,
         amplitude: peak,
     })
-}
-
-/// The damping from the half-power width of a peak: width/(2 f). Powers at evenly spaced lines, the peak's line. `None` if
-/// there are fewer than 6 lines across (with four the damping is a fifth too large), or if the power does not fall to a half
-/// on both sides.
-#[must_use]
-pub fn half_power(power: &[f64], peak: usize) -> Option<f64> {
-    let half = power.get(peak)? / 2.0;
-    let edge = |above: f64, below: f64| (above - half) / (above - below);
-    let right = (peak + 1..power.len()).find(|k| power[*k] < half)?;
-    let left = (0..peak).rev().find(|k| power[*k] < half)?;
-    let to = (right - 1) as f64 + edge(power[right - 1], power[right]);
-    let from = (left + 1) as f64 - edge(power[left + 1], power[left]);
-    (to - from >= FEWEST_LINES).then(|| (to - from) / (2.0 * peak as f64))
 }

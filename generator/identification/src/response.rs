@@ -1,8 +1,7 @@
 //! The response of an axis from the periods of its excitation: lines with their standard errors. No dead time, no vibration.
 
 use crate::excitation::Sequence;
-use crate::welch::Spectra;
-use crate::{Complex64, ZERO, fourier, magnitude, turned, whole};
+use crate::{Complex64, fourier, magnitude, turned};
 use nalgebra::{Matrix3, Vector3};
 use portable::Extreme;
 use std::f64::consts::TAU;
@@ -11,10 +10,6 @@ use std::f64::consts::TAU;
 pub const FEWEST_PERIODS: usize = 4;
 /// Lines of the excitation below this part of its largest are left out.
 const WEAKEST: f64 = 1e-3;
-/// Length of a segment of an excitation without a period [s].
-const SEGMENT: f64 = 4.0;
-/// The number of independent segments is this part of the number of segments that overlap by half.
-const OF_OVERLAPPING: f64 = 9.0 / 11.0;
 /// Half width of the smoothing: as a part of the frequency, and the minimum in lines.
 const HALF_WIDTH: f64 = 0.02;
 const FEWEST_LINES: f64 = 2.0;
@@ -95,36 +90,6 @@ impl Lines {
         for k in (1..=period / 2).filter(|k| sequence.line(*k) >= WEAKEST * largest) {
             let at = |of: &[Vec<Complex64>]| of.iter().map(|lines| lines[k]).collect::<Vec<_>>();
             lines.add(k as f64 * sequence.spacing(cycle_time), &at(&commands), &at(&answers));
-        }
-        Ok(lines)
-    }
-
-    /// P from an excitation without a period, with all stages off: H1 = S_xy/S_xx over segments of 4 s with Hann windows
-    /// that overlap by half.
-    ///
-    /// Less exact than periods: near a vibration of 11 Hz its phase is wrong by some degrees even without noise, and in a
-    /// closed loop noise causes a bias. k is the coherence, n = 9/11 of the number of segments (Welch 1967):
-    /// se^2 = |P|^2 (1 - k)/(k n).
-    ///
-    /// # Errors
-    /// [`Refused`]
-    pub fn without_period(cycle_time: f64, v_cmd: &[f64], v_motor: &[f64]) -> Result<Self, Refused> {
-        if v_cmd.len() != v_motor.len() {
-            return Err(Refused::NotPeriods);
-        }
-        let length = whole(SEGMENT / cycle_time);
-        let spectra = Spectra::of(v_cmd, v_motor, length).ok_or(Refused::TooFewPeriods(0))?;
-        if spectra.segments < FEWEST_PERIODS {
-            return Err(Refused::TooFewPeriods(spectra.segments));
-        }
-        let independent = spectra.segments as f64 * OF_OVERLAPPING;
-        let mut lines = Self::default();
-        for k in (1..length.div_ceil(2)).filter(|k| spectra.xx[*k] > 0.0 && spectra.xy[*k] != ZERO) {
-            let (p, coherence) = (spectra.xy[k] / spectra.xx[k], spectra.coherence(k));
-            lines.hz.push(k as f64 / (length as f64 * cycle_time));
-            lines.response.push(p);
-            lines.error.push(magnitude(p) * ((1.0 - coherence) / (coherence * independent)).sqrt());
-            lines.coherence.push(coherence);
         }
         Ok(lines)
     }

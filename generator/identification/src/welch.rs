@@ -6,9 +6,8 @@ use std::f64::consts::TAU;
 
 /// Spectra of x and y by line k/(length T); the line at 0 Hz has no meaning.
 pub(crate) struct Spectra {
-    /// samples of a segment, and segments
+    /// samples of a segment
     pub length: usize,
-    pub segments: usize,
     pub xx: Vec<f64>,
     pub yy: Vec<f64>,
     /// sum of X* Y
@@ -29,9 +28,7 @@ impl Spectra {
         let window: Vec<f64> = hann(length).collect();
         let lines = length / 2 + 1;
         let (mut xx, mut yy, mut xy) = (vec![0.0; lines], vec![0.0; lines], vec![ZERO; lines]);
-        let starts = (0..common - length + 1).step_by(length / 2);
-        let segments = starts.len();
-        for start in starts {
+        for start in (0..common - length + 1).step_by(length / 2) {
             let transform = |of: &[f64]| {
                 let part = &of[start..start + length];
                 let mean = part.iter().sum::<f64>() / length as f64;
@@ -44,7 +41,7 @@ impl Spectra {
                 xy[k] += a[k].conj() * b[k];
             }
         }
-        Some(Self { length, segments, xx, yy, xy })
+        Some(Self { length, xx, yy, xy })
     }
 
     /// |S_xy|^2 / (S_xx S_yy), from 0 to 1.

@@ -9,7 +9,7 @@ mod lead;
 mod text;
 
 pub use crate::blocks::ipc::closed_loop::Known;
-pub use text::{summary, text};
+pub use text::{headline, text};
 
 use crate::axis::{DriveModel, Stage};
 use crate::blocks::Designed;

@@ -1,4 +1,4 @@
-//! An analysis in words: a table for each drive, a verdict on each stage and on the sum, and facts from the parameters
+//! An analysis in words: a table for each drive, words on each stage and on the sum, and facts from the parameters
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
@@ -33,7 +33,7 @@ pub fn text(designed: &Designed) -> String {
 }
 
 fn of_drive(of: &OfDrive) -> Vec<String> {
-    let mut lines = vec![format!("  {}", summary(of))];
+    let mut lines = vec![format!("  {}", headline(of))];
     lines.push("    stage  weight  phase at f0  calm up to  stable up to".to_owned());
     lines.extend(of.stages.iter().map(|stage| {
         format!(
@@ -43,15 +43,15 @@ fn of_drive(of: &OfDrive) -> Vec<String> {
             format!("{} deg", decimals(stage.phase_at_f0_deg, 0)),
             down_to(stage.largest_weight, 3),
             down_to(stage.largest_stable_weight, 3),
-            verdict(stage)
+            reserve(stage)
         )
     }));
     lines
 }
 
-/// A drive, and the verdict on the sum of the stages with it.
+/// A drive, and the sum of the stages with it.
 #[must_use]
-pub fn summary(of: &OfDrive) -> String {
+pub fn headline(of: &OfDrive) -> String {
     format!("{}: {}", of.drive.words(), sum(of))
 }
 
@@ -75,7 +75,7 @@ fn sum(of: &OfDrive) -> String {
     )
 }
 
-fn verdict(stage: &OfStage) -> &'static str {
+fn reserve(stage: &OfStage) -> &'static str {
     match stage.weight {
         weight if weight <= stage.largest_weight => "calm",
         weight if weight <= stage.largest_stable_weight => "little reserve",

@@ -2,32 +2,34 @@
 //!
 //! ```text
 //! designed  an axis with all results of the design
-//! part      the interface of a block's folder
-//! kind      its products: verified program, self-test, recorded run
-//! values    named values of two versions, for the semantic diff
+//! block     a block of an axis, ready to be printed
+//! kind      the interface of a block's folder
+//! products  its products: verified program, self-test, recorded run
+//! effects   named effects of two versions, for the semantic diff
 //! ```
-//! A folder: `check` (rules), `design` (coefficients), `notes` (the meaning of each number), `diff`, `summary`, and other
+//! A folder: `check` (rules), `design` (coefficients), `notes` (the meaning of each number), `diff`, and other
 //! files that the block needs.
 
 pub(crate) mod axis;
+mod block;
 mod designed;
+mod effects;
 pub(crate) mod excitation;
 pub(crate) mod feedforward;
 pub(crate) mod ipc;
 mod kind;
-mod part;
 pub(crate) mod position_control;
+mod products;
 pub(crate) mod spindle;
 mod spindle_axis;
-mod values;
 
 pub use crate::exercise::Drill;
+pub use block::{Block, Certified, Figure};
 pub use designed::Designed;
+pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use kind::{Block, BlockKind, Design, Typed};
-pub use part::{Certified, Figure, Part, Summary};
-pub(crate) use values::{Value, differences};
+pub use kind::{BlockKind, Design, Summary, Typed};
 
 use crate::axis::Axis;
 use compiler::pass::Defect;
@@ -57,7 +59,7 @@ pub fn of_axis(axis: &Axis) -> impl Iterator<Item = &'static dyn BlockKind> {
 }
 
 pub fn names(axis: &Axis) -> Vec<&'static str> {
-    of_axis(axis).map(BlockKind::name).collect()
+    of_axis(axis).map(|kind| kind.name()).collect()
 }
 
 /// The block of that name.

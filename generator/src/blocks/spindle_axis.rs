@@ -1,6 +1,6 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{Certified, Design, Drill, Figure, Part, Summary, ipc};
+use super::{BlockKind, Certified, Design, Drill, Figure, Summary, ipc};
 use crate::blocks::designed::Designed;
 use compiler::pass::Defect;
 use compiler::program::Program;
@@ -18,7 +18,7 @@ impl Design for SpindleAxis {
     }
 }
 
-impl Part for SpindleAxis {
+impl BlockKind for SpindleAxis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         // A block with parameter sets is a separate block.
         axis.control.spindle.is_some() && !axis.ipc.takes_sets()

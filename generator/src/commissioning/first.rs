@@ -52,7 +52,7 @@ pub(super) fn page(axis: &Axis, targets: &[Target]) -> First {
     First {
         axis: axis.name.clone(),
         names: Names::new(axis, EXCITATION, targets),
-        has_notices: false,
+        has_notices: true,
         counts_calls: axis.counts_calls,
         off: "`hold_to_run := FALSE`",
         unit: axis.control.velocity_unit(),

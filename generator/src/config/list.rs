@@ -148,10 +148,6 @@ impl Reading<'_> {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
         let error = |code, found: String| Diagnostic::error(code, place(), found);
-        let unknown = |what: &str, instead| {
-            let found = format!("{} is {what}", value::shown(written));
-            Diagnostic { instead, ..error(codes::UNKNOWN, found) }
-        };
         let path = path::find(written);
         let said = match path {
             Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
@@ -163,32 +159,9 @@ impl Reading<'_> {
                 return true;
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
-            Path::Foreign => match path::with_other_indices(written) {
-                _ if let Some(instead) = odd_line::with_underscores(statement) => {
-                    unknown("not known: its name has `_` where the line has blanks", Some(instead))
-                }
-                Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
-                // The usual case, tested first, because comparing letters is slow.
-                None if !closest::is_ours(written) => {
-                    self.list.foreign.pass_over(statement, source, start);
-                    if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
-                        return true;
-                    }
-                    let found = "words without the sign of a comment: no parameter has such a path".to_owned();
-                    let instead = format!("# {written} {}", statement.value);
-                    Diagnostic::warning(codes::WRAPPED, place(), found).instead(instead)
-                }
-                None if path::is_structure(written) => {
-                    unknown("a structure: its parameters have values", closest::first_below(written))
-                }
-                None => match closest::path(written, false) {
-                    Some(known) => unknown("not known", Some(known)),
-                    None => {
-                        self.list.foreign.pass_over(statement, source, start);
-                        let found = format!("{} is not known, and passed over", value::shown(written));
-                        Diagnostic::warning(codes::PASSED_OVER, place(), found)
-                    }
-                },
+            Path::Foreign => match self.foreign(start, statement) {
+                Some(said) => said,
+                None => return true,
             },
             Path::Malformed => {
                 let (found, instead) = odd_line::malformed(statement);
@@ -200,6 +173,43 @@ impl Reading<'_> {
         }
         self.list.report.push(said);
         path != Path::Malformed
+    }
+
+    /// The message about a path that is not in the table; `None` for a parameter of another function.
+    fn foreign(&mut self, start: usize, statement: &Statement<'_>) -> Option<Diagnostic> {
+        let (written, source) = (statement.path, self.source);
+        let place = || source.place(start + statement.path_at());
+        let unknown = |what: &str, instead| {
+            let found = format!("{} is {what}", value::shown(written));
+            Some(Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) })
+        };
+        match path::with_other_indices(written) {
+            _ if let Some(instead) = odd_line::with_underscores(statement) => {
+                unknown("not known: its name has `_` where the line has blanks", Some(instead))
+            }
+            Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
+            // The usual case, tested first, because comparing letters is slow.
+            None if !closest::is_ours(written) => {
+                self.list.foreign.pass_over(statement, source, start);
+                if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
+                    return None;
+                }
+                let found = "words without the sign of a comment: no parameter has such a path".to_owned();
+                let instead = format!("# {written} {}", statement.value);
+                Some(Diagnostic::warning(codes::WRAPPED, place(), found).instead(instead))
+            }
+            None if path::is_structure(written) => {
+                unknown("a structure: its parameters have values", closest::first_below(written))
+            }
+            None => match closest::path(written, false) {
+                Some(known) => unknown("not known", Some(known)),
+                None => {
+                    self.list.foreign.pass_over(statement, source, start);
+                    let found = format!("{} is not known, and passed over", value::shown(written));
+                    Some(Diagnostic::warning(codes::PASSED_OVER, place(), found))
+                }
+            },
+        }
     }
 
     /// The parameter that a wrong line was meant to give is not missing: that would be a second message about one mistake.

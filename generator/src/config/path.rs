@@ -116,46 +116,7 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
 }
 
 pub(crate) fn find(path: &str) -> Path {
-    let bytes = path.as_bytes();
-    let (mut index, mut indices) = ([0; 2], 0);
-    // The length, with `[]` for an index.
-    let mut length = bytes.len();
-    let (mut at, mut before) = (0, b'.');
-    loop {
-        let start = at;
-        while bytes.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
-            at += 1;
-        }
-        before = if at > start { b'_' } else { before };
-        let Some(sign) = bytes.get(at) else { break };
-        at += 1;
-        match sign {
-            b'.' if before != b'.' => before = b'.',
-            b'[' if before != b'.' => {
-                let start = at;
-                // Empty brackets mean 0; no structure has an index beyond u32.
-                let mut number = 0_u32;
-                while let Some(digit @ b'0'..=b'9') = bytes.get(at) {
-                    number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
-                    at += 1;
-                }
-                if bytes.get(at) != Some(&b']') {
-                    return Path::Malformed;
-                }
-                if let Some(place) = index.get_mut(indices) {
-                    *place = number;
-                }
-                indices += 1;
-                length -= at - start;
-                at += 1;
-                before = b']';
-            }
-            _ => return Path::Malformed,
-        }
-    }
-    if before == b'.' || bytes[0].is_ascii_digit() {
-        return Path::Malformed;
-    }
+    let Some((index, length)) = indices(path.as_bytes()) else { return Path::Malformed };
     let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
     let Some(&Spelling { name, template, misprint, .. }) =
         alike.find(|spelling| letters(path, true).eq(spelling.plain.chars()))
@@ -168,6 +129,44 @@ pub(crate) fn find(path: &str) -> Path {
     } else {
         Path::OutOfRange { name, spelling: template }
     }
+}
+
+/// The indices of a path, and its length with `[]` for an index; `None` if it is malformed.
+fn indices(path: &[u8]) -> Option<([u32; 2], usize)> {
+    let (mut index, mut indices) = ([0; 2], 0);
+    let mut length = path.len();
+    let (mut at, mut before) = (0, b'.');
+    loop {
+        let start = at;
+        while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
+            at += 1;
+        }
+        before = if at > start { b'_' } else { before };
+        let Some(sign) = path.get(at) else { break };
+        at += 1;
+        match sign {
+            b'.' if before != b'.' => before = b'.',
+            b'[' if before != b'.' => {
+                let start = at;
+                // Empty brackets mean 0; no structure has an index beyond u32.
+                let mut number = 0_u32;
+                while let Some(digit @ b'0'..=b'9') = path.get(at) {
+                    number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+                    at += 1;
+                }
+                path.get(at).filter(|end| **end == b']')?;
+                if let Some(place) = index.get_mut(indices) {
+                    *place = number;
+                }
+                indices += 1;
+                length -= at - start;
+                at += 1;
+                before = b']';
+            }
+            _ => return None,
+        }
+    }
+    (before != b'.' && !path[0].is_ascii_digit()).then_some((index, length))
 }
 
 static OF_NAME: [bool; 256] = {

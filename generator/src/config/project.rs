@@ -7,7 +7,7 @@ use super::{axis_name, source::Source, value::shown};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::xml;
-use roxmltree::Node;
+use roxmltree::{Document, Node};
 use std::{ops::Range, sync::Arc};
 
 /// The list of an axis, and its place in the file.
@@ -65,16 +65,15 @@ pub(crate) fn lists(source: &Arc<Source>) -> Result<Vec<AxisList>, Report> {
     if !of_nc.is_empty() {
         return Ok(of_nc);
     }
-    let mut found = format!("the file is XML, and no element {ELEMENT} of it holds an axis list");
-    let files = nc_axis::files(&document);
-    if let Some(first) = files.first() {
-        found += &format!(
-            "; its {} axes of TwinCAT NC are in files of their own, the first in {}",
-            files.len(),
-            shown(first)
-        );
-    }
-    Err(refused(found).into())
+    Err(refused(without_list(&document)).into())
+}
+
+fn without_list(document: &Document<'_>) -> String {
+    let found = format!("the file is XML, and no element {ELEMENT} of it holds an axis list");
+    let files = nc_axis::files(document);
+    let Some(first) = files.first() else { return found };
+    let (count, first) = (files.len(), shown(first));
+    format!("{found}; its {count} axes of TwinCAT NC are in files of their own, the first in {first}")
 }
 
 /// The text of the only CDATA section of an element.

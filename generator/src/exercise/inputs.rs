@@ -78,12 +78,12 @@ impl Exercise {
     /// The exercise of a block; `state_paths` are the paths of all leaves of the reference's state.
     pub(crate) fn of<R: Real, B: Block<R>>(
         coeffs: &B::Coeffs,
-        (program, own): (&Program, &AxisProgram),
+        (program, for_axis): (&Program, &AxisProgram),
         state_paths: &[String],
         wanted: &Wanted,
     ) -> Self {
         let mut usual = exercised::<R, B>(coeffs);
-        let (reals, signals) = (own.reals(), own.signals());
+        let (reals, signals) = (for_axis.reals(), for_axis.signals());
         let position = |path: &str| program.inputs.iter().position(|input| input.path == path);
         let counter = position("cycle_counter").filter(|input| signals.contains(input));
         let calls = counter.and_then(|counter| Some(Calls { counter, reset: position("reset")? }));
@@ -113,8 +113,8 @@ impl Exercise {
             beyond: leaf(sample_limit::<R>() + sample_limit::<R>()),
             huge: [leaf(huge), leaf(-huge)],
             start: wanted.start,
-            outputs: own.outputs.clone(),
-            state: kept(&own.program, state_paths),
+            outputs: for_axis.outputs.clone(),
+            state: kept(&for_axis.program, state_paths),
             usual,
             reals,
         }

@@ -20,8 +20,6 @@ pub struct Runner {
     pub(crate) expected: Vec<u32>,
 }
 
-/// The number of samples of a run by default.
-pub const USUAL_SAMPLES: usize = 100_000;
 /// The largest number of digests of a longer run.
 const DIGESTS: usize = 100;
 /// The smallest number of samples per digest.

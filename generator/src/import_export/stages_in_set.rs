@@ -7,7 +7,7 @@ use crate::parameters::{
     words::{Enable, Words},
 };
 use std::ops::Range;
-use toml_edit::{Document, Item, Table, TableLike, Value};
+use toml_edit::{ArrayOfTables, Document, Item, Table, TableLike, Value};
 
 /// A replacement of a part of the text.
 type Edit = (Range<usize>, String);
@@ -97,6 +97,25 @@ impl Set<'_> {
         format!("axis.{}.{}", self.axis, IPC.join("."))
     }
 
+    /// The stages in the place of `[[...stage]]`, after the lines above them.
+    fn in_tables(&self, old: &ArrayOfTables, above: &str, stages: &[Stage]) -> Result<Vec<Edit>, String> {
+        let spans: Option<Vec<Range<usize>>> =
+            old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
+        let spans = spans.ok_or("a stage has no place")?;
+        let edit = |(k, span): (usize, &Range<usize>)| {
+            let mut lines = self.line_start(span.start)..self.line_end(span.end);
+            // Blank lines between two stages go with the second one.
+            let before = k.checked_sub(1).map(|k| self.line_end(spans[k].end));
+            if let Some(before) = before.filter(|at| self.text[*at..lines.start].trim().is_empty()) {
+                lines.start = before;
+            }
+            let new = if k == 0 { above.to_owned() + &self.tables(&self.name(), stages) } else { String::new() };
+            let new = if self.text[lines.clone()].ends_with('\n') { new } else { new.trim_end().to_owned() };
+            (lines, new)
+        };
+        Ok(spans.iter().enumerate().map(edit).collect())
+    }
+
     /// In a table of its own: `[axis.X.lr_param.improved_position_control]`, and `[[...stage]]`.
     fn in_table(&self, ipc: &Table, stages: &[Stage]) -> Result<Vec<Edit>, String> {
         let mut edits = Vec::new();
@@ -117,22 +136,7 @@ impl Set<'_> {
             (None, None) => format!("[{name}]\nenable = \"DRYRUN\"\n\n"),
         };
         match ipc.get("stage") {
-            Some(Item::ArrayOfTables(old)) => {
-                let spans: Option<Vec<Range<usize>>> =
-                    old.iter().map(|table| Some(table.span()?.start..end_of_table(table))).collect();
-                let spans = spans.ok_or("a stage has no place")?;
-                for (k, span) in spans.iter().enumerate() {
-                    let mut lines = self.line_start(span.start)..self.line_end(span.end);
-                    // Blank lines between two stages go with the second one.
-                    let before = k.checked_sub(1).map(|k| self.line_end(spans[k].end));
-                    if let Some(before) = before.filter(|at| self.text[*at..lines.start].trim().is_empty()) {
-                        lines.start = before;
-                    }
-                    let new = if k == 0 { above.clone() + &self.tables(&name, stages) } else { String::new() };
-                    let new = if self.text[lines.clone()].ends_with('\n') { new } else { new.trim_end().to_owned() };
-                    edits.push((lines, new));
-                }
-            }
+            Some(Item::ArrayOfTables(old)) => edits.extend(self.in_tables(old, &above, stages)?),
             Some(Item::Value(Value::Array(old))) => edits.push(self.array(old.span(), stages)?),
             Some(_) => return Err("stage is no array".to_owned()),
             None => {

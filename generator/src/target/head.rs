@@ -2,7 +2,7 @@
 
 use super::st::listing::set_name;
 use super::{RealKind, TARGETS, Unit};
-use crate::blocks::{self, BlockKind};
+use crate::blocks;
 use crate::digest::has_right_checksum;
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ pub fn is_generated(name: &str, text: &str) -> bool {
 /// The facts about an axis for shared files, from its files of a target with their names; `None` if their heads do not
 /// contain them.
 pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
-    let block = |text: &String| line(text, "block ").and_then(blocks::named).map(BlockKind::name);
+    let block = |text: &String| line(text, "block ").and_then(blocks::named).map(|kind| kind.name());
     let mut of_files = files.iter().map(|(_, text)| block(text)).collect::<Option<Vec<_>>>()?;
     of_files.sort_unstable();
     of_files.dedup();

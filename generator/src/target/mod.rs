@@ -41,11 +41,11 @@ pub struct Target {
     /// the names of a block of an axis and of its self-test
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
-    pub(crate) files: fn(&BlockIdentity, &LegalBlock<'_>) -> Vec<File>,
+    pub(crate) files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     /// the files that all axes of a set share
     pub shared: fn(&[Unit<'_>]) -> Vec<File>,
     /// the file of a block's runner; not every language has one
-    runner: Option<fn(&BlockIdentity, &LegalBlock<'_>, &Runner) -> File>,
+    runner: Option<fn(&BlockIdentity, &TargetBlock<'_>, &Runner) -> File>,
     /// number of samples of the runner written with each block; `None`: no runner
     samples: Option<usize>,
 }
@@ -67,7 +67,7 @@ const fn target(
     name: &'static str,
     passes: &'static [Stage],
     called: fn(&str, &str, Option<&str>) -> [String; 2],
-    files: fn(&BlockIdentity, &LegalBlock<'_>) -> Vec<File>,
+    files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
     Target { name, passes, called, files, shared, runner: None, samples: None }
@@ -86,20 +86,20 @@ impl Target {
     /// # Errors
     /// A defect of a legalising pass.
     pub fn program<'b>(&self, block: &'b Block) -> Result<Cow<'b, Program>, Defect> {
-        legalise::run(&block.own.program, self.passes)
+        legalise::run(&block.for_axis.program, self.passes)
     }
 
     /// A block with that program.
     ///
     /// # Errors
     /// A defect of a legalising pass.
-    pub fn legal<'b>(&self, block: &'b Block) -> Result<LegalBlock<'b>, Defect> {
-        Ok(LegalBlock { program: self.program(block)?, block })
+    pub fn block<'b>(&self, block: &'b Block) -> Result<TargetBlock<'b>, Defect> {
+        Ok(TargetBlock { program: self.program(block)?, block })
     }
 
     /// The names of the passes that change the program of a block: targets with the same passes have the same program.
     pub(crate) fn passes_of(&self, block: &Block) -> Vec<&'static str> {
-        legalise::needed(&block.own.program, self.passes).iter().map(|(name, _)| *name).collect()
+        legalise::needed(&block.for_axis.program, self.passes).iter().map(|(name, _)| *name).collect()
     }
 
     /// The files of a block.
@@ -107,7 +107,7 @@ impl Target {
     /// # Errors
     /// A defect of a legalising pass.
     pub fn files(&self, identity: &BlockIdentity, block: &Block) -> Result<Vec<File>, Defect> {
-        Ok((self.files)(identity, &self.legal(block)?))
+        Ok((self.files)(identity, &self.block(block)?))
     }
 
     /// The target with a runner of this number of samples for each block, if the language has runners.
@@ -120,7 +120,7 @@ impl Target {
     pub fn runner(
         &self,
         identity: &BlockIdentity,
-        block: &LegalBlock<'_>,
+        block: &TargetBlock<'_>,
         record: impl FnOnce(usize) -> Runner,
     ) -> Option<File> {
         Some((self.runner?)(identity, block, &record(self.samples?)))
@@ -146,15 +146,15 @@ pub struct BlockIdentity {
 
 /// A block with its program in a form that the language of a target can express.
 #[derive(Clone, Debug)]
-pub struct LegalBlock<'b> {
+pub struct TargetBlock<'b> {
     block: &'b Block,
     program: Cow<'b, Program>,
 }
 
-impl LegalBlock<'_> {
+impl TargetBlock<'_> {
     /// What the name of an input is, by its position among all, where the language has the inputs of the axis as they are.
     fn input<'n>(&self, names: &'n [String], position: usize) -> &'n str {
-        let own = self.block.own.inputs.iter().position(|kept| *kept == position);
+        let own = self.block.for_axis.inputs.iter().position(|kept| *kept == position);
         &names[own.expect("target: an exercise knows the inputs that the axis has")]
     }
 
@@ -196,7 +196,7 @@ pub fn block_name(axis: &str, block: &str) -> String {
 }
 
 /// A block with a separately named self-test.
-fn own_self_test(block: String) -> [String; 2] {
+fn with_self_test(block: String) -> [String; 2] {
     let test = format!("{block}_self_test");
     [block, test]
 }

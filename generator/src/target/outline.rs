@@ -1,7 +1,7 @@
 //! The common lists of a block's files in every language: its signals with their meanings, and its numbers in groups. The
 //! notation of types, numbers and comments depends on the language.
 
-use super::{BlockIdentity, LegalBlock, unit};
+use super::{BlockIdentity, TargetBlock, unit};
 use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
 use compiler::print::{Appearance, Language, Printer, comment};
 use compiler::program::{Constant, Local, Origin, Program, Type, Variable};
@@ -46,7 +46,7 @@ pub(super) struct Group {
 /// The lists of a block in a language.
 pub(super) struct Outline<'l> {
     pub(super) axis: &'l BlockIdentity,
-    pub(super) block: &'l LegalBlock<'l>,
+    pub(super) block: &'l TargetBlock<'l>,
     pub(super) language: &'static Language,
     pub(super) printer: &'l Printer<'l>,
     /// the text between two lines of a comment
@@ -114,7 +114,7 @@ impl Outline<'_> {
 
     /// A doc comment of the reference, with the unit of the axis.
     pub(super) fn doc(&self, doc: &str) -> String {
-        comment::harmless(&unit::own(doc, self.axis.is_rotary)).into_owned()
+        comment::harmless(&unit::of_axis(doc, self.axis.is_rotary)).into_owned()
     }
 
     fn ty(&self, ty: Type) -> &'static str {

@@ -1,7 +1,7 @@
 //! The file of a block in Rust: a module of any crate, without the standard library.
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, LegalBlock, block_name, rendered};
+use super::{BlockIdentity, File, TargetBlock, block_name, rendered};
 use crate::exercise::{Exercise, Noise, SelfTest};
 use askama::Template;
 use compiler::interp::Machine;
@@ -70,7 +70,7 @@ impl RustFile<'_> {
 }
 
 /// The module of a block.
-pub(super) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     let (program, exercise) = (&*block.program, &*block.block.exercise);
     let printer = &Printer::new(program, &LANGUAGE, "");
     let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };

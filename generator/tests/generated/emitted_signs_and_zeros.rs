@@ -112,7 +112,7 @@ fn a_sign_stands_in_parentheses() {
 fn full_of_signs(set: &Set) -> Vec<(String, String)> {
     let axis = &set.axes[0];
     let mut block = blocks(axis).unwrap().remove(0);
-    let program = &mut block.own.program;
+    let program = &mut block.for_axis.program;
     let reals: Vec<usize> = (0..program.inputs.len()).filter(|input| program.inputs[*input].ty == Type::Real).collect();
     let at = |path: &str| Var::Output(program.outputs.iter().position(|output| output.path == path).unwrap());
     let (v_add, limited) = (at("v_add"), at("limited"));

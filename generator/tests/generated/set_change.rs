@@ -41,7 +41,7 @@ fn a_set_brings_weights_frequencies_damping_and_a_smaller_limit() {
         ] {
             let new = axis(&[real, changed].concat());
             let judgement = judge(&old, &new);
-            assert!(judgement.is_enough(), "{changed:?}: {judgement:?}");
+            assert!(judgement.reasons().is_empty(), "{changed:?}: {judgement:?}");
             assert_eq!(judgement.reasons(), Vec::<String>::new());
             if old.axis.real == RealKind::F64 {
                 assert_same_outputs(&old, &new);
@@ -125,7 +125,7 @@ fn what_is_no_number_of_a_set_is_left() {
     let left = |changed: &[(&str, &str)]| {
         let judgement = judge(&axis(&[]), &axis(changed));
         assert_eq!(judgement.refused, None);
-        assert!(!judgement.is_enough());
+        assert!(!judgement.reasons().is_empty());
         judgement.reasons()
     };
     assert_eq!(left(&[("enable = \"OFF\"", "enable = \"DRYRUN\"")]), ["starts OFF -> DRYRUN"]);
@@ -150,14 +150,14 @@ fn both_versions_take_sets() {
     let (with, without) = (axis(&[]), axis(&[("tunable = \"all\"", "tunable = \"nothing\"")]));
     assert_eq!(judge(&without, &with).refused, Some(Refusal::NoSetsBefore));
     assert_eq!(judge(&with, &without).refused, Some(Refusal::NoSetsAfter));
-    assert_eq!(params_of::values(&without).map(|values| values.len()).ok(), Some(0));
+    assert_eq!(params_of::numbers(&without).map(|values| values.len()).ok(), Some(0));
 }
 
 /// The numbers are those that the reference makes of the axis, each with its name.
 #[test]
 fn the_values_are_those_of_the_reference() {
     let of = axis(&[]);
-    let values = params_of::values(&of).unwrap_or_else(|defect| panic!("{defect}"));
+    let values = params_of::numbers(&of).unwrap_or_else(|defect| panic!("{defect}"));
     let value = |name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
     let set = params(&TunableIpc::design(&of));
     assert_eq!(values[0], ("structure".to_owned(), Literal::U32(set.structure)));

@@ -25,7 +25,7 @@ fn run(program: &Program, block: &Block) -> Vec<Vec<Literal>> {
 
 /// What the program's own outputs are among all.
 fn own(block: &Block, outputs: &[Literal]) -> Vec<Literal> {
-    block.own.outputs.iter().map(|output| outputs[*output]).collect()
+    block.for_axis.outputs.iter().map(|output| outputs[*output]).collect()
 }
 
 #[test]
@@ -46,14 +46,14 @@ fn a_trial_shows_something() {
 #[test]
 fn a_block_with_its_own_signals_does_what_it_did() {
     for block in all_blocks() {
-        let mut machine = Machine::start(&block.own.program);
+        let mut machine = Machine::start(&block.for_axis.program);
         let mut outputs = Vec::new();
         for (inputs, expected) in block.trial_inputs().iter().zip(run(&block.program, &block)) {
-            let inputs: Vec<Literal> = block.own.inputs.iter().map(|input| inputs[*input]).collect();
+            let inputs: Vec<Literal> = block.for_axis.inputs.iter().map(|input| inputs[*input]).collect();
             machine.step(&inputs, &mut outputs);
             assert_eq!(outputs, own(&block, &expected));
             for (output, variable) in expected.iter().zip(&block.program.outputs) {
-                let is_own = block.own.program.outputs.iter().any(|own| own.path == variable.path);
+                let is_own = block.for_axis.program.outputs.iter().any(|own| own.path == variable.path);
                 assert!(is_own || *output == variable.start, "{}", variable.path);
             }
         }

@@ -17,7 +17,7 @@ pub struct Oscillation {
 impl Oscillation {
     /// The message; `None` if there is nothing to report.
     #[must_use]
-    pub fn verdict(self) -> Option<String> {
+    pub fn message(self) -> Option<String> {
         let time = self.at_limit;
         match (time > ALLOWED, self.is_stable) {
             (true, false) => Some(format!("v_add at its limit for {time:.1} s: the loop is unstable")),

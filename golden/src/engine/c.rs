@@ -54,13 +54,13 @@ impl Harness {
         compiler.call(build.path(), &compile, &compiler.options)?;
         let link: Vec<&str> = ["-o", &program].into_iter().chain(objects.iter().map(String::as_str)).collect();
         compiler.call(build.path(), &link, &compiler.link)?;
-        process::run(&program, &compiler.emulator, &self.block, inputs)
+        process::run(&program, &[], &self.block, inputs)
     }
 }
 
 /// The description of the block for the harness.
 fn layout(stem: &str, block: &Block) -> String {
-    let program = &block.own.program;
+    let program = &block.for_axis.program;
     let real = program.real;
     let [mut inputs, outputs] = signals(program, &LANGUAGE);
     // The parameter set is a struct of the harness, to which the inputs point.

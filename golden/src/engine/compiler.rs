@@ -13,8 +13,6 @@ pub struct Compiler {
     pub options: Vec<String>,
     /// its options for linking
     pub link: Vec<String>,
-    /// the program that runs a compiled program of another machine; empty for the host itself
-    pub emulator: Vec<String>,
 }
 
 impl Compiler {
@@ -29,19 +27,13 @@ impl Compiler {
     #[must_use]
     pub fn new(command: &str, options: &[&str]) -> Self {
         let options = [&["-std=c99"], options].concat();
-        Self { command: command.to_owned(), options: owned(&options), link: Vec::new(), emulator: Vec::new() }
+        Self { command: command.to_owned(), options: owned(&options), link: Vec::new() }
     }
 
     /// This compiler with options for linking.
     #[must_use]
     pub fn linking(self, options: &[&str]) -> Self {
         Self { link: owned(options), ..self }
-    }
-
-    /// This compiler with an emulator for its programs.
-    #[must_use]
-    pub fn emulated(self, emulator: &[&str]) -> Self {
-        Self { emulator: owned(emulator), ..self }
     }
 
     /// Calls the compiler in a folder.

@@ -46,7 +46,7 @@ pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -
 
 /// The file with the type of the parameter sets of a block, which is separate in TwinCAT; `None` if it takes no sets.
 fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
-    if !block.own.program.has_set() {
+    if !block.for_axis.program.has_set() {
         return Ok(None);
     }
     let files = super::files(target(name(Dialect::TwinCat)), designed, block)?;
@@ -86,16 +86,16 @@ pub fn run_self_test(
 /// The text lacks a signal of the block.
 pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let legal = target(name(dialect)).program(block).map_err(|defect| Failure::Broken(defect.to_string()))?;
-    let (all, own) = (&block.program, &block.own);
-    let [input_names, output_names] = names(&own.program, &legal);
-    let outputs = Shape::of(&own.program.outputs, all.real);
-    let inputs = inputs.only(&own.inputs);
+    let (all, for_axis) = (&block.program, &block.for_axis);
+    let [input_names, output_names] = names(&for_axis.program, &legal);
+    let outputs = Shape::of(&for_axis.program.outputs, all.real);
+    let inputs = inputs.only(&for_axis.inputs);
     let enable: &[(&str, bool)] = if dialect == Dialect::Plain { &[] } else { &[("Enable", true)] };
     let mut wanted = signals_of(&outputs, &output_names);
     // Some dialects have a separate output for an id without a fault.
     let has_notice = legal.outputs.iter().any(|output| output.path == NOTICE);
     wanted.extend(has_notice.then_some((NOTICE, Literal::U32(0))));
-    let error_id = own.program.outputs.iter().position(|output| output.path == "error_id");
+    let error_id = for_axis.program.outputs.iter().position(|output| output.path == "error_id");
     let mut instance = read
         .start(&signals_of(&inputs.shape, &input_names), &wanted, enable)
         .map_err(|mistakes| broken(all.block, &mistakes))?;
@@ -113,7 +113,7 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
         }
         answers.push(&results);
     }
-    Ok(answers.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
+    Ok(answers.among(&for_axis.outputs, &Shape::of(&all.outputs, all.real)))
 }
 
 /// The target for the files of a dialect.
@@ -133,7 +133,7 @@ fn type_name(dialect: Dialect, designed: &Designed, block: &Block) -> String {
 }
 
 /// The names of the axis's own signals in the text.
-fn names(own: &Program, legal: &Program) -> [Vec<String>; 2] {
+fn names(for_axis: &Program, legal: &Program) -> [Vec<String>; 2] {
     let [inputs, outputs] = signals(legal, &PLAIN);
     let named = |variables: &[Variable], legal: &[Variable], names: &[String]| -> Vec<String> {
         let renamed = |path: &str| RENAMED.iter().find(|(old, _)| *old == path).map_or("", |(_, new)| new);
@@ -141,7 +141,7 @@ fn names(own: &Program, legal: &Program) -> [Vec<String>; 2] {
         let name = |variable: &Variable| position(&variable.path).map_or_else(String::new, |at| names[at].clone());
         variables.iter().map(name).collect()
     };
-    [named(&own.inputs, &legal.inputs, &inputs), named(&own.outputs, &legal.outputs, &outputs)]
+    [named(&for_axis.inputs, &legal.inputs, &inputs), named(&for_axis.outputs, &legal.outputs, &outputs)]
 }
 
 fn broken(file: &str, mistakes: &[Mistake]) -> Failure {

@@ -27,23 +27,22 @@ pub(super) fn frame(variables: &[Variable], real: RealKind) -> usize {
     Shape::of(variables, real).frame()
 }
 
-/// Runs the program of a block from its start, optionally with an emulator.
-pub(super) fn run(program: &str, emulator: &[String], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
-    let (all, own) = (&block.program, &block.own);
-    let bytes = pipe(program, emulator, &inputs.only(&own.inputs).bytes)?;
-    let shape = Shape::of(&own.program.outputs, all.real);
+/// Runs the program of a block from its start, with arguments.
+pub(super) fn run(program: &str, arguments: &[String], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    let (all, for_axis) = (&block.program, &block.for_axis);
+    let bytes = pipe(program, arguments, &inputs.only(&for_axis.inputs).bytes)?;
+    let shape = Shape::of(&for_axis.program.outputs, all.real);
     if bytes.len() != shape.frame() * inputs.len() {
         return Err(Failure::Broken(format!("{} bytes came out for {} samples", bytes.len(), inputs.len())));
     }
-    Ok(Samples { shape, bytes }.among(&own.outputs, &Shape::of(&all.outputs, all.real)))
+    Ok(Samples { shape, bytes }.among(&for_axis.outputs, &Shape::of(&all.outputs, all.real)))
 }
 
 /// Runs the program with the samples on its standard input.
-fn pipe(program: &str, emulator: &[String], input: &[u8]) -> Result<Vec<u8>, Failure> {
+fn pipe(program: &str, arguments: &[String], input: &[u8]) -> Result<Vec<u8>, Failure> {
     let broken = |what: &str, error: &std::io::Error| Failure::Broken(format!("{what} the compiled block: {error}"));
-    let words: Vec<&str> = emulator.iter().map(String::as_str).chain([program]).collect();
-    let mut child = Command::new(words[0])
-        .args(&words[1..])
+    let mut child = Command::new(program)
+        .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

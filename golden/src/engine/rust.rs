@@ -61,9 +61,9 @@ pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Fai
     process::write(folder.path(), "main.rs", &main)?;
     let options = ["--edition", "2024", "-C", "opt-level=1", "-D", "warnings", "main.rs", "-o", "blocks"];
     call("Rust", "RUSTC", &command(), folder.path(), &options)?;
-    let program = [folder.path().join("blocks").to_string_lossy().into_owned()];
+    let program = folder.path().join("blocks").to_string_lossy().into_owned();
     let run = |(number, (_, block, inputs)): (usize, &(&File, &Block, &Samples))| {
-        process::run(&number.to_string(), &program, block, inputs)
+        process::run(&program, &[number.to_string()], block, inputs)
     };
     many.iter().enumerate().map(run).collect()
 }
@@ -80,7 +80,7 @@ fn write(folder: &Path, file: &File, block: &Block) -> Result<(), Failure> {
 
 /// The description of the block for the harness.
 fn layout(file: &str, block: &Block) -> String {
-    let program = &block.own.program;
+    let program = &block.for_axis.program;
     let real = program.real;
     let [inputs, outputs] = signals(program, &LANGUAGE);
     let frame = |variables| process::frame(variables, real);

@@ -58,9 +58,9 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
     // With a limit of 0 nothing is added.
     let is_constant = |name: &str| designed.ipc.limit == 0.0 && ["v_add", "v_add_calculated"].contains(&name);
     let can_change = |place: &&usize| !is_constant(&block.program.outputs[**place].path);
-    let changing: Vec<usize> = block.own.outputs.iter().filter(can_change).copied().collect();
+    let changing: Vec<usize> = block.for_axis.outputs.iter().filter(can_change).copied().collect();
     let mut rows = vec![
-        ("inputs moved", block.own.inputs.len(), still(inputs, &block.own.inputs)),
+        ("inputs moved", block.for_axis.inputs.len(), still(inputs, &block.for_axis.inputs)),
         ("outputs changed", changing.len(), still(outputs, &changing)),
     ];
     if let Some(spindle) =

@@ -38,7 +38,7 @@ pub fn table(simulation: &Simulation, designed: &Designed) -> String {
         cells.push(row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("{ms:.2}")));
         text += &line(&row.name, &cells, &columns);
     }
-    text + &verdicts(simulation)
+    text + &remarks(simulation)
 }
 
 fn line(name: &str, cells: &[String], columns: &[String]) -> String {
@@ -54,13 +54,13 @@ pub fn is_unstable(simulation: &Simulation) -> bool {
 }
 
 /// The remarks on each run, in addition to its numbers.
-fn verdicts(simulation: &Simulation) -> String {
-    simulation.rows.iter().filter_map(verdict).collect()
+fn remarks(simulation: &Simulation) -> String {
+    simulation.rows.iter().filter_map(remark).collect()
 }
 
-fn verdict(row: &Row) -> Option<String> {
+fn remark(row: &Row) -> Option<String> {
     let of_block = |id| format!("error {id} of the block; `axgen explain {id}` says what it means");
-    let said = row.oscillation().verdict().or_else(|| row.error_id.map(of_block))?;
+    let said = row.oscillation().message().or_else(|| row.error_id.map(of_block))?;
     Some(format!("{}: {said}\n", row.name))
 }
 

@@ -18,7 +18,8 @@ pub mod text;
 
 pub use chosen::Chosen;
 pub use identification::proposals::Kind;
-pub use proposal::{Predicted, Proposal};
+pub use identification::proposals::Prediction;
+pub use proposal::Proposal;
 
 use crate::measure::{Measured, Record, Verdict, is_same_interval};
 use generator::axis::{Axis, Stage};
@@ -113,25 +114,33 @@ pub fn tune(
         return tuning;
     }
     let of = proposal::Task { axis, record, ramps: segments::ramps(&moves.segments).collect(), chosen: &tuning.chosen };
+    if let Some(proposals) = proposals(&of, lines.as_ref(), stages, &mut tuning.verdicts) {
+        (tuning.proposals, tuning.lines) = (proposals, lines);
+    }
+    tuning
+}
+
+/// The proposals, or the prediction for the stages of the axis; `None` if it has no stages to be predicted.
+fn proposals(
+    of: &proposal::Task<'_>,
+    lines: Option<&Lines>,
+    stages: Stages,
+    verdicts: &mut Vec<Verdict>,
+) -> Option<Vec<Proposal>> {
     let given = match stages {
         Stages::Proposed => None,
-        Stages::Given => match of.given(&mut tuning.verdicts) {
-            None => return tuning,
-            given => given,
-        },
+        Stages::Given => Some(of.given(verdicts)?),
     };
-    tuning.proposals = match (&lines, &given) {
-        (Some(lines), given) => of.proposals(lines, given.as_deref(), &mut tuning.verdicts),
+    Some(match (lines, given) {
+        (Some(lines), given) => of.proposals(lines, given.as_deref(), verdicts),
         (None, Some(_)) => {
             let instead = "measure it: --excited FILE, --response FILE, or drive.response of the set";
             let found = "the response of the drive is not known";
-            tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+            verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
             Vec::new()
         }
-        (None, None) => of.first(&mut tuning.verdicts),
-    };
-    tuning.lines = lines;
-    tuning
+        (None, None) => of.first(verdicts),
+    })
 }
 
 /// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C

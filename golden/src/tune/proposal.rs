@@ -5,9 +5,10 @@ use super::stage::{controller, looks_at_motor, responses, rounded};
 use crate::measure::{Record, Verdict};
 use generator::axis::{Axis, Stage};
 use generator::codes;
-use identification::figures::{self, Effect, Left, Vibration};
-use identification::proposals::{self, Kind, Refused, first, propose, try_out};
+use identification::figures::{self, Vibration};
+use identification::proposals::{self, Kind, Prediction, Refused, first, propose, try_out};
 use identification::response::Lines;
+use identification::shape::Shape;
 use std::ops::Range;
 
 /// Micrometres of a metre.
@@ -20,25 +21,16 @@ const LARGEST_LIMIT: f64 = 2000.0;
 pub struct Proposal {
     pub kind: Kind,
     pub stages: Vec<Stage>,
-    /// `None` if the response of the drive is unknown
-    pub predicted: Option<Predicted>,
+    /// its velocity in um/s or 0.001 deg/s; `None` if the response of the drive is unknown
+    pub predicted: Option<Prediction>,
 }
 
-/// The predicted effect of the stages.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Predicted {
-    /// the remaining part of each vibration
-    pub residuals: Vec<f64>,
-    /// the remaining part of the largest ring-down after ramps; `None` if no vibration belongs to ramps
-    pub ring_down: Option<f64>,
-    /// the peak of the following error, relative to that without stages; `None` if it is not recorded
-    pub following_error: Option<f64>,
-    /// the largest |v_add| [um/s or 0.001 deg/s]
-    pub peak_v_add: f64,
-    /// the largest |S|: as measured, half a cycle later, with 15 % less load, with 15 % more
-    pub ms: [f64; 4],
-    /// more than 0.8 of every vibration remains
-    pub is_useless: bool,
+impl Proposal {
+    /// Whether more than 0.8 of every vibration remains.
+    #[must_use]
+    pub fn is_useless(&self) -> bool {
+        self.predicted.as_ref().is_some_and(|predicted| predicted.left.is_useless())
+    }
 }
 
 /// The data for proposals.
@@ -72,12 +64,11 @@ impl Task<'_> {
         let task =
             proposals::Task { cycle_time, position_gain, lines, record, vibrations: &vibrations, stages: &*stages };
         let found = match given {
-            Some(given) => try_out(&task, controller(given, cycle_time, position_gain)).map(|trial| {
-                let proposals::Trial { left, effect, ms, is_useless } = trial;
-                let predicted = self.predicted(left, effect, ms, is_useless);
-                vec![Proposal { kind: Kind::Given, stages: given.to_vec(), predicted: Some(predicted) }]
+            Some(given) => try_out(&task, controller(given, cycle_time, position_gain))
+                .map(|prediction| vec![self.proposal(Kind::Given, given.to_vec(), prediction)]),
+            None => propose(&task).map(|found| {
+                found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction)).collect()
             }),
-            None => propose(&task).map(|found| found.into_iter().map(|of| self.proposal(of)).collect()),
         };
         let all: Vec<Proposal> = match found {
             Ok(found) => found,
@@ -89,7 +80,7 @@ impl Task<'_> {
         if all.iter().any(|of| !is_stable(of, verdicts)) {
             return Vec::new();
         }
-        let useless = all.iter().filter(|of| of.predicted.as_ref().is_some_and(|predicted| predicted.is_useless));
+        let useless = all.iter().filter(|of| of.is_useless());
         let useless: Vec<&str> = useless.map(|of| of.kind.word()).collect();
         if !useless.is_empty() {
             let found = format!("hardly useful, more than 0.8 of every vibration is left: {}", useless.join(", "));
@@ -103,7 +94,7 @@ impl Task<'_> {
     /// Whether what the stages add stays below the largest v_add of the axis (P-AXIS-00757).
     fn find_limit(&self, all: &[Proposal], verdicts: &mut Vec<Verdict>) {
         let ipc = &self.axis.ipc;
-        let above = all.iter().filter_map(|of| Some((of.kind.word(), of.predicted.as_ref()?.peak_v_add)));
+        let above = all.iter().filter_map(|of| Some((of.kind.word(), of.predicted.as_ref()?.effect.peak_v_add)));
         let above: Vec<_> = above.filter(|(_, peak)| *peak > ipc.limit()).collect();
         if above.is_empty() {
             return;
@@ -153,11 +144,10 @@ impl Task<'_> {
             verdicts.push(self.said(Refused::Vibrations(vibrations.len())));
             return Vec::new();
         };
-        let found: Vec<Stage> = found.iter().map(|(shape, weight)| rounded(shape, *weight)).collect();
         let said = "the response of the drive is not known: 10 % of the largest weight with a usual drive";
         let instead = "record v_cmd, v_motor, v_excite and a_load with an excitation at constant speed: --excited FILE";
         verdicts.push(Verdict::note(codes::FIRST_STAGES, said, instead));
-        vec![Proposal { kind: Kind::First, stages: found, predicted: None }]
+        vec![Proposal { kind: Kind::First, stages: all_rounded(&found), predicted: None }]
     }
 
     /// The following error in the unit of the distance that `v_motor` covers in 1 s; `None` if it is not recorded, or if a
@@ -168,22 +158,9 @@ impl Task<'_> {
         Some(error.iter().map(|error| error * factor).collect())
     }
 
-    fn proposal(&self, of: proposals::Proposal) -> Proposal {
-        let stages = of.stages.iter().map(|(shape, weight)| rounded(shape, *weight)).collect();
-        let predicted = self.predicted(of.left, of.effect, of.ms, of.is_useless);
-        Proposal { kind: of.kind, stages, predicted: Some(predicted) }
-    }
-
-    fn predicted(&self, left: Left, effect: Effect, ms: [f64; 4], is_useless: bool) -> Predicted {
-        let unit = self.record.unit("v_motor");
-        Predicted {
-            residuals: left.residuals,
-            ring_down: left.ring,
-            following_error: effect.following_error,
-            peak_v_add: effect.peak_v_add * unit.map_or(1.0, |unit| unit.size * UM),
-            ms,
-            is_useless,
-        }
+    fn proposal(&self, kind: Kind, stages: Vec<Stage>, mut predicted: Prediction) -> Proposal {
+        predicted.effect.peak_v_add *= self.record.unit("v_motor").map_or(1.0, |unit| unit.size * UM);
+        Proposal { kind, stages, predicted: Some(predicted) }
     }
 
     fn said(&self, refused: Refused) -> Verdict {
@@ -212,6 +189,10 @@ impl Task<'_> {
             }
         }
     }
+}
+
+fn all_rounded(stages: &[(Shape, f64)]) -> Vec<Stage> {
+    stages.iter().map(|(shape, weight)| rounded(shape, *weight)).collect()
 }
 
 /// Says in which cases stages are not stable; whether their figures mean something: they are stable as measured.

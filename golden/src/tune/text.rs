@@ -1,6 +1,6 @@
 //! Proposals as text for readers.
 
-use super::{Chosen, Kind, Predicted, Proposal, Tuning};
+use super::{Chosen, Kind, Prediction, Proposal, Tuning};
 use crate::measure::text::side_word;
 use generator::axis::{Filter, Mode, Stage};
 use generator::parameters::words::Words;
@@ -34,7 +34,7 @@ fn of_chosen(chosen: &Chosen) -> String {
 
 fn of_proposal(tuning: &Tuning, proposal: &Proposal) -> String {
     let mut text = format!("{}\n", proposal.kind.word());
-    let useless = proposal.predicted.as_ref().is_some_and(|predicted| predicted.is_useless);
+    let useless = proposal.is_useless();
     if useless {
         text = format!("{}: hardly useful\n", proposal.kind.word());
     }
@@ -66,19 +66,19 @@ fn of_filter(filter: &Filter) -> String {
     }
 }
 
-fn of_prediction(tuning: &Tuning, of: &Predicted) -> String {
+fn of_prediction(tuning: &Tuning, of: &Prediction) -> String {
     let left =
-        tuning.chosen.iter().zip(&of.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
-    let ring = of.ring_down.map(|ring| format!("{ring:.2} of the ring-down"));
+        tuning.chosen.iter().zip(&of.left.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
+    let ring = of.left.ring.map(|ring| format!("{ring:.2} of the ring-down"));
     let left: Vec<String> = left.chain(ring).collect();
-    let error = of.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
+    let error = of.effect.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
     let [ms, later, less, more] =
         of.ms.map(|ms| if ms.is_finite() { format!("{ms:.2}") } else { "unstable".to_owned() });
     format!(
         "  left: {}\n  following error {error}, peak v_add {:.0}\n  \
          Ms {ms}; half a cycle later {later}; load -15 % {less}, +15 % {more}\n",
         left.join(", "),
-        of.peak_v_add
+        of.effect.peak_v_add
     )
 }
 

@@ -27,20 +27,7 @@ impl Lowering<'_, '_> {
 fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     match node.kind() {
-        "identifier" => {
-            let name = said(node, text);
-            let Some(variable) = lowering.variables.find(name) else {
-                lowering.no_variable(node);
-                return None;
-            };
-            if variable.role == Role::Temporary && !lowering.assigned.contains(&(variable.kind as usize, variable.slot))
-            {
-                lowering.say(node, format!("`{name}`, which has no value here on some way"), "an assignment before it");
-                return None;
-            }
-            let operand = Operand::Slot { kind: variable.kind, slot: variable.slot, part: false };
-            variable.known.then_some(operand)
-        }
+        "identifier" => variable(lowering, node),
         "boolean_literal" => {
             let value = Value::Bool(said(node, text).eq_ignore_ascii_case("TRUE"));
             Some(lowering.literal(Kind::Bool, value))
@@ -85,6 +72,19 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             None
         }
     }
+}
+
+fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+    let name = said(node, lowering.text);
+    let Some(variable) = lowering.variables.find(name) else {
+        lowering.no_variable(node);
+        return None;
+    };
+    if variable.role == Role::Temporary && !lowering.assigned.contains(&(variable.kind as usize, variable.slot)) {
+        lowering.say(node, format!("`{name}`, which has no value here on some way"), "an assignment before it");
+        return None;
+    }
+    variable.known.then_some(Operand::Slot { kind: variable.kind, slot: variable.slot, part: false })
 }
 
 fn integer(lowering: &mut Lowering<'_, '_>, node: Node<'_>, value: i64) -> Option<Operand> {

@@ -57,12 +57,8 @@ impl<R: Real> Slots<R> {
                 Code::AddWord => words[to] = words[a].wrapping_add(words[b]),
                 Code::SubtractWord => words[to] = words[a].wrapping_sub(words[b]),
                 Code::MultiplyWord => words[to] = words[a].wrapping_mul(words[b]),
-                Code::DivideDint => {
-                    words[to] = words[a].cast_signed().wrapping_div(words[b].cast_signed()).cast_unsigned();
-                }
-                Code::RemainderDint => {
-                    words[to] = words[a].cast_signed().wrapping_rem(words[b].cast_signed()).cast_unsigned();
-                }
+                Code::DivideDint => words[to] = of_dints(i32::wrapping_div, words[a], words[b]),
+                Code::RemainderDint => words[to] = of_dints(i32::wrapping_rem, words[a], words[b]),
                 Code::DivideUdint => words[to] = words[a] / words[b],
                 Code::RemainderUdint => words[to] = words[a] % words[b],
                 Code::EqualWord => bools[to] = words[a] == words[b],
@@ -78,11 +74,8 @@ impl<R: Real> Slots<R> {
                 Code::Narrow => words[to] = narrowed(words[a].cast_signed()).cast_unsigned(),
                 Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,
-                Code::JumpUnless => {
-                    if !bools[a] {
-                        next = to;
-                    }
-                }
+                Code::JumpUnless if bools[a] => {}
+                Code::JumpUnless => next = to,
             }
         }
     }
@@ -118,4 +111,9 @@ fn narrowed(value: i32) -> i32 {
 /// by chance.
 fn truncated<R: Real>(x: R) -> i32 {
     if portable::is_within_i32(x.to_f64()) { x.truncated() } else { 0x5555_5555 }
+}
+
+/// An operation on two words as DINT.
+fn of_dints(operation: fn(i32, i32) -> i32, a: u32, b: u32) -> u32 {
+    operation(a.cast_signed(), b.cast_signed()).cast_unsigned()
 }

@@ -142,10 +142,9 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
     // Only the program uses global variables: a block and its caller never have two names for one variable.
     let globals = known.globals.filter(|_| node.kind() == "program_declaration").cloned();
     let (mut variables, mut body) = (globals.unwrap_or_else(|| Variables::new(real)), Vec::new());
-    let mut name = String::new();
     // Ensures that a wrong condition has a slot too.
     variables.slot(Kind::Bool, None);
-    let (mut place, mut all_declared) = (node, true);
+    let (mut name, mut place, mut all_declared) = (String::new(), node, true);
     for (part, field) in children(node) {
         let at = part.start_byte();
         let misplaced = |inside: bool| source.body.is_some_and(|body| (at >= body) == inside);
@@ -163,15 +162,15 @@ fn block(node: Node<'_>, file: &File<'_>, mistakes: &mut Mistakes<'_>) -> Block 
                 let (all, mistakes) = (&mut variables, &mut *mistakes);
                 Declarations { text, dialect, known, prefix: "", addresses, all, mistakes }.declare(part);
             }
-            ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK" | "PROGRAM" | "END_PROGRAM", _) => {}
             ("method_declaration" | "property_declaration", _) => {
                 mistakes.push(at, shown(part, text), "one body");
             }
-            (_, Some("extends" | "implements")) | ("ABSTRACT" | "FINAL" | "EXTENDS" | "IMPLEMENTS", _) => {
-                if field.is_none() {
-                    mistakes.push(at, format!("`{}`", part.kind()), "a block by itself");
-                }
+            (word @ ("ABSTRACT" | "FINAL" | "EXTENDS" | "IMPLEMENTS"), None) => {
+                mistakes.push(at, format!("`{word}`"), "a block by itself");
             }
+            (_, Some("extends" | "implements"))
+            | ("ABSTRACT" | "FINAL" | "EXTENDS" | "IMPLEMENTS", _)
+            | ("FUNCTION_BLOCK" | "END_FUNCTION_BLOCK" | "PROGRAM" | "END_PROGRAM", _) => {}
             _ => {
                 if misplaced(false) {
                     mistakes.push(at, "a statement in the declaration", "the statement in the body");

@@ -42,7 +42,7 @@ fn an_output_never_has_a_value_between() {
             let (mut machine, mut inputs, mut outputs) = (Machine::start(&program), Vec::new(), Vec::new());
             for sample in 0..samples.len() {
                 samples.read(sample, &mut inputs);
-                let mut own: Vec<Literal> = case.block.own.inputs.iter().map(|input| inputs[*input]).collect();
+                let mut own: Vec<Literal> = case.block.for_axis.inputs.iter().map(|input| inputs[*input]).collect();
                 if program.inputs[0].path == "Enable" {
                     own.insert(0, Literal::Bool(sample % 100 < 90));
                 }

@@ -52,7 +52,7 @@ fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
             let [file, _] = emitted::files(Dialect::Scl, &case.axis, &case.block).unwrap();
             let text = file.text;
             assert!(answers(case, &text, &inputs) == expected, "{}", title(case));
-            let [_, outputs] = signals(&case.block.own.program, &SCL);
+            let [_, outputs] = signals(&case.block.for_axis.program, &SCL);
             let (mut planted, mut seen) = (BTreeSet::new(), BTreeSet::new());
             for (at, line) in zeros(&text, &outputs) {
                 let mut changed = text.clone();

@@ -77,7 +77,7 @@ impl Emitted {
         let target = TARGETS[0].with_runners(samples).expect("C has runners");
         let mut files = target.files(&identity, block).expect("C prints every block");
         let prefix = files[0].name.trim_end_matches(".h").to_owned();
-        let legal = target.legal(block).expect("C says every block");
+        let legal = target.block(block).expect("C says every block");
         let runner = target.runner(&identity, &legal, |samples| kind.runner(designed, block, samples));
         files.push(runner.expect("C has runners"));
         Self { prefix, files }

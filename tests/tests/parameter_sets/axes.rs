@@ -79,7 +79,7 @@ pub fn block(designed: &Designed) -> Block {
 
 /// The parts of the set that the parameters of an axis make: their position among all inputs, and their values.
 pub fn set(block: &Block) -> Vec<(usize, Literal)> {
-    let own = &block.own;
+    let own = &block.for_axis;
     let parts = own.program.inputs.iter().zip(&own.inputs).filter(|(input, _)| own.program.in_set(input).is_some());
     parts.map(|(input, position)| (*position, input.start)).collect()
 }

@@ -23,8 +23,14 @@ fn a_set_that_is_written_meanwhile_is_taken_over_whole_or_not_at_all() {
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     let others = axes::block(&axes::other(STRUCTURE, RealKind::F64, &mut Rng::new(4), axes::FACT));
-    let members: Vec<String> =
-        others.own.program.inputs.iter().filter_map(|input| others.own.program.in_set(input)).map(member).collect();
+    let members: Vec<String> = others
+        .for_axis
+        .program
+        .inputs
+        .iter()
+        .filter_map(|input| others.for_axis.program.in_set(input))
+        .map(member)
+        .collect();
     let values = axes::set(&others).into_iter().map(|(_, value)| literal(value)).collect::<Vec<_>>().join(", ");
     let copied =
         |from: &str| members.iter().map(|name| format!("        shared.{name} = {from}.{name};\n")).collect::<String>();

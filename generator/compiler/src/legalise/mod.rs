@@ -2,6 +2,7 @@
 //! the last of them.
 
 mod apart;
+mod axis_program;
 mod before;
 mod bound;
 mod choose;
@@ -10,7 +11,6 @@ mod enable;
 mod nearest;
 mod negation;
 mod operands;
-mod own;
 mod presumed;
 mod settle;
 mod single;
@@ -19,8 +19,8 @@ mod stored;
 mod task;
 mod whole;
 
+pub use axis_program::{AxisProgram, RealInput, for_axis};
 pub use enable::{Cycle, NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
-pub use own::{AxisProgram, RealInput, own};
 
 use crate::pass::{self, Defect, Stage};
 use crate::program::Program;

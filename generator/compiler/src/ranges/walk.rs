@@ -172,22 +172,26 @@ impl<'p> Walk<'p> {
                 }
                 _ => Value::Bool([true; 2]),
             },
-            Expr::Intrinsic(intrinsic, operands) => match intrinsic {
-                Intrinsic::InRange | Intrinsic::Within => Value::Bool([true; 2]),
-                Intrinsic::Stored => self.value(&operands[0]),
-                Intrinsic::FromU32 | Intrinsic::FromI32 => {
-                    let Whole { low, high, .. } = self.whole(&operands[0]);
-                    Value::Real(Interval::numbers(real_of(low, self.program.real), real_of(high, self.program.real)))
+            Expr::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands),
+        }
+    }
+
+    fn intrinsic(&self, intrinsic: Intrinsic, operands: &[Expr]) -> Value {
+        match intrinsic {
+            Intrinsic::InRange | Intrinsic::Within => Value::Bool([true; 2]),
+            Intrinsic::Stored => self.value(&operands[0]),
+            Intrinsic::FromU32 | Intrinsic::FromI32 => {
+                let Whole { low, high, .. } = self.whole(&operands[0]);
+                Value::Real(Interval::numbers(real_of(low, self.program.real), real_of(high, self.program.real)))
+            }
+            Intrinsic::Truncate | Intrinsic::Nearest => {
+                let x = self.before_truncation(intrinsic, self.interval(&operands[0]));
+                if is_convertible(x) {
+                    Value::Whole(Whole::numbers(truncated(x.low), truncated(x.high)))
+                } else {
+                    Value::any(Type::I32)
                 }
-                Intrinsic::Truncate | Intrinsic::Nearest => {
-                    let x = self.before_truncation(*intrinsic, self.interval(&operands[0]));
-                    if is_convertible(x) {
-                        Value::Whole(Whole::numbers(truncated(x.low), truncated(x.high)))
-                    } else {
-                        Value::any(Type::I32)
-                    }
-                }
-            },
+            }
         }
     }
 

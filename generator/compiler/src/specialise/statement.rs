@@ -26,25 +26,7 @@ impl Specialiser<'_> {
     fn statement(&mut self, statement: &'static portable::Statement) {
         match statement {
             portable::Statement::Let { name, value } => {
-                let part = match value {
-                    portable::Expr::Array { elements } => {
-                        let cell = |element| {
-                            let value = self.expr(element);
-                            self.fixed(name, value)
-                        };
-                        let cells: Vec<Cell> = elements.iter().map(cell).collect();
-                        self.scalars(cells)
-                    }
-                    portable::Expr::Repeat { value, len } => {
-                        let value = self.expr(value);
-                        let cell = self.fixed(name, value);
-                        self.scalars(vec![cell; *len])
-                    }
-                    value => {
-                        let value = self.named_value(value, name);
-                        self.bind(name, value)
-                    }
-                };
+                let part = self.initial(value, name);
                 self.declare(name, part);
             }
             portable::Statement::Default { name, ty, leaves } => {
@@ -96,6 +78,29 @@ impl Specialiser<'_> {
             portable::Expr::If { .. } | portable::Expr::Match { .. } => self.choice(value, name),
             portable::Expr::Call { function, arguments } => self.called(function, arguments, name),
             value => self.expr(value),
+        }
+    }
+
+    /// The cells of a new variable.
+    fn initial(&mut self, value: &'static portable::Expr, name: &'static str) -> Part {
+        match value {
+            portable::Expr::Array { elements } => {
+                let cell = |element| {
+                    let value = self.expr(element);
+                    self.fixed(name, value)
+                };
+                let cells: Vec<Cell> = elements.iter().map(cell).collect();
+                self.scalars(cells)
+            }
+            portable::Expr::Repeat { value, len } => {
+                let value = self.expr(value);
+                let cell = self.fixed(name, value);
+                self.scalars(vec![cell; *len])
+            }
+            value => {
+                let value = self.named_value(value, name);
+                self.bind(name, value)
+            }
         }
     }
 

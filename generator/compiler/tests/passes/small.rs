@@ -420,10 +420,10 @@ fn no_sign_stands_before_a_zero() {
 #[test]
 fn signals_that_an_axis_does_not_have_are_left_out() {
     let step = vec![choose(vec![assign(Y, real(0.0)), assign(S, real(1.0))], vec![assign(Y, real(0.0))])];
-    let own = legalise::own(&program(0, step)).unwrap();
-    assert_eq!((own.inputs, own.outputs), (vec![1], vec![]), "y is always 0, x is not read");
-    assert!(own.program.step.is_empty(), "and nothing shows the state");
+    let for_axis = legalise::for_axis(&program(0, step)).unwrap();
+    assert_eq!((for_axis.inputs, for_axis.outputs), (vec![1], vec![]), "y is always 0, x is not read");
+    assert!(for_axis.program.step.is_empty(), "and nothing shows the state");
     let step = vec![choose(vec![assign(Y, real(1.0))], vec![assign(Y, real(0.0))])];
-    let own = legalise::own(&program(0, step)).unwrap();
-    assert_eq!((own.inputs, own.outputs), (vec![1], vec![0]));
+    let for_axis = legalise::for_axis(&program(0, step)).unwrap();
+    assert_eq!((for_axis.inputs, for_axis.outputs), (vec![1], vec![0]));
 }

@@ -156,7 +156,7 @@ fn proposals_for_the_demonstration_plant() {
     assert_eq!(found.len(), 3);
     for (proposal, (kind, left, ms)) in found.iter().zip(expected) {
         let truth = tried(&DEMONSTRATION, proposal);
-        assert!(proposal.kind == kind && !proposal.is_useless);
+        assert!(proposal.kind == kind && !proposal.prediction.left.is_useless());
         assert!(truth.iter().zip(left).all(|(truth, left)| *truth <= left), "{kind:?}: {truth:?}");
         let of = |plant: usize, later: f64| true_ms(&plants[plant], &proposal.stages, later);
         let true_ms = [of(0, 0.0), of(0, 0.5), of(1, 0.0), of(2, 0.0)];
@@ -164,17 +164,30 @@ fn proposals_for_the_demonstration_plant() {
         assert!(true_ms.iter().zip(within).all(|(found, most)| *found <= most), "{kind:?}: {true_ms:?}");
         // What is stated holds: within two standard errors, and what is left within what the definition grants.
         assert!(
-            true_ms.iter().zip(proposal.ms).all(|(truth, stated)| *truth < stated * 1.03),
+            true_ms.iter().zip(proposal.prediction.ms).all(|(truth, stated)| *truth < stated * 1.03),
             "{true_ms:?} {proposal:?}"
         );
-        let stated = [proposal.left.residuals[0], proposal.left.residuals[1], proposal.left.ring.unwrap()];
+        let stated = [
+            proposal.prediction.left.residuals[0],
+            proposal.prediction.left.residuals[1],
+            proposal.prediction.left.ring.unwrap(),
+        ];
         for (stated, truth) in stated.iter().zip(truth) {
             assert!((stated / truth - 1.0).abs() < 0.1, "{kind:?}: {stated}, in truth {truth}");
         }
-        assert!((proposal.effect.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02, "{proposal:?} {truth:?}");
-        assert!(proposal.effect.peak_v_add > 1e-3 && proposal.effect.peak_v_add < 0.1, "{proposal:?}");
+        assert!(
+            (proposal.prediction.effect.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02,
+            "{proposal:?} {truth:?}"
+        );
+        assert!(
+            proposal.prediction.effect.peak_v_add > 1e-3 && proposal.prediction.effect.peak_v_add < 0.1,
+            "{proposal:?}"
+        );
     }
-    assert!(found[1].left.worst_and_mean()[1] < found[0].left.worst_and_mean()[1], "the strong one leaves less");
+    assert!(
+        found[1].prediction.left.worst_and_mean()[1] < found[0].prediction.left.worst_and_mean()[1],
+        "the strong one leaves less"
+    );
 }
 
 #[test]
@@ -218,8 +231,11 @@ fn useless_stages_are_said_to_be() {
     let lines = exact(&DEMONSTRATION);
     let found = proposed(&lines, &DEMONSTRATION, 0.0, &VIBRATIONS[..1], &weak).unwrap();
     for proposal in &found {
-        assert!((proposal.stages[0].1 - 7.0).abs() < 1e-9 && proposal.is_useless, "{proposal:?}");
-        assert!(proposal.left.residuals[0] > 0.8 && proposal.left.residuals[0] < 1.0, "{proposal:?}");
+        assert!((proposal.stages[0].1 - 7.0).abs() < 1e-9 && proposal.prediction.left.is_useless(), "{proposal:?}");
+        assert!(
+            proposal.prediction.left.residuals[0] > 0.8 && proposal.prediction.left.residuals[0] < 1.0,
+            "{proposal:?}"
+        );
     }
 }
 

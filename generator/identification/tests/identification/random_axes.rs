@@ -44,8 +44,8 @@ impl Statistics {
             *largest = largest.max(truth.ms(&proposal.stages, 0.0));
         }
         let truth = tried(plant, proposal);
-        self.residual.push(proposal.left.residuals[0] / truth[0] - 1.0);
-        self.error.push(proposal.effect.following_error.unwrap() / truth[3] - 1.0);
+        self.residual.push(proposal.prediction.left.residuals[0] / truth[0] - 1.0);
+        self.error.push(proposal.prediction.effect.following_error.unwrap() / truth[3] - 1.0);
         if let Some(left) = left_at_load(plant, truths, proposal) {
             self.taken_for_motor += 1;
             self.worst_at_load = self.worst_at_load.max(left);

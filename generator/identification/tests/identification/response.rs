@@ -4,7 +4,6 @@ use crate::plant::{CYCLE, Excited, Impulse, Noise, degrees, excited};
 use identification::Complex64;
 use identification::excitation::{Excitation, Sequence};
 use identification::response::{Lines, Refused, in_db_and_degrees, is_too_uncertain};
-use machine::Machine;
 use machine::plant::{DEMONSTRATION, Plant};
 
 fn excitation(amplitude: f64) -> Excitation {
@@ -104,27 +103,4 @@ fn what_is_no_response() {
     assert_eq!(of(&ones(4), &reverses), Err(Refused::Reverses(200)));
     let nothing = of(&vec![0.0; 4 * sequence.period()], &ones(4)).unwrap();
     assert!(nothing.hz.is_empty() && nothing.response(CYCLE).is_none(), "nothing is excited");
-}
-
-#[test]
-fn an_excitation_without_a_period() {
-    let plant = DEMONSTRATION.without_mesh();
-    let impulse = Impulse::of(&plant);
-    let mut noise = Noise::new(11, 2e-3);
-    let v_cmd: Vec<f64> = (0..40_000).map(|_| 0.02 + noise.next()).collect();
-    let mut machine = plant.at_rest();
-    let mut v_motor = vec![0.0];
-    v_motor.extend(v_cmd.iter().map(|v_cmd| machine.step(*v_cmd).v_motor));
-    let lines = Lines::without_period(CYCLE, &v_cmd, &v_motor[..v_cmd.len()]).unwrap();
-    let near = |hz: f64| lines.hz.iter().position(|line| *line >= hz).unwrap();
-    let mut worst = 0.0_f64;
-    for k in near(9.0)..near(13.0) {
-        worst = worst.max(apart(lines.response[k], impulse.p(lines.hz[k]))[1].abs());
-    }
-    assert!(worst > 0.3 && worst < 4.0, "{worst}");
-    let far = |k: &usize| (lines.response[*k] - impulse.p(lines.hz[*k])).norm() / lines.error[*k];
-    let (from, to) = (near(20.0), near(200.0));
-    let within = (from..to).filter(|k| far(k) <= 2.0).count() as f64 / (to - from) as f64;
-    assert!(within > 0.9, "{within}");
-    assert_eq!(Lines::without_period(CYCLE, &v_cmd[..9000], &v_motor[..9000]), Err(Refused::TooFewPeriods(3)));
 }

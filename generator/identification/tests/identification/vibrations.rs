@@ -6,7 +6,7 @@ use identification::Complex64;
 use identification::decay::{self, Companions, decay};
 use identification::excitation::{Excitation, Sequence};
 use identification::peaks::{Spectrum, driving, is_order, stands};
-use identification::resonance::{half_power, pole};
+use identification::resonance::pole;
 use identification::response::Lines;
 use identification::segments::{self, Kind};
 use identification::source::{Side, ratio, side};
@@ -187,21 +187,6 @@ fn poles_of_responses() {
     let impulse = Impulse::of(&DEMONSTRATION);
     let mode = pole(&lines(0.122, |hz| impulse.of_load(hz), 0.0), 10.8).unwrap();
     assert!((mode.hz - 11.01).abs() < 0.02 && (mode.damping / 0.0434 - 1.0).abs() < 0.02, "{mode:?}");
-}
-
-#[test]
-fn half_power_needs_six_lines() {
-    let power = |spacing: f64| -> Vec<f64> {
-        let of = |k: u32| {
-            let f = f64::from(k) * spacing / 20.0;
-            1.0 / ((1.0 - f * f) * (1.0 - f * f) + 0.08 * 0.08 * f * f)
-        };
-        (0..400).map(of).collect()
-    };
-    let found = half_power(&power(0.1), 200).unwrap();
-    assert!((found / 0.04 - 1.0).abs() < 0.02, "{found}");
-    assert_eq!(half_power(&power(0.4), 50), None, "four lines");
-    assert_eq!(half_power(&[1.0; 20], 10), None, "no fall");
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! The block `axis`: feedforward, position control and improved position control in this order; and gantry slaves.
 
+use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::values::{Value, Values, of_part};
-use super::{Certified, Design, Figure, Part, Summary, feedforward, ipc, position_control, spindle};
+use super::{BlockKind, Certified, Design, Figure, Summary, feedforward, ipc, position_control, spindle};
 use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
 use compiler::pass::Defect;
@@ -36,7 +36,7 @@ impl Design for Axis {
     }
 }
 
-impl Part for Axis {
+impl BlockKind for Axis {
     fn is_asked_for(&self, axis: &crate::axis::Axis) -> bool {
         // A block with parameter sets is a separate block.
         axis.control.position_control.is_some() && axis.control.spindle.is_none() && !axis.ipc.takes_sets()
@@ -85,9 +85,9 @@ impl Part for Axis {
         Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 
-    fn values(&self, designed: &Designed) -> Values {
+    fn effects(&self, designed: &Designed) -> Effects {
         let limit = designed.axis.control.master_limit;
-        of_part("gantry", [("limit of the master", limit.map(|limit| Value::Number(limit, "")))])
+        of_part("gantry", [("limit of the master", limit.map(|limit| Effect::Number(limit, "")))])
     }
 
     fn limit(&self, designed: &Designed) -> Option<Figure> {

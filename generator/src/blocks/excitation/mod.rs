@@ -4,8 +4,8 @@ pub(crate) mod check;
 mod design;
 mod notes;
 
-use super::values::{Value, Values, of_part};
-use super::{Certified, Design, Drill, Figure, Part, Summary};
+use super::effects::{Effect, Effects, of_part};
+use super::{BlockKind, Certified, Design, Drill, Figure, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
@@ -20,7 +20,7 @@ impl Design for Excitation {
     }
 }
 
-impl Part for Excitation {
+impl BlockKind for Excitation {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.excitation.is_some()
     }
@@ -56,12 +56,12 @@ impl Part for Excitation {
         Summary { lines: notes::lines(&designed.axis), ..Summary::default() }
     }
 
-    fn values(&self, designed: &Designed) -> Values {
-        let Some(of) = &designed.axis.excitation else { return Values::new() };
-        let number = |value: u32, unit| Some(Value::Number(f64::from(value), unit));
+    fn effects(&self, designed: &Designed) -> Effects {
+        let Some(of) = &designed.axis.excitation else { return Effects::new() };
+        let number = |value: u32, unit| Some(Effect::Number(f64::from(value), unit));
         let unit = if designed.axis.control.is_rotary { " 0.001 deg/s" } else { " um/s" };
         let values = [
-            ("amplitude", Some(Value::Number(of.amplitude, unit))),
+            ("amplitude", Some(Effect::Number(of.amplitude, unit))),
             ("bits", number(of.sequence.bits(), "")),
             ("clock", number(of.sequence.clock(), " cycles")),
             ("periods", number(of.periods, "")),

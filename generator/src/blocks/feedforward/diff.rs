@@ -1,33 +1,34 @@
 //! Feedforward of an axis in words: a line for the summary, and named values, each in its unit, for the semantic diff.
 
-use super::super::values::{Value, Values, of_part};
+use super::super::effects::{Effect, Effects, of_part};
 use super::design::time_constant;
 use crate::axis::{Axis, Feedforward, Quantities, Torque};
 use crate::{design::scale, number::digits, parameters::words::Words};
 
 /// The values of feedforward; empty without it.
-pub(crate) fn values(axis: &Axis) -> Values {
-    let Some(of) = &axis.control.feedforward else { return Values::new() };
-    let way = |way: Quantities| way.any().then(|| Value::Words(quantities(way)));
+pub(crate) fn effects(axis: &Axis) -> Effects {
+    let Some(of) = &axis.control.feedforward else { return Effects::new() };
+    let way = |way: Quantities| way.any().then(|| Effect::Words(quantities(way)));
     let active = if of.global_disable { "never" } else { "always" };
-    let delay = |is_used: bool, us: u32| is_used.then(|| Value::Number(f64::from(us), " us"));
+    let delay = |is_used: bool, us: u32| is_used.then(|| Effect::Number(f64::from(us), " us"));
     let per_velocity = of.velocity.map(|velocity| scale::velocity(&velocity, axis.cycle_time_ns) * 1e6 / 60.0);
-    let torque = |torque: &Torque| Value::Number(scale::torque(torque) * 1e6, " increments at 1 m/s^2 or 1000 deg/s^2");
-    let width = |torque: &Torque| Value::Words(torque.width.name().to_owned());
+    let torque =
+        |torque: &Torque| Effect::Number(scale::torque(torque) * 1e6, " increments at 1 m/s^2 or 1000 deg/s^2");
+    let width = |torque: &Torque| Effect::Words(torque.width.name().to_owned());
     let has_jerk = of.sums().jerk || of.torque.jerk;
     let values = [
         ("to the position controller", way(of.conventional)),
         ("as additive velocity", way(of.additive)),
         ("as additive torque", way(of.torque)),
-        ("active", (of.global_disable || of.default_active).then(|| Value::Words(active.to_owned()))),
-        ("weight", Some(Value::Number(of.weight.value() * 100.0, " %"))),
-        ("time constant", of.sums().use_time().then(|| Value::Number(time_constant(of) * 1e3, " ms"))),
-        ("jerk factor", has_jerk.then(|| Value::Number(of.jerk.value(), ""))),
-        ("weight of the torque", of.torque.acceleration.then(|| Value::Number(of.acceleration.value() * 100.0, " %"))),
+        ("active", (of.global_disable || of.default_active).then(|| Effect::Words(active.to_owned()))),
+        ("weight", Some(Effect::Number(of.weight.value() * 100.0, " %"))),
+        ("time constant", of.sums().use_time().then(|| Effect::Number(time_constant(of) * 1e3, " ms"))),
+        ("jerk factor", has_jerk.then(|| Effect::Number(of.jerk.value(), ""))),
+        ("weight of the torque", of.torque.acceleration.then(|| Effect::Number(of.acceleration.value() * 100.0, " %"))),
         ("delay of the velocity", delay(of.additive.any(), of.velocity_delay)),
         ("delay of the torque", delay(of.torque.acceleration, of.acceleration_delay)),
         ("delay of the jerk", delay(of.torque.jerk, of.jerk_delay)),
-        ("additive velocity", per_velocity.map(|x| Value::Number(x, " increments at 1 m/min or 1000 deg/min"))),
+        ("additive velocity", per_velocity.map(|x| Effect::Number(x, " increments at 1 m/min or 1000 deg/min"))),
         ("additive torque", of.torque_scale.as_ref().map(torque)),
         ("process data of the torque", of.torque_scale.as_ref().map(width)),
     ];
@@ -35,7 +36,7 @@ pub(crate) fn values(axis: &Axis) -> Values {
 }
 
 /// The quantities and their destinations.
-pub(super) fn summary(of: &Feedforward) -> String {
+pub(super) fn line(of: &Feedforward) -> String {
     let ways = [
         (of.conventional, "to the position controller", String::new()),
         (of.additive, "as additive velocity", delayed(&[of.velocity_delay])),

@@ -6,7 +6,7 @@ pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
 
-use super::{Design, Part, Summary, values::Values};
+use super::{BlockKind, Design, Summary, effects::Effects};
 use crate::{axis::Axis, blocks::designed::Designed};
 use portable::Extreme;
 use reference::feedforward::{Coeffs, Feedforward};
@@ -17,7 +17,7 @@ impl Design for Feedforward {
     }
 }
 
-impl Part for Feedforward {
+impl BlockKind for Feedforward {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.control.feedforward.is_some()
     }
@@ -36,12 +36,12 @@ impl Part for Feedforward {
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
-        let line = designed.axis.control.feedforward.as_ref().map(diff::summary);
+        let line = designed.axis.control.feedforward.as_ref().map(diff::line);
         Summary { lines: line.into_iter().collect(), ..Summary::default() }
     }
 
-    fn values(&self, designed: &Designed) -> Values {
-        diff::values(&designed.axis)
+    fn effects(&self, designed: &Designed) -> Effects {
+        diff::effects(&designed.axis)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Improved position control of two versions of an axis: its own values; for each stage its parameters, and its effect at
 //! the centre frequencies.
 
-use super::super::values::is_same;
+use super::super::effects::is_same;
 use super::{filter, stage::StageDesign};
 use crate::axis::Tuning;
 use crate::blocks::designed::Designed;
@@ -54,7 +54,7 @@ pub(crate) fn differences(old: &Designed, new: &Designed) -> Vec<String> {
 }
 
 /// The values of an axis that has no older version.
-pub(crate) fn description(of: &Designed) -> Vec<String> {
+pub(crate) fn added(of: &Designed) -> Vec<String> {
     let ipc = &of.axis.ipc;
     let mut lines = vec![format!(
         "limit {} ({} % of v_max), starts {}, fade {} s",
@@ -104,7 +104,7 @@ fn of_stage(of: &StageDesign) -> String {
         format!("weight {}{} ({} dB)", significant(weight, 7), stage.cap(), decimals(decibels(weight), 2)),
     ];
     parts.extend(stage.mode.osc_damping().map(|damping| format!("damping {damping}")));
-    parts.extend(of.filter.iter().flatten().map(filter::description));
+    parts.extend(of.filter.iter().flatten().map(filter::with_edges));
     parts.join(", ")
 }
 
@@ -134,7 +134,7 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
         let differs = filter::difference([both.0.as_ref(), both.1.as_ref()]);
         parts.extend(differs.map(|differs| format!("{prefix}{differs}")));
     }
-    parts.extend(effects(old, new));
+    parts.extend(responses(old, new));
     let [decay_old, decay_new] = [old, new].map(decay);
     if significant(decay_old, 4) != significant(decay_new, 4) {
         parts.push(format!("slowest decay to 1/e {} s", pair(decay_old, decay_new, 4)));
@@ -144,13 +144,13 @@ fn between(old: &StageDesign, new: &StageDesign) -> Option<String> {
 
 /// The effect of the whole stage at the old and at the new centre frequency, before and after; unchanged values are left
 /// out.
-fn effects(old: &StageDesign, new: &StageDesign) -> Vec<String> {
+fn responses(old: &StageDesign, new: &StageDesign) -> Vec<String> {
     let [f0_old, f0_new] = [old, new].map(|of| of.stage.f0());
     let second = (!is_same(f0_old, f0_new)).then_some(f0_new);
-    [Some(f0_old), second].into_iter().flatten().filter_map(|f0| effect(old, new, f0)).collect()
+    [Some(f0_old), second].into_iter().flatten().filter_map(|f0| response(old, new, f0)).collect()
 }
 
-fn effect(old: &StageDesign, new: &StageDesign, f0: f64) -> Option<String> {
+fn response(old: &StageDesign, new: &StageDesign, f0: f64) -> Option<String> {
     // Above half the sampling frequency there is no response.
     if [old, new].iter().any(|of| f0 * of.cycle_time >= 0.5) {
         return None;

@@ -5,6 +5,7 @@ pub(crate) mod certificate;
 pub(crate) mod check;
 pub(crate) mod closed_loop;
 pub(crate) mod design;
+mod details;
 mod diff;
 pub(crate) mod drive_model;
 pub(crate) mod drive_response;
@@ -17,11 +18,10 @@ pub(crate) mod sets;
 pub(crate) mod stage;
 mod sum_limit;
 mod unstable;
-mod verdict;
 mod with_sets;
 
-use super::kind::VERIFIED;
-use super::{Certified, Design, Figure, Part, Summary, Typed};
+use super::products::VERIFIED;
+use super::{BlockKind, Certified, Design, Figure, Summary, Typed};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
@@ -41,7 +41,7 @@ impl Design for Ipc {
     }
 }
 
-impl Part for Ipc {
+impl BlockKind for Ipc {
     /// An axis without any block gets this block, which outputs 0, and a warning.
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.ipc.is_active() || axis.control.is_empty() && axis.excitation.is_none()
@@ -80,11 +80,11 @@ impl Part for Ipc {
         Summary { head, lines: stages.chain(ipc.takes_sets().then(|| with_sets::line(designed))).collect() }
     }
 
-    fn verdict(&self, designed: &Designed) -> Vec<String> {
+    fn details(&self, designed: &Designed) -> Vec<String> {
         // A gantry slave's block never acts.
         match designed.axis.control.master {
             Some(_) => Vec::new(),
-            None => verdict::lines(designed),
+            None => details::lines(designed),
         }
     }
 
@@ -92,8 +92,8 @@ impl Part for Ipc {
         diff::differences(old, new)
     }
 
-    fn description(&self, designed: &Designed) -> Vec<String> {
-        diff::description(designed)
+    fn added(&self, designed: &Designed) -> Vec<String> {
+        diff::added(designed)
     }
 
     /// The limit of the axis, for a gantry slave too.
@@ -107,7 +107,7 @@ impl Part for Ipc {
             return Ok(Certified::default());
         }
         if designed.axis.ipc.takes_sets() {
-            let program = Ipc.program(self, designed, Some(VERIFIED))?;
+            let program = Ipc.specialise(self, designed, Some(VERIFIED))?;
             return Ok(with_sets::as_generated(certified(designed, &program)?));
         }
         certified(designed, program)
@@ -137,6 +137,6 @@ fn figure(designed: &Designed, limit: f64) -> Figure {
 
 fn in_short(stage: &Stage) -> String {
     let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", damping {damping}"));
-    let filters: Vec<String> = stage.filter.iter().filter_map(filter::summary).collect();
+    let filters: Vec<String> = stage.filter.iter().filter_map(filter::in_short).collect();
     format!("{}{damping}: {}, weight {}{}", stage.mode.text(), filters.join(", "), stage.weight(), stage.cap())
 }

@@ -6,7 +6,7 @@ pub(crate) mod design;
 mod diff;
 pub(crate) mod notes;
 
-use super::{Design, Part, Summary, values::Values};
+use super::{BlockKind, Design, Summary, effects::Effects};
 use crate::{axis::Axis, blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
 
@@ -16,7 +16,7 @@ impl Design for PositionControl {
     }
 }
 
-impl Part for PositionControl {
+impl BlockKind for PositionControl {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.control.position_control.is_some()
     }
@@ -48,7 +48,7 @@ impl Part for PositionControl {
         Summary { lines: designed.axis.control.position_control.iter().map(line).collect(), ..Summary::default() }
     }
 
-    fn values(&self, designed: &Designed) -> Values {
-        diff::values(&designed.axis)
+    fn effects(&self, designed: &Designed) -> Effects {
+        diff::effects(&designed.axis)
     }
 }

@@ -12,7 +12,7 @@ mod offered;
 mod velocities;
 pub(crate) mod words;
 
-use super::{Design, Drill, Part, Summary, values::Values};
+use super::{BlockKind, Design, Drill, Summary, effects::Effects};
 use crate::{axis::Axis, blocks::designed::Designed};
 use reference::spindle::{Coeffs, Spindle};
 
@@ -22,7 +22,7 @@ impl Design for Spindle {
     }
 }
 
-impl Part for Spindle {
+impl BlockKind for Spindle {
     fn is_asked_for(&self, axis: &Axis) -> bool {
         axis.control.spindle.is_some()
     }
@@ -49,7 +49,7 @@ impl Part for Spindle {
         Summary { lines: words::lines(&designed.axis), ..Summary::default() }
     }
 
-    fn values(&self, designed: &Designed) -> Values {
-        diff::values(&designed.axis)
+    fn effects(&self, designed: &Designed) -> Effects {
+        diff::effects(&designed.axis)
     }
 }

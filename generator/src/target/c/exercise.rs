@@ -2,7 +2,7 @@
 //! and state.
 
 use crate::exercise::Noise;
-use crate::target::LegalBlock;
+use crate::target::TargetBlock;
 use crate::target::outline::COMMENT_WIDTH;
 use askama::Template;
 use compiler::legalise::RealInput;
@@ -47,7 +47,7 @@ impl CExercise<'_> {
 
 /// The exercise in C; `owner` begins the names of its functions, `random` is the source of its integers.
 pub(super) fn of<'p>(
-    block: &LegalBlock<'_>,
+    block: &TargetBlock<'_>,
     printer: &'p Printer<'_>,
     (owner, random): (&str, &str),
     expected: &[u32],

@@ -2,7 +2,7 @@
 //! template.
 
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use crate::target::{BlockIdentity, LegalBlock, unit};
+use crate::target::{BlockIdentity, TargetBlock, unit};
 use compiler::print::{c::LANGUAGE, comment};
 use compiler::program::values::Signal;
 use compiler::program::{Origin, Type, Var, Variable};
@@ -18,7 +18,7 @@ pub(super) struct Macro {
 }
 
 /// The figures of a block, the digests of its parameters and of its structure, and the sizes of its structs.
-pub(super) fn macros(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<Macro> {
+pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro> {
     let bits = if axis.real == RealKind::F64 { 64 } else { 32 };
     let one = |name: &str, value: String, doc: &str| Macro { doc: doc.to_owned(), name: name.to_owned(), value };
     let mut macros = vec![
@@ -26,7 +26,7 @@ pub(super) fn macros(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<Macro>
         one("REAL_BITS", bits.to_string(), "size of the real type [bit]"),
     ];
     for figure in &block.block.certificate.figures {
-        macros.push(one(figure.name, (LANGUAGE.literal)(figure.value), &unit::own(&figure.doc, axis.is_rotary)));
+        macros.push(one(figure.name, (LANGUAGE.literal)(figure.value), &unit::of_axis(&figure.doc, axis.is_rotary)));
     }
     macros.extend(words(
         "PARAMETERS",

@@ -6,7 +6,7 @@ pub(super) mod names;
 pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use super::{BlockIdentity, File, LegalBlock, rendered};
+use super::{BlockIdentity, File, TargetBlock, rendered};
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
@@ -86,7 +86,7 @@ struct CBlock {
 }
 
 /// The header, the source and the self-test of a block.
-pub(super) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     let (program, self_test) = (&*block.program, &block.block.self_test);
     let prefix = names::prefix(axis, program.block);
     let (header, source, test) = (format!("{prefix}.h"), format!("{prefix}.c"), format!("{prefix}_self_test.c"));

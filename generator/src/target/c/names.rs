@@ -1,6 +1,6 @@
 //! The beginning of a block's names in C.
 
-use crate::target::{BlockIdentity, block_name, own_self_test};
+use crate::target::{BlockIdentity, block_name, with_self_test};
 
 /// What the names of a block's types, functions and files begin with. The longest name that linkers see is
 /// `.._inputs_init`: with a short name of the block, and the longest one that an axis may have then, it has 31
@@ -11,7 +11,7 @@ pub(crate) fn prefix(axis: &BlockIdentity, block: &str) -> String {
 
 /// A block and its self-test.
 pub(crate) fn block_and_test(axis: &str, block: &str, short: Option<&str>) -> [String; 2] {
-    own_self_test(called(axis, block, short))
+    with_self_test(called(axis, block, short))
 }
 
 fn called(axis: &str, block: &str, short: Option<&str>) -> String {

@@ -3,7 +3,7 @@
 use super::exercise::{self, CExercise};
 use super::names;
 use crate::exercise::runner::Runner;
-use crate::target::{BlockIdentity, File, LegalBlock, rendered};
+use crate::target::{BlockIdentity, File, TargetBlock, rendered};
 use askama::Template;
 use compiler::print::{Printer, c::LANGUAGE};
 use portable::Literal;
@@ -23,7 +23,7 @@ struct CRunner<'a> {
 }
 
 /// The runner of a block.
-pub(in crate::target) fn file(axis: &BlockIdentity, block: &LegalBlock<'_>, runner: &Runner) -> File {
+pub(in crate::target) fn file(axis: &BlockIdentity, block: &TargetBlock<'_>, runner: &Runner) -> File {
     let (program, exercise) = (&*block.program, &*block.block.exercise);
     let prefix = names::prefix(axis, program.block);
     let file = format!("{prefix}_runner.c");

@@ -5,7 +5,7 @@ use super::enumeration::{Enumeration, enumerations};
 use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
 use super::{TcInRange, block_names, both, real_types};
-use crate::target::{BlockIdentity, File, LegalBlock, Unit, own_self_test, rendered};
+use crate::target::{BlockIdentity, File, TargetBlock, Unit, rendered, with_self_test};
 use askama::Template;
 use compiler::print::st;
 
@@ -41,10 +41,10 @@ struct CodesysGuide;
 
 /// A block and its self-test.
 pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
-    own_self_test(listing::name(axis, block, &CODESYS))
+    with_self_test(listing::name(axis, block, &CODESYS))
 }
 
-pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     both(axis, block, &CODESYS, "xml", |origin, block| {
         let name = &block.name.clone();
         rendered(origin.file, "", &CodesysFile { origin, name, block })

@@ -2,7 +2,7 @@
 
 use super::dialect::Dialect;
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
-use crate::target::{BlockIdentity, LegalBlock, block_name};
+use crate::target::{BlockIdentity, TargetBlock, block_name};
 use askama::Template;
 use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::Type;
@@ -86,7 +86,7 @@ pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
     format!("{}{}", dialect.prefix, block_name(axis, block))
 }
 
-pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Dialect) -> Listing {
+pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> Listing {
     let printer = &Printer::new(&block.program, dialect.language, "");
     let outline = Outline { axis, block, language: dialect.language, printer, next_line: "\n       " };
     let [inline, declared, assigned] = outline.groups([Appearance::Inline, Appearance::Declared, Appearance::Assigned]);
@@ -112,7 +112,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Di
 pub(super) fn origin<'a>(
     axis: &'a BlockIdentity,
     file: &'a str,
-    block: &LegalBlock<'_>,
+    block: &TargetBlock<'_>,
     dialect: &Dialect,
 ) -> Origin<'a> {
     Origin {
@@ -129,7 +129,7 @@ pub(super) fn origin<'a>(
 
 impl Origin<'_> {
     /// Adds the comment of the file that holds the block itself: its guaranteed range, and how to call it.
-    pub(super) fn with_call(self, block: &LegalBlock<'_>, dialect: &Dialect) -> Self {
+    pub(super) fn with_call(self, block: &TargetBlock<'_>, dialect: &Dialect) -> Self {
         let [mode, cycle, counter] = dialect.arguments;
         let [inputs, _] = signals(&block.program, dialect.language);
         let argument = |input: &String| match input.as_str() {

@@ -10,7 +10,7 @@ pub(super) mod listing;
 mod self_test;
 pub(super) mod twincat;
 
-use super::{BlockIdentity, File, LegalBlock, Unit, block_name, own_self_test, rendered};
+use super::{BlockIdentity, File, TargetBlock, Unit, block_name, rendered, with_self_test};
 use askama::Template;
 use dialect::{Dialect, SIEMENS, ST};
 use enumeration::{Enumeration, enumerations};
@@ -58,22 +58,22 @@ struct TcInRange<'a> {
 }
 
 /// The files of a block for any compiler of the standard's second edition.
-pub(super) fn plain(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(super) fn plain(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
 }
 
 /// A block and its self-test in this target.
 pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
-    own_self_test(listing::name(axis, block, &ST))
+    with_self_test(listing::name(axis, block, &ST))
 }
 
 /// A block and its self-test for Siemens.
 pub(super) fn scl_called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
-    own_self_test(listing::name(axis, block, &SIEMENS))
+    with_self_test(listing::name(axis, block, &SIEMENS))
 }
 
 /// The files of a block for Siemens S7-1200 and S7-1500: external sources.
-pub(super) fn scl(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(super) fn scl(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     both(axis, block, &SIEMENS, "scl", |origin, block| rendered(origin.file, "", &SclFile { origin, block }))
 }
 
@@ -91,7 +91,7 @@ pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
 /// The file of a block, and that of its self-test.
 fn both(
     axis: &BlockIdentity,
-    block: &LegalBlock<'_>,
+    block: &TargetBlock<'_>,
     dialect: &Dialect,
     extension: &str,
     file: impl Fn(Origin<'_>, Listing) -> File,

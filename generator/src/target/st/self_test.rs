@@ -5,7 +5,7 @@ use super::dialect::Dialect;
 use super::listing::{self, Listing, SET, set_name};
 use crate::exercise::{Answer, Noise, Trial, Turn};
 use crate::target::outline::Member;
-use crate::target::{BlockIdentity, LegalBlock};
+use crate::target::{BlockIdentity, TargetBlock};
 use askama::Template;
 use compiler::legalise::{Cycle, RealInput};
 use compiler::print::{signals, st};
@@ -16,6 +16,17 @@ use std::ops::Range;
 
 /// The signal that turns a block on.
 const ENABLE: &str = "Enable";
+
+/// Its real variables, with their meanings.
+const REALS: [(&str, &str); 7] = [
+    ("noise", "pseudo-random integer of 22 bits, minus half of its range"),
+    ("noise_scale", "factor of the noise"),
+    ("small", "additional factor of small samples"),
+    ("factor", "number whose square must be rounded"),
+    ("square", "rounded square of factor"),
+    ("remainder", "factor * factor - square: not 0 if the build fuses operations"),
+    ("nothing", "0, the value that remainder must have"),
+];
 
 /// The name of the self-test of a function block.
 pub(super) fn name(tested: &str) -> String {
@@ -65,7 +76,7 @@ struct Switch<'a> {
 }
 
 /// The self-test as a function block.
-pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Dialect) -> Listing {
+pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> Listing {
     let (program, language) = (&block.program, dialect.language);
     let trial = &block.block.trial;
     let [inputs, outputs] = &signals(program, language);
@@ -80,22 +91,13 @@ pub(super) fn listing(axis: &BlockIdentity, block: &LegalBlock<'_>, dialect: &Di
         variable(Type::I32, "sample".to_owned(), "number of the sample"),
         variable(Type::I32, "random".to_owned(), "state of the pseudo-random generator"),
     ];
-    let reals = [
-        ("noise", "pseudo-random integer of 22 bits, minus half of its range"),
-        ("noise_scale", "factor of the noise"),
-        ("small", "additional factor of small samples"),
-        ("factor", "number whose square must be rounded"),
-        ("square", "rounded square of factor"),
-        ("remainder", "factor * factor - square: not 0 if the build fuses operations"),
-        ("nothing", "0, the value that remainder must have"),
-    ];
     if axis.real == RealKind::F32 {
         state.push(variable(Type::Real, "product".to_owned(), "factor * factor, rounded by this controller"));
     }
     if trial.has_parts() {
         state.push(variable(Type::Real, "part".to_owned(), "factor of noise in the range 0 to 1"));
     }
-    state.extend(reals.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
+    state.extend(REALS.map(|(name, doc)| variable(Type::Real, name.to_owned(), doc)));
     state.extend(
         of_inputs.map(|(input, name)| variable(input.ty, format!("in_{name}"), "input of the block under test")),
     );
@@ -132,43 +134,20 @@ fn member(ty: Cow<'static, str>, name: String, doc: &str) -> Member {
     Member { ty, name, doc: doc.to_owned(), value: String::new() }
 }
 
-fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
+fn body(block: &TargetBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outputs]: [&[String]; 2]) -> String {
     let (program, literal) = (&block.program, dialect.language.literal);
     let is_single = program.real == RealKind::F32;
     let real = |value: f64| if is_single { Literal::F32(f32::lit(value)) } else { Literal::F64(value) };
-    // If the block has the signal Enable, it turns the block off.
-    let has_enable = program.inputs[0].path == ENABLE;
-    let position =
-        |variable: &Variable| block.block.program.inputs.iter().position(|input| input.path == variable.path);
     let name_of = |position: usize| {
         let path = &block.block.program.inputs[position].path;
         let own = program.inputs.iter().position(|input| input.path == *path);
         own.map_or("", |own| inputs[own].as_str())
     };
-    let off = trial.turns.iter().filter(|turn| turn.is_off);
     let is_jump = |turn: &&Turn| trial.exercise.reals.iter().any(|real| real.position == turn.input);
     let jumps = trial.turns.iter().filter(is_jump);
     let named = program.inputs.iter().zip(inputs);
     let (parts, signals): (Vec<_>, Vec<_>) = named.partition(|(input, _)| program.in_set(input).is_some());
     let switches = signals.iter().filter(|(input, _)| input.ty != Type::Real);
-    let switches = switches.map(|(input, name)| match position(input) {
-        None => Switch {
-            name,
-            before: String::new(),
-            usual: literal(Literal::Bool(true)),
-            turns: off.clone().map(|turn| (turn, literal(Literal::Bool(false)))).collect(),
-        },
-        Some(position) => {
-            let turns = trial.turns_of(position).filter(|turn| !(turn.is_off && has_enable));
-            let counts = trial.exercise.counter() == Some(position);
-            Switch {
-                name,
-                before: if counts { format!("{}in_{name} + ", dialect.mark) } else { String::new() },
-                usual: literal(trial.exercise.usual[position]),
-                turns: turns.map(|turn| (turn, literal(turn.value))).collect(),
-            }
-        }
-    });
     let factor = if is_single { 1.0 + libm::exp2(-15.0) } else { 1.0 + libm::exp2(-30.0) };
     let square = if is_single { 1.0 + libm::exp2(-14.0) } else { factor * factor };
     let noise = |of: &RealInput| {
@@ -185,7 +164,7 @@ fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outpu
         noise: trial.exercise.reals.iter().map(noise).collect(),
         has_parts: trial.has_parts(),
         part: literal(trial.exercise.part),
-        switches: switches.collect(),
+        switches: switches.map(|(input, name)| switch(block, dialect, input, name)).collect(),
         jumps: jumps.map(|turn| (&turn.samples, name_of(turn.input), literal(turn.value))).collect(),
         contraction: [factor, square].map(|value| literal(real(value))),
         inputs: signals.iter().map(|(_, name)| name.as_str()).collect(),
@@ -196,8 +175,27 @@ fn body(block: &LegalBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outpu
     body.render().expect("target: no input can keep a template from being filled") + "\n"
 }
 
+/// An input that is turned. If the block has the signal Enable, this signal turns the block off.
+fn switch<'n>(block: &TargetBlock<'n>, dialect: &Dialect, input: &Variable, name: &'n str) -> Switch<'n> {
+    let (trial, literal) = (&block.block.trial, dialect.language.literal);
+    let Some(position) = block.block.program.inputs.iter().position(|known| known.path == input.path) else {
+        let off = trial.turns.iter().filter(|turn| turn.is_off);
+        let turns = off.map(|turn| (turn, literal(Literal::Bool(false)))).collect();
+        return Switch { name, before: String::new(), usual: literal(Literal::Bool(true)), turns };
+    };
+    let has_enable = block.program.inputs[0].path == ENABLE;
+    let turns = trial.turns_of(position).filter(|turn| !(turn.is_off && has_enable));
+    let counts = trial.exercise.counter() == Some(position);
+    Switch {
+        name,
+        before: if counts { format!("{}in_{name} + ", dialect.mark) } else { String::new() },
+        usual: literal(trial.exercise.usual[position]),
+        turns: turns.map(|turn| (turn, literal(turn.value))).collect(),
+    }
+}
+
 /// What is expected, where it changes.
-fn steps<'n>(block: &'n LegalBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
+fn steps<'n>(block: &'n TargetBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
     let all = &block.block.program.outputs;
     let place = |path: &str| all.iter().position(|known| known.path == path);
     let [fault, error_id] = ["fault", "error_id"].map(place);

@@ -4,7 +4,7 @@ use crate::kind::Kind;
 use crate::reject::Rejections;
 use crate::scope::Scope;
 use crate::{attribute, block, generics, item, name, outward, ty};
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 
 /// Describes a function.
@@ -42,8 +42,14 @@ pub fn describe(function: &syn::ItemFn, rejections: &mut Rejections) -> TokenStr
         )
     };
     let [params, returns, body, assertions] = [params, returns, body, assertions].map(outward::from_inside);
-    let (name, visibility, doc) = (&signature.ident, &function.vis, item::doc(&function.attrs));
     let real = real.unwrap_or_else(|| quote::format_ident!("R"));
+    module(function, &real, [params, returns, body, assertions])
+}
+
+/// The hidden module of a function, from the parts of its IR and the assertions about its types.
+fn module(function: &syn::ItemFn, real: &Ident, [params, returns, body, assertions]: [TokenStream; 4]) -> TokenStream {
+    let signature = &function.sig;
+    let (name, visibility, doc) = (&signature.ident, &function.vis, item::doc(&function.attrs));
     quote! {
         #[doc(hidden)]
         #visibility mod #name {

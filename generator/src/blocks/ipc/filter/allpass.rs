@@ -53,7 +53,7 @@ impl FilterKind for Allpass {
         None
     }
 
-    fn description(&self, edges: [f64; 2]) -> String {
+    fn with_edges(&self, edges: [f64; 2]) -> String {
         let [lower, upper] = edges.map(|edge| significant(edge, 4));
         format!("{} with -180 deg at {} Hz, -90 at {lower} and -270 at {upper} Hz", self.words(), self.f0)
     }

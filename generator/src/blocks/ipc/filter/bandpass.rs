@@ -81,7 +81,7 @@ impl FilterKind for Bandpass {
         ))
     }
 
-    fn description(&self, edges: [f64; 2]) -> String {
+    fn with_edges(&self, edges: [f64; 2]) -> String {
         format!("{} at {} Hz, edges {} Hz", self.words(), self.f0, range(edges, 4))
     }
 

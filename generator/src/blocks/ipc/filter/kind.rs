@@ -19,7 +19,7 @@ pub(crate) trait FilterKind {
     /// covers it
     fn note_of_section(&self, section: usize, shape: [String; 3]) -> Option<String>;
     /// the filter with its edges [Hz]
-    fn description(&self, edges: [f64; 2]) -> String;
+    fn with_edges(&self, edges: [f64; 2]) -> String;
     /// the differences from another filter of the same type, except frequency and quality factor
     fn differences(&self, new: &Filter) -> Vec<String>;
     /// whether the text of a difference begins with the type

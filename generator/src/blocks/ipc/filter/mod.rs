@@ -9,7 +9,7 @@ mod designed;
 mod kind;
 mod rules;
 
-use super::super::values::is_same;
+use super::super::effects::is_same;
 use crate::axis::Filter;
 use crate::number::{digits, pair, percent};
 use crate::parameters::Name;
@@ -48,7 +48,7 @@ pub(crate) fn is_selective(filter: &Filter) -> bool {
     of(filter).is_some_and(|kind| kind.is_selective())
 }
 
-pub(crate) fn summary(filter: &Filter) -> Option<String> {
+pub(crate) fn in_short(filter: &Filter) -> Option<String> {
     let [f0, q_factor] = filter.f0_and_q()?;
     Some(format!("{} at {f0} Hz, Q {q_factor}", of(filter)?.words()))
 }
@@ -62,15 +62,15 @@ pub(crate) fn note(design: &FilterDesign) -> Option<String> {
 }
 
 /// A filter with its edges [Hz].
-pub(crate) fn description(design: &FilterDesign) -> String {
-    of(&design.filter).map_or_else(|| FilterType::NoFilter.name().to_owned(), |kind| kind.description(design.edges))
+pub(crate) fn with_edges(design: &FilterDesign) -> String {
+    of(&design.filter).map_or_else(|| FilterType::NoFilter.name().to_owned(), |kind| kind.with_edges(design.edges))
 }
 
 /// What differs between two filters at the same place.
 pub(crate) fn difference(both: [Option<&FilterDesign>; 2]) -> Option<String> {
     let types = both.map(|design| design.map_or(FilterType::NoFilter, |design| design.filter.kind()));
     if types[0] != types[1] {
-        let words = both.map(|design| design.map_or_else(|| FilterType::NoFilter.name().to_owned(), description));
+        let words = both.map(|design| design.map_or_else(|| FilterType::NoFilter.name().to_owned(), with_edges));
         return Some(words.join(" -> "));
     }
     let [old, new] = [both[0]?, both[1]?];

@@ -8,7 +8,7 @@ pub(crate) use project::shared;
 use super::dialect::Dialect;
 use super::listing::{self, Listing, Origin, SetType, listing, origin};
 use super::{TcInRange, self_test};
-use crate::target::{self, BlockIdentity, File, LegalBlock, own_self_test};
+use crate::target::{self, BlockIdentity, File, TargetBlock, with_self_test};
 use askama::Template;
 use askama::filters::Escaper;
 use compiler::print::st::CODESYS;
@@ -62,7 +62,7 @@ struct TcParams<'a> {
 
 /// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter
 /// sets, if it takes any.
-pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
+pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
     let pou = |folder: &str, listing: Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
         let origin = origin(axis, &file, block, &TWINCAT);
@@ -82,7 +82,7 @@ pub(crate) fn files(axis: &BlockIdentity, block: &LegalBlock<'_>) -> Vec<File> {
 
 /// A block and its self-test.
 pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
-    own_self_test(block_name(axis, block))
+    with_self_test(block_name(axis, block))
 }
 
 /// The name of the function block of a block of an axis.

@@ -3,7 +3,7 @@
 use super::{TESTS, TWINCAT, block_name, guid, rendered};
 use crate::target::st::listing::{Origin, origin};
 use crate::target::st::self_test;
-use crate::target::{BlockIdentity, File, LegalBlock};
+use crate::target::{BlockIdentity, File, TargetBlock};
 use askama::Template;
 
 /// The suite of a block.
@@ -19,7 +19,7 @@ struct TcSuite<'a> {
     samples: usize,
 }
 
-pub(super) fn file(axis: &BlockIdentity, block: &LegalBlock<'_>) -> File {
+pub(super) fn file(axis: &BlockIdentity, block: &TargetBlock<'_>) -> File {
     let name = &block_name(&axis.name, block.program.block);
     let suite = &suite_name(name);
     let file = format!("{suite}.TcPOU");

@@ -26,9 +26,9 @@ impl AxisProgram {
         let is_wanted = |input: &Variable| input.ty == Type::Real && self.program.in_set(input).is_none();
         let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| is_wanted(input));
         reals
-            .map(|(own, input)| RealInput {
-                position: self.inputs[own],
-                own,
+            .map(|(place, input)| RealInput {
+                position: self.inputs[place],
+                in_axis: place,
                 is_fraction: self.program.is_fraction(input),
             })
             .collect()
@@ -41,7 +41,7 @@ pub struct RealInput {
     /// its position among all inputs
     pub position: usize,
     /// its position among the inputs that the axis has
-    pub own: usize,
+    pub in_axis: usize,
     /// whether it is a fraction from 0 to 1, not a sample
     pub is_fraction: bool,
 }
@@ -50,7 +50,7 @@ pub struct RealInput {
 ///
 /// # Errors
 /// A defect of the program.
-pub fn own(program: &Program) -> Result<AxisProgram, Defect> {
+pub fn for_axis(program: &Program) -> Result<AxisProgram, Defect> {
     let (read, changing) = (read(program), changing(program));
     let mut program = program.clone();
     drop_outputs(&mut program, &changing);

@@ -1,4 +1,4 @@
-//! The meaning of stages, limit and start of improved position control for the machine: a table, and a verdict in words.
+//! The meaning of stages, limit and start of improved position control for the machine: a table, and words on each stage.
 //! Nothing is decided here; warnings are in `advice` and `phase`.
 
 use super::certificate::{designed, noise};
@@ -101,8 +101,8 @@ fn start(axis: &Axis, fade_cycles: u32) -> String {
     format!("start: {}: {word}; fades in {} ms", axis.ipc.enable.name(), significant(time, 4))
 }
 
-/// The verdict on a stage without a loop; for one with a loop, its largest weights with several drives.
-fn stage_verdict(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
+/// A stage without a loop; for one with a loop, its largest weights with several drives.
+fn of_stage(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
     let (stage, index) = (&design.stage, design.index);
     let [f0, weight] = [stage.f0(), stage.weight()].map(|value| significant(value, 4));
     match stage.mode {
@@ -136,13 +136,13 @@ fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String
     }
 }
 
-/// The verdicts on the stages, and their restrictions.
+/// The stages in words, and their restrictions.
 fn stages(designed: &Designed) -> Vec<String> {
     let drives = Known::of(&designed.axis.drive);
     let points = closed_loop::points(designed, &drives, designed.axis.drive.position_gain);
     let closed = |points| drives.iter().map(move |known| (known.words(), Loop::new(points, known.drive())));
     let loops: Vec<(String, Loop<'_>)> = points.iter().flat_map(closed).collect();
-    let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| stage_verdict(design, &loops)).collect();
+    let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| of_stage(design, &loops)).collect();
     if points.is_some() && designed.axis.drive.response.is_none() {
         lines.push(
             "the weights hold for the drive alone: mechanics are not in them; a measured response has them (drive.response)"

@@ -1,0 +1,150 @@
+//! The products of a block's folder for any type of its reference: verified program, self-test, recorded run.
+
+use super::block::Block;
+use super::designed::Designed;
+use super::kind::{BlockKind, Design, Typed};
+use crate::design::rounding::rounded;
+use crate::exercise::runner::{self, Runner};
+use crate::exercise::{self, Exercise, Run, Running, SelfTest, Trial, Wanted};
+use compiler::legalise;
+use compiler::pass::{self, Defect};
+use compiler::ranges::{self, Shown};
+use compiler::{arithmetic, leaves, program::Program, specialise, structure};
+use portable::{Block as Reference, Field, Literal, Portable, Real, RealKind, Ty};
+use std::sync::Arc;
+
+/// The last pass.
+pub(super) const VERIFIED: &str = "verified";
+
+impl dyn BlockKind + '_ {
+    /// The program after the pass of that name; none: as the specialiser gives it.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn program(&self, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
+        self.typed(designed).specialise(self, designed, last)
+    }
+
+    /// The ranges of its outputs for any state and any inputs.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn shown(&self, designed: &Designed) -> Result<Shown, Defect> {
+        Ok(shown(self, designed, &self.program(designed, Some(VERIFIED))?))
+    }
+
+    /// The block, ready to be printed.
+    ///
+    /// # Errors
+    /// A defect of the block or of a pass.
+    pub fn block(&self, designed: &Designed) -> Result<Block, Defect> {
+        self.typed(designed).make(self, designed)
+    }
+
+    /// A run of N samples of an axis's block, for a user's own board.
+    pub fn runner(&self, designed: &Designed, block: &Block, samples: usize) -> Runner {
+        runner::record(&block.exercise, &mut *self.start(designed), samples)
+    }
+
+    /// The reference, before its first cycle.
+    pub fn start(&self, designed: &Designed) -> Box<dyn Run> {
+        self.typed(designed).run(designed)
+    }
+
+    /// All its coefficients.
+    pub fn coefficients(&self, designed: &Designed) -> Vec<Literal> {
+        self.typed(designed).numbers(designed)
+    }
+}
+
+impl<B: Design> Typed for B {
+    fn name(&self) -> &'static str {
+        <B as Reference<f64>>::NAME
+    }
+
+    fn signals(&self) -> [&'static [Field]; 2] {
+        [<B as Reference<f64>>::Inputs::TY, <B as Reference<f64>>::Outputs::TY].map(|ty| match ty {
+            Ty::Struct { def } => def.fields,
+            Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Array { .. } | Ty::Enum { .. } => &[],
+        })
+    }
+
+    fn typed(&self, designed: &Designed) -> &dyn Typed {
+        B::other(designed).unwrap_or(self)
+    }
+
+    fn specialise(&self, kind: &dyn BlockKind, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => program::<f64, B>(kind, designed, last),
+            RealKind::F32 => program::<f32, B>(kind, designed, last),
+        }
+    }
+
+    fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
+        match designed.axis.real {
+            RealKind::F64 => block::<f64, B>(kind, designed),
+            RealKind::F32 => block::<f32, B>(kind, designed),
+        }
+    }
+
+    fn run(&self, designed: &Designed) -> Box<dyn Run> {
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
+        match real {
+            RealKind::F64 => Box::new(Running::<f64, B>::start(coeffs)),
+            RealKind::F32 => Box::new(Running::<f32, B>::start(rounded(&coeffs, real))),
+        }
+    }
+
+    fn numbers(&self, designed: &Designed) -> Vec<Literal> {
+        let (coeffs, real) = (B::design(designed), designed.axis.real);
+        match real {
+            RealKind::F64 => leaves(&coeffs),
+            RealKind::F32 => leaves(&rounded::<_, <B as Reference<f32>>::Coeffs>(&coeffs, real)),
+        }
+    }
+}
+
+/// The program after the pass of that name; with `None`, the output of the specialiser.
+fn program<R: Real, B: Design + Reference<R>>(
+    kind: &dyn BlockKind,
+    designed: &Designed,
+    last: Option<&str>,
+) -> Result<Program, Defect> {
+    let notes = kind.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, B>(&rounded(&B::design(designed), R::KIND), &notes);
+    if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
+}
+
+/// Specialises one block and records its run.
+fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
+    let coeffs = || rounded(&B::design(designed), R::KIND);
+    let notes = kind.notes(designed).into_iter().collect();
+    let specialised = specialise::block::<R, B>(&coeffs(), &notes);
+    let structure = structure::of(&specialised);
+    let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
+    let program = pass::run(specialised, None)?;
+    let for_axis = legalise::for_axis(&program)?;
+    let certificate = kind.certificate(designed, &program)?;
+    let wanted = Wanted {
+        ranges: kind.ranges(designed),
+        start: kind.start_cycles(designed),
+        drill: kind.drill(designed),
+        cycle_time_ns: designed.axis.cycle_time_ns,
+    };
+    let exercise = Arc::new(Exercise::of::<R, B>(&coeffs(), (&program, &for_axis), &state_paths, &wanted));
+    let self_test = SelfTest::record(&exercise, &mut Running::<R, B>::start(coeffs()));
+    let trial = Trial::of(&exercise);
+    let numbers = coeffs();
+    let start = || Box::new(Running::<R, B>::start(numbers)) as Box<dyn Run>;
+    let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
+    let shown = shown(kind, designed, &program);
+    shown.refuse(program.block)?;
+    Ok(Block { program, for_axis, notes, exercise, self_test, trial, answers, certificate, shown, structure })
+}
+
+/// The ranges of the outputs of a program.
+fn shown(kind: &dyn BlockKind, designed: &Designed, program: &Program) -> Shown {
+    // If nothing adds a velocity, the limit is 0.
+    let limit = kind.limit(designed).and_then(|figure| arithmetic::wide(figure.value)).unwrap_or(0.0);
+    ranges::run(program, &["v_add", "v_add_calculated", "v_excite"].map(|path| (path, limit)))
+}
