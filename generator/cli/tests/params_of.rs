@@ -1,40 +1,12 @@
 //! `axgen params-of` as a user sees it: each form read back, against the bytes that a C compiler makes of the generated header; what is
 //! refused, and what `axgen diff` says of the same changes.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 
-const OLD: &str = r#"cycle_time = "1ms"
-
-[axis.X]
-tunable = "all"
-watch = true
-getriebe = [{ dynamik.vb_max = 400000 }] # um/s
-
-[axis.X.lr_param.improved_position_control]
-enable = "OFF"
-v_add_max_fact = 500
-
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "DIRECT"
-weight_fact_num = 150
-weight_fact_denom = 100
-filter = [{ type = "BANDPASS", prototype = "CRIT_DAMPING", order = 1, fg_f0 = 53.0, q_factor = 10.0 }]
-
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "SET_POINT"
-osc_damping = 0.7
-weight_fact_num = 80
-weight_fact_denom = 100
-filter = [
-    { type = "BANDPASS", order = 1, fg_f0 = 12.0, q_factor = 2.0 },
-    { type = "ALLPASS", fg_f0 = 28.1, q_factor = 2.0 },
-]
-"#;
+const OLD: &str = include_str!("params_of.toml");
 /// Another weight and another frequency.
 const NEW: [(&str, &str); 2] = [("weight_fact_num = 150", "weight_fact_num = 90"), ("fg_f0 = 53.0", "fg_f0 = 54.3")];
 const SINGLE: (&str, &str) = ("tunable", "real = \"f32\"\ntunable");
@@ -94,7 +66,7 @@ fn folder(old: &[(&str, &str)], new: &[(&str, &str)]) -> TempDir {
 
 /// Runs the command; gives its exit code, its output and its messages.
 fn axgen(folder: &Path, arguments: &[&str]) -> (i32, Vec<u8>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
+    let output = Command::new(crate::AXGEN).current_dir(folder).args(arguments).output().unwrap();
     (output.status.code().unwrap(), output.stdout, String::from_utf8(output.stderr).unwrap())
 }
 

@@ -37,7 +37,7 @@ const PRINT: &[&str] = &[
 ];
 
 fn into_full(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    let mut command = Command::new(crate::AXGEN);
     command.current_dir(folder).args(arguments.split(' '));
     command.stdout(File::options().write(true).open("/dev/full").unwrap());
     command

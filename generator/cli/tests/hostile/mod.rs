@@ -1,20 +1,17 @@
 //! Hostile and broken input through the real command, one test a row; `docs/hostile-input.md` is the list of them, and is
 //! read here, so that it cannot say anything else than what happens.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p axgen --test hostile` writes the document anew.
-
-#![cfg(unix)]
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+//! `UPDATE_EXPECT=1 cargo test -p axgen --test cli hostile` writes the document anew.
 
 /// A row of the document, and a test: what the input is, and the making of it in a folder, which gives the arguments.
 macro_rules! rows {
     ($($name:ident: $input:literal => $given:expr;)+) => {
         /// The rows of this file.
-        pub const ROWS: &[crate::row::Row] = &[$(crate::row::Row { input: $input, given: $given }),+];
+        pub const ROWS: &[crate::hostile::row::Row] = &[$(crate::hostile::row::Row { input: $input, given: $given }),+];
 
         $(#[test]
         fn $name() {
-            crate::row::check(&crate::row::Row { input: $input, given: $given });
+            crate::hostile::row::check(&crate::hostile::row::Row { input: $input, given: $given });
         })+
     };
 }
@@ -22,8 +19,6 @@ macro_rules! rows {
 mod document;
 mod encodings;
 mod legal;
-#[path = "../limited/mod.rs"]
-mod limited;
 mod lists;
 mod names;
 mod paths;

@@ -1,60 +1,16 @@
 //! Recordings as users have them: how a scope writes them, what they prove, and which mistake explains that they differ.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod evidence;
 mod mistakes;
 mod refused;
 mod spellings;
 
+use crate::{Run, axgen};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 /// Two axes of one kind: X follows the motor and the command, Y has other frequencies.
-const SET: &str = r#"cycle_time = "1ms"
-[axis.X]
-kopf.achs_nr = 1
-getriebe = [{ dynamik.vb_max = 400000 }]
-[axis.X.lr_param.improved_position_control]
-enable = "ON"
-v_add_max_fact = 500
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "DIRECT"
-weight_fact_num = 80
-weight_fact_denom = 100
-filter = [{ order = 1, fg_f0 = 53.0, q_factor = 4.0 }]
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "SET_POINT"
-osc_damping = 0.8
-weight_fact_num = 72
-weight_fact_denom = 100
-filter = [{ order = 1, fg_f0 = 17.0, q_factor = 3.0 }]
-[axis.Y]
-kopf.achs_nr = 2
-getriebe = [{ dynamik.vb_max = 400000 }]
-[axis.Y.lr_param.improved_position_control]
-enable = "ON"
-v_add_max_fact = 500
-[[axis.Y.lr_param.improved_position_control.stage]]
-mode = "DIRECT"
-weight_fact_num = 80
-weight_fact_denom = 100
-filter = [{ order = 1, fg_f0 = 41.0, q_factor = 4.0 }]
-"#;
-
-/// What came of a command.
-struct Run {
-    code: i32,
-    out: String,
-    err: String,
-}
-
-fn axgen(folder: &Path, arguments: &[&str]) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
-    let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
-    Run { code: output.status.code().unwrap(), out, err }
-}
+const SET: &str = include_str!("axes.toml");
 
 /// A folder with the set.
 fn folder() -> tempfile::TempDir {

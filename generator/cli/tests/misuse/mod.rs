@@ -1,8 +1,6 @@
 //! Misuses of the command, as somebody makes them who puts a machine into operation: each is refused or warned of, and nearly each with
 //! what to do instead. The rows are in `table.toml`.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -78,7 +76,7 @@ fn write(folder: &Path, files: &BTreeMap<String, String>) {
 fn run(line: &str, files: &BTreeMap<String, String>) -> Said {
     let folder = tempfile::tempdir().unwrap();
     write(folder.path(), files);
-    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    let mut command = Command::new(crate::AXGEN);
     let output = command.current_dir(folder.path()).arg("--message-format=json").args(words(line)).output().unwrap();
     for (name, text) in files {
         assert_eq!(&fs::read_to_string(folder.path().join(name)).unwrap(), text, "{line}: {name} is as it was");

@@ -1,15 +1,14 @@
 //! From one generated folder to another: nothing of ours stays unsaid, nothing of the user's is lost.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod folder;
 mod ways;
 
-use folder::{Folder, MINE, OUT, Said, Step};
+use crate::Run as Said;
+use folder::{Folder, MINE, OUT};
 use generator::digest::is_text;
 use generator::manifest::{self, NAME};
 use std::collections::{BTreeMap, BTreeSet};
-use ways::{WAYS, Way};
+use ways::{Way, ways};
 
 /// The files of a folder that a command speaks of with these words.
 fn named(said: &str, words: &str) -> BTreeSet<String> {
@@ -36,7 +35,9 @@ fn marked(way: &Way, marks: &str) -> BTreeSet<String> {
 
 /// What the sets give in a folder of their own, one after the other.
 fn fresh(folder: &Folder, way: &Way) -> BTreeMap<String, String> {
-    way.whole.iter().for_each(|run| assert_eq!(folder.generate(run, "fresh").code, 0, "{}", way.way));
+    for run in &way.whole {
+        assert_eq!(folder.generate(run, "fresh").code, 0, "{}", way.way);
+    }
     folder.content("fresh")
 }
 
@@ -46,16 +47,16 @@ fn go(way: &Way) {
     let before = folder.content(OUT);
     let check = || folder.generate(&format!("{} --check", way.run.trim_end_matches(" --force")), OUT);
     let checked = check();
-    let run = folder.generate(way.run, OUT);
+    let run = folder.generate(&way.run, OUT);
     let after = folder.content(OUT);
-    assert_eq!((checked.code, run.code), way.codes, "{}: {}{}", way.way, checked.out, run.err);
+    assert_eq!([checked.code, run.code], way.codes, "{}: {}{}", way.way, checked.out, run.err);
     assert_eq!(checked.code == 1, !checked.out.is_empty(), "{}: {}", way.way, checked.out);
     if run.code != 0 {
         assert!(way.said.iter().all(|said| run.err.contains(said)), "{}: {}", way.way, run.err);
         assert_eq!(after, before, "{}: nothing was written", way.way);
         return;
     }
-    let said: BTreeSet<String> = way.said.iter().map(|&said| said.to_owned()).collect();
+    let said: BTreeSet<String> = way.said.iter().cloned().collect();
     assert_eq!(left_over(&checked), said, "{}: {}", way.way, checked.out);
     assert_eq!(named(&run.out, ": removed, no longer generated"), marked(way, "-"), "{}: {}", way.way, run.out);
     assert_eq!(named(&run.err, ": warning[AX490]: "), marked(way, "!"), "{}: {}", way.way, run.err);
@@ -65,7 +66,7 @@ fn go(way: &Way) {
         assert_eq!(after.get(file), Some(text), "{}: {file} is lost", way.way);
     }
     let stays = marked(way, "!?");
-    for run in way.satisfied {
+    for run in &way.satisfied {
         let said = folder.generate(&format!("{run} --check"), OUT);
         assert_eq!(said.code, i32::from(!said.out.is_empty()), "{}: {}", way.way, said.err);
         let is_said =
@@ -93,16 +94,20 @@ fn same_as_fresh(way: &Way, fresh: &BTreeMap<String, String>, after: &BTreeMap<S
 
 #[test]
 fn every_way_from_one_folder_to_another() {
-    assert!(WAYS.len() >= 30);
-    WAYS.iter().for_each(go);
+    let mut ways = ways();
+    assert!(ways.len() >= 30);
+    if cfg!(not(unix)) {
+        ways.retain(|way| !way.steps.iter().any(|step| step.starts_with("link ")));
+    }
+    ways.iter().for_each(go);
 }
 
 /// Wherever a run is killed, the manifest names every file of ours, and the next run ends as if nothing had happened.
 #[test]
 fn a_killed_run_leaves_a_manifest_that_names_every_file() {
-    const SETS: [&[&str]; 2] = [&["X kv stage", "Y stage", "Z f32 stage"], &["X stage", "Y1 stage", "Z1 f32 kv"]];
+    const SETS: [&str; 2] = ["X kv stage, Y stage, Z f32 stage", "X stage, Y1 stage, Z1 f32 kv"];
     let folder = Folder::new();
-    let set = |axes| folder.happens(&Step::Set("axes.toml", "c twincat codesys", axes));
+    let set = |axes| folder.happens(&format!("set axes.toml | c twincat codesys | {axes}"));
     let fresh = SETS.map(|axes| {
         set(axes);
         let out = if axes == SETS[0] { "first" } else { "second" };
@@ -110,18 +115,18 @@ fn a_killed_run_leaves_a_manifest_that_names_every_file() {
         folder.content(out)
     });
     set(SETS[0]);
-    folder.happens(&Step::Run("axes.toml"));
+    folder.happens("run axes.toml");
     for number in 0..60 {
         let to = (number + 1) % 2;
         set(SETS[to]);
-        folder.happens(&Step::Kill("axes.toml", 9 * (number as u64)));
+        folder.happens(&format!("kill {} axes.toml", 9 * number));
         let mut there = folder.content(OUT);
         let listed: BTreeSet<String> =
             manifest::read(&there[NAME], NAME).unwrap().into_iter().map(|entry| entry.file).collect();
         there.retain(|file, _| file != NAME && !file.contains(".axgen-"));
         let unlisted: Vec<&String> = there.keys().filter(|file| !listed.contains(*file)).collect();
         assert!(unlisted.is_empty(), "{number}: {unlisted:?}");
-        folder.happens(&Step::Run("axes.toml"));
+        folder.happens("run axes.toml");
         assert!(folder.content(OUT) == fresh[to], "{number}: all of the next run, and nothing else");
     }
 }
@@ -130,14 +135,14 @@ fn a_killed_run_leaves_a_manifest_that_names_every_file() {
 #[test]
 fn other_sets_are_named() {
     let folder = Folder::new();
-    let set = |file, axes| folder.happens(&Step::Set(file, "rust scl", axes));
-    set("axes.toml", &["X stage"]);
-    set("b.toml", &["Y", "Z"]);
+    let set = |file, axes| folder.happens(&format!("set {file} | rust scl | {axes}"));
+    set("axes.toml", "X stage");
+    set("b.toml", "Y, Z");
     let said = |set: &str| folder.generate(set, OUT).out;
     let ends = |out: &str, end: &str| assert!(out.ends_with(end), "{out}");
     ends(&said("axes.toml"), "1 axis: 6 files written, 0 unchanged, 0 warnings\n");
     ends(&said("b.toml"), "2 warnings\ngenerated: also has 4 files of axes.toml\n");
-    set("axes.toml", &["X stage", "Y"]);
+    set("axes.toml", "X stage, Y");
     let taken = "generated: took over 4 files from b.toml\ngenerated: also has 4 files of b.toml\n";
     ends(&said("axes.toml"), taken);
     ends(&said("axes.toml"), "1 warning\ngenerated: also has 4 files of b.toml\n");

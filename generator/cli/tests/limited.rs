@@ -25,7 +25,7 @@ pub fn run<'a>(folder: &Path, arguments: impl IntoIterator<Item = &'a str>, inpu
         .stdin(input)
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    command.arg("-c").arg(format!("{limit}exec \"$@\"")).args(["sh", env!("CARGO_BIN_EXE_axgen")]).args(&arguments);
+    command.arg("-c").arg(format!("{limit}exec \"$@\"")).args(["sh", crate::AXGEN]).args(&arguments);
     let child = command.spawn().unwrap();
     let id = child.id().to_string();
     let (sender, receiver) = mpsc::channel();
