@@ -1,5 +1,7 @@
 //! The reference against the independent model, on random axes and random histories.
 
+mod histories;
+
 use axgen_tests::environment::by_depth;
 use axgen_tests::model::agree::{self, Tally};
 use axgen_tests::model::alone::{self, agree::Seen};

@@ -1,8 +1,8 @@
-//! What random histories reach, and that a block with a mistake does not get through them. The model itself is checked by the
-//! block, whose rules tests/spindle asserts one by one: where they differ, a history says so. No formula is here.
+//! What random histories of a spindle reach, and that a block with a mistake does not get through them. The model itself is
+//! checked by the block, whose rules `tests/spindle` asserts one by one: where they differ, a history says so.
 
-use crate::model::spindle::{Inputs, Model, Outputs, Parameters, agree, agree::compare, history};
-use crate::random::rng::Rng;
+use axgen_tests::model::spindle::{Inputs, Model, Outputs, Parameters, agree, agree::compare, history};
+use axgen_tests::random::rng::Rng;
 use std::collections::BTreeMap;
 
 /// Of a cycle's inputs, of parameters, of outputs.
