@@ -49,6 +49,7 @@ fn every_code_has_a_test() {
         include_str!("../../cli/tests/measured/measure.rs"),
         include_str!("../../cli/tests/measured/stages.rs"),
         include_str!("../../cli/tests/params_of.rs"),
+        include_str!("../../cli/tests/params_of.txt"),
         include_str!("../../cli/tests/recordings/evidence.rs"),
         include_str!("../../cli/tests/recordings/refused.rs"),
         include_str!("../../cli/tests/scenario.txt"),

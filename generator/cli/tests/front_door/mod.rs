@@ -95,22 +95,6 @@ fn every_stage_can_be_printed() {
 }
 
 #[test]
-fn a_message_shows_the_line_and_marks_the_place() {
-    let folder = started();
-    edit(folder.path(), "v_add_max_fact = 100 ", "v_add_max_fact = 9999 ");
-    let (code, out, err) = axgen(folder.path(), &["check", "axes.toml"]);
-    assert_eq!((code, out.as_str()), (2, ""));
-    assert_eq!(
-        err,
-        "axes.toml:24:18: error[AX203]: `lr_param.improved_position_control.v_add_max_fact` (P-AXIS-00757) is 9999\n  \
-         24 | v_add_max_fact = 9999  # largest |v_add|, in 0.1 % of vb_max; the default 0 would mute the block\n     \
-         |                  ^\n    \
-         allowed: 0 <= v_add_max_fact <= 2000 [0.1 %]\n\
-         1 error; nothing was written\n"
-    );
-}
-
-#[test]
 fn messages_for_machines_are_an_object_a_line() {
     let folder = started();
     edit(folder.path(), "v_add_max_fact = 100 ", "v_add_max_fact = 9999 ");
@@ -310,35 +294,11 @@ fn words_are_explained() {
     assert!(code == 2 && err.contains(said), "{err}");
 }
 
+/// What the schema takes is tested in the crate tests.
 #[test]
-fn the_schema_takes_the_examples_and_refuses_mistakes() {
-    let folder = started();
-    let (_, schema, _) = axgen(folder.path(), &["schema"]);
-    let schema = jsonschema::validator_for(&serde_json::from_str(&schema).unwrap()).unwrap();
-    let json = |text: &str| serde_json::to_value(toml::from_str::<toml::Table>(text).unwrap()).unwrap();
-    let mut sets: Vec<String> = vec![fs::read_to_string(folder.path().join("axes.toml")).unwrap()];
-    sets.push(fs::read_to_string(Path::new(ROOT).join("examples/machine.toml")).unwrap());
-    for case in fs::read_dir(Path::new(ROOT).join("golden/cases")).unwrap() {
-        sets.extend(fs::read_to_string(case.unwrap().path().join("set.toml")).ok());
-    }
-    assert!(sets.len() > 15);
-    for set in &sets {
-        assert!(schema.is_valid(&json(set)), "{set}");
-    }
-    for (from, to) in [
-        ("fg_f0 = 53.0", "fg_f0 = 501.0"),
-        ("fg_f0 = 53.0", "fg_f0 = \"53\""),
-        ("order = 1", "ordr = 1"),
-        ("order = 1", "order = 4"),
-        ("mode = \"DIRECT\"", "mode = \"DIRECTLY\""),
-        ("[axis.X]\n", "[axis.X-1]\n"),
-        ("cycle_time = \"1ms\"", "cycle_time = 1"),
-        ("targets = [\"c\", \"st\"]", "targets = [\"c\", \"ada\"]"),
-    ] {
-        assert!(sets[0].contains(from), "{from}");
-        let wrong = sets[0].replace(from, to);
-        assert!(!schema.is_valid(&json(&wrong)), "{to}");
-    }
+fn the_schema_is_printed() {
+    let (code, out, _) = axgen(tempfile::tempdir().unwrap().path(), &["schema"]);
+    assert_eq!((code, out.trim_end()), (0, generator::schema::text().trim_end()));
 }
 
 #[test]

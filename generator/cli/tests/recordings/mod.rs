@@ -8,6 +8,7 @@ mod spellings;
 use crate::{Run, axgen};
 use std::fs;
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// Two axes of one kind: X follows the motor and the command, Y has other frequencies.
 const SET: &str = include_str!("axes.toml");
@@ -67,8 +68,16 @@ impl Recording {
 }
 
 /// A good recording of X: v_command, v_motor, v_add, v_add_calculated, with all digits.
-fn good(folder: &Path) -> Recording {
-    Recording::of(folder, "axes.toml", "X", None).only(&["v_command", "v_motor", "v_add", "v_add_calculated"])
+fn good() -> Recording {
+    static GOOD: LazyLock<Recording> = LazyLock::new(|| {
+        Recording::of(folder().path(), "axes.toml", "X", None).only(&[
+            "v_command",
+            "v_motor",
+            "v_add",
+            "v_add_calculated",
+        ])
+    });
+    GOOD.clone()
 }
 
 /// Compares a text with the block of X.
