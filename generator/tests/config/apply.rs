@@ -1,7 +1,5 @@
 //! Stages that are written into a set or a list, to the letter: what stands around them stays, byte for byte.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::apply::{self, Applied};
 use generator::axis::{DirectSource, Enable, Filter, Mode, Prototype, Stage};
 use generator::config::{ListOptions, Unreadable};

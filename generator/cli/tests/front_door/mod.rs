@@ -376,26 +376,6 @@ fn a_reader_that_goes_away_is_no_defect() {
 }
 
 #[test]
-fn a_list_goes_into_a_set_and_back_without_a_loss() {
-    let folder = tempfile::tempdir().unwrap();
-    let list = Path::new(ROOT).join("examples/rack-and-pinion.lis");
-    let list_name = list.to_str().unwrap();
-    let (code, set, err) = axgen(folder.path(), &["import", list_name, "--cycle-time", "1ms"]);
-    assert_eq!((code, err.as_str()), (0, ""));
-    fs::write(folder.path().join("set.toml"), &set).unwrap();
-    let (code, back, err) = axgen(folder.path(), &["export", "set.toml"]);
-    assert_eq!((code, err.as_str()), (0, ""));
-    assert!(back.as_bytes() == fs::read(&list).unwrap());
-    // A file is written where it is asked for, and none is replaced unasked.
-    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis"]).0, 0);
-    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis"]).0, 2);
-    assert_eq!(axgen(folder.path(), &["export", "set.toml", "--out", "x.lis", "--force"]).0, 0);
-    let (code, _, err) = axgen(folder.path(), &["import", "no-such.lis"]);
-    assert_eq!(code, 2);
-    assert!(err.contains("AX001"), "{err}");
-}
-
-#[test]
 fn a_difference_is_said_in_what_it_means() {
     let folder = started();
     fs::copy(folder.path().join("axes.toml"), folder.path().join("old.toml")).unwrap();

@@ -1,7 +1,5 @@
 //! Files go into a folder all together or not at all, and nothing else is left there.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod failures;
 mod folders;
 mod left_overs;

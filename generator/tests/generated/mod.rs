@@ -1,6 +1,4 @@
 //! What is generated, and what stands next to it: one program, as a link costs more than most of these tests.
-#![forbid(unsafe_code)]
-
 mod commissioning;
 mod commissioning_names;
 mod diff;

@@ -2,8 +2,6 @@
 //! back to the byte. `UPDATE_EXPECT=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew;
 //! read their difference.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod encodings;
 mod ends;
 mod kinds;

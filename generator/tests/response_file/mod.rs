@@ -1,7 +1,5 @@
 //! A measured frequency response in many spellings, what is said about defective ones, and what its uncertainty is; files are in memory.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod defects;
 mod doubtful;
 mod errors;

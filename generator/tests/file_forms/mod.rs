@@ -1,8 +1,6 @@
 //! What each file form demands of its files: XML, TwinCAT objects, TcUnit suites, PLCopen, SCL, checksums, plain text. What the
 //! files compute is compared by the engines.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 mod cdata;
 mod checksum;
 mod encoding;
@@ -16,9 +14,8 @@ mod twincat;
 mod values;
 mod xml;
 
-use generator::config::{ListOptions, Unreadable};
-use generator::pipeline::{Set, read, read_with};
-use generator::target::{File, TARGETS};
+use crate::{files, from_disk, set_of};
+use generator::pipeline::Set;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -63,25 +60,6 @@ fn case(name: &str, set: Set) -> Case {
     Case { name: name.to_owned(), set, files }
 }
 
-/// The files of a set in all targets, by name.
-fn files(set: &Set) -> BTreeMap<String, String> {
-    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
-    let units = generator::generate::units(set);
-    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
-    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
-    let count = files.len();
-    let files: BTreeMap<String, String> = files.into_iter().collect();
-    assert_eq!(files.len(), count, "no two files have one name");
-    files
-}
-
-fn from_disk(path: &Path) -> Set {
-    let is_list = path.extension().is_some_and(|extension| extension == "lis");
-    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), ..ListOptions::default() };
-    let (set, report) = read(path, &options);
-    set.unwrap_or_else(|| panic!("{}: {report}", path.display()))
-}
-
 /// Three full stages with an all-pass each, an axis in each real type; a name that a language could take for a word.
 fn full() -> Set {
     const STAGES: &str = r#"
@@ -104,10 +82,5 @@ stage = [
         )
     };
     let text = format!("cycle_time = \"1ms\"\n{}{}", axis("WIDE_1", "f64"), axis("end_if", "f32"));
-    let load = |path: &Path| match path.to_str() {
-        Some("set.toml") => Ok(text.as_bytes().to_vec()),
-        _ => Err(Unreadable::System("there is no such file".to_owned())),
-    };
-    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    set.unwrap_or_else(|| panic!("{report}"))
+    set_of(&text)
 }
