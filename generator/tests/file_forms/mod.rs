@@ -62,19 +62,7 @@ fn case(name: &str, set: Set) -> Case {
 
 /// Three full stages with an all-pass each, an axis in each real type; a name that a language could take for a word.
 fn full() -> Set {
-    const STAGES: &str = r#"
-stage = [
-    { mode = "DIRECT", weight_fact_num = 300, weight_fact_denom = 100, filter = [
-        { type = "BANDPASS", prototype = "BUTTERWORTH", order = 3, fg_f0 = 53.0, q_factor = 6.0 },
-        { type = "ALLPASS", fg_f0 = 41.4, q_factor = 2.0 } ] },
-    { mode = "INDIRECT", osc_damping = 0.8, weight_fact_num = 190, weight_fact_denom = 100, filter = [
-        { type = "ALLPASS", fg_f0 = 17.2, q_factor = 2.0 },
-        { type = "BANDPASS", prototype = "CRIT_DAMPING", order = 3, fg_f0 = 21.0, q_factor = 2.0 } ] },
-    { mode = "SET_POINT", osc_damping = 0.2, weight_fact_num = 14, weight_fact_denom = 100, filter = [
-        { type = "BANDPASS", prototype = "BESSEL", order = 3, fg_f0 = 90.0, q_factor = 4.5 },
-        { type = "ALLPASS", fg_f0 = 70.3, q_factor = 2.0 } ] },
-]
-"#;
+    const STAGES: &str = include_str!("stages.toml");
     let axis = |name: &str, real: &str| {
         format!(
             "[axis.{name}]\naccept_unstable = true\nreal = \"{real}\"\ngetriebe = [{{ dynamik.vb_max = 500000 }}]\n\

@@ -12,22 +12,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Stages of weight 1, whose sign is a negation, and a gantry slave.
-const SIGNS: &str = r#"
-cycle_time = "1ms"
-[axis.X]
-kopf.achs_nr = 1
-getriebe = [{ kv = 2000 }]
-vorsteuer = { vorsteuerung = "VEL ACC", vs_a_faktor = 4000 }
-lr_param.improved_position_control.stage = [
-    { mode = "DIRECT", filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] },
-    { mode = "INDIRECT", osc_damping = 0.8, filter = [{ order = 2, fg_f0 = 11, q_factor = 2 }] },
-    { mode = "SET_POINT", osc_damping = 0.8, filter = [{ order = 1, fg_f0 = 60, q_factor = 2 }] },
-]
-[axis.S]
-kopf.achs_nr = 2
-kenngr.gantry_ax_nr = 1
-getriebe = [{ kv = 2000 }]
-"#;
+const SIGNS: &str = include_str!("../data/signs.toml");
 
 /// The sets of the golden cases, and the one above in both real types.
 fn sets() -> Vec<Set> {

@@ -1,5 +1,5 @@
 //! Files as machines, manuals and people have them: what is read from them, what is said of them, and that they come
-//! back to the byte. `UPDATE_EXPECT=1 cargo test -p axgen-generator --test real_files` writes the transcripts anew;
+//! back to the byte. `UPDATE_EXPECT=1 cargo test -p axgen-generator --test all real_files` writes the transcripts anew;
 //! read their difference.
 
 mod encodings;
@@ -20,19 +20,7 @@ use std::path::Path;
 const IPC: &str = "lr_param.improved_position_control.";
 
 /// A list about which nothing is said.
-const VALID: &str = "\
-kopf.achs_nr                1
-kenngr.achs_typ             ACHSTYP_TRANSLATOR
-getriebe[0].dynamik.vb_max  530000
-lr_param.improved_position_control.enable                     DRYRUN
-lr_param.improved_position_control.v_add_max_fact             100
-lr_param.improved_position_control.stage[0].mode              DIRECT
-lr_param.improved_position_control.stage[0].filter.order      1
-lr_param.improved_position_control.stage[0].filter.fg_f0      53
-lr_param.improved_position_control.stage[0].filter.q_factor   10
-lr_param.improved_position_control.stage[0].weight_fact_num   300
-lr_param.improved_position_control.stage[0].weight_fact_denom 100
-";
+const VALID: &str = include_str!("valid.lis");
 
 type File<'f> = (&'f str, &'f [u8]);
 

@@ -25,16 +25,7 @@ fn pou(name: &str, declaration: &str, body: &str) -> String {
 }
 
 const OUTER: &str = "    inside : Inside;\n    n : DINT;";
-const GLOBALS: &str = "{attribute 'qualified_only'}
-VAR_GLOBAL
-    status AT %I* : UINT;
-    offset AT %Q* : INT;
-    count : DINT := 5;
-END_VAR
-VAR_GLOBAL CONSTANT
-    scale : LREAL := 2.5;
-END_VAR
-";
+const GLOBALS: &str = include_str!("forms/globals.st");
 const BLOCK: &str = "FUNCTION_BLOCK FB_step\nVAR_IN_OUT\n    Axis : Outer;\nEND_VAR\nVAR_INPUT\n    width : DINT;\nEND_VAR\nVAR_OUTPUT\n    \
                      seen : DINT;\nEND_VAR\n";
 const STEP: &str = "seen := Axis.n;\nAxis.n := Axis.n + width;\nAxis.inside.x := DINT_TO_LREAL(Axis.n);";
