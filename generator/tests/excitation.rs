@@ -3,9 +3,8 @@
 
 #![expect(clippy::cast_possible_truncation, reason = "random bits")]
 
+use crate::set_of;
 use generator::blocks::{Design, Designed};
-use generator::config::ListOptions;
-use generator::pipeline::read_with;
 use identification::excitation::{self, Sequence};
 use identification::response::Lines;
 use machine::closed_loop::{Position, UM};
@@ -14,17 +13,13 @@ use machine::{Machine, Measured};
 use portable::{Block, Real};
 use reference::excitation::{Coeffs, Excitation, Inputs, Outputs, State};
 use std::f64::consts::TAU;
-use std::path::Path;
 
 /// Coefficients, as the generator designs them, with these keys of the table `excitation`.
 fn designed(cycle: &str, keys: &str) -> Coeffs<f64> {
     let set = format!(
         "cycle_time = '{cycle}'\n[axis.X]\nexcitation = {{ {keys} }}\ngetriebe = [{{ dynamik.vb_max = 500000 }}]\n"
     );
-    let load = |_: &Path| Ok(set.clone().into_bytes());
-    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    let set = set.unwrap_or_else(|| panic!("{report}"));
-    Excitation::design(&Designed::from(set.axes[0].axis.clone()))
+    Excitation::design(&Designed::from(set_of(&set).axes[0].axis.clone()))
 }
 
 /// The block in operation.

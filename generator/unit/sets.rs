@@ -61,30 +61,36 @@ pub(crate) fn axes(count: usize, real: RealKind) -> impl Iterator<Item = Axis> {
         let enable = [Enable::Off, Enable::On, Enable::DryRun][random.below(3)];
         let v_add_max_fact = u32::try_from(random.below(2001)).expect("below 2001");
         let v_max = libm::round(1.0 + 2e6 * random.unit());
-        Axis {
-            excitation: None,
-            short_names: false,
-            counts_calls: false,
-            name: "X".to_owned(),
-            real,
-            cycle_time_ns,
-            ipc: Ipc {
-                enable,
-                v_add_max_fact,
-                v_max,
-                fade: random.unit(),
-                ride_through: 0,
-                numbers: Numbers::Fixed,
-                watch: false,
-                delay_cycles: None,
-                stage,
-            },
-            control: crate::axis::Control::default(),
-            canonical: String::new(),
-            drive: Default::default(),
-            canonical_of: Default::default(),
-        }
+        let of = axis(real, cycle_time_ns, stage);
+        Axis { ipc: Ipc { enable, v_add_max_fact, v_max, fade: random.unit(), ..of.ipc }, ..of }
     })
+}
+
+/// An axis with a limit of 530000.
+pub(crate) fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
+    Axis {
+        excitation: None,
+        short_names: false,
+        counts_calls: false,
+        name: "X".to_owned(),
+        real,
+        cycle_time_ns,
+        ipc: Ipc {
+            enable: Enable::On,
+            v_add_max_fact: 1000,
+            v_max: 530_000.0,
+            fade: 0.1,
+            ride_through: 0,
+            numbers: Numbers::Fixed,
+            watch: false,
+            delay_cycles: None,
+            stage,
+        },
+        control: crate::axis::Control::default(),
+        canonical: String::new(),
+        drive: Default::default(),
+        canonical_of: Default::default(),
+    }
 }
 
 fn stage(random: &mut Random, cycle_time_ns: u32, lowest: f64) -> Stage {

@@ -7,27 +7,9 @@ use golden::samples::Shape;
 use std::path::Path;
 use tempfile::TempDir;
 
-const SET: &str = r#"
-cycle_time = "1ms"
+const SET: &str = include_str!("case/set.toml");
 
-[axis.X]
-getriebe = [{ dynamik.vb_max = 500000 }]
-
-[axis.X.lr_param.improved_position_control]
-enable = "ON"
-v_add_max_fact = 1000
-stage = [{ mode = "DIRECT", filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }] }]
-"#;
-
-const CASE: &str = r#"
-purpose = "Shows how a case is tested."
-axis = "X"
-block = "ipc"
-shows = ["DIRECT from v_motor", "faded in"]
-
-[stimulus.signal]
-v_motor = [{ form = { noise = { seed = 1 } }, amplitude = 1000 }]
-"#;
+const CASE: &str = include_str!("case/case.toml");
 
 /// A folder with a case.
 fn folder(text: &str) -> TempDir {
@@ -148,27 +130,9 @@ fn event(signal: &str, value: &str) -> String {
     format!("[[stimulus.event]]\nsignal = \"{signal}\"\nvalue = {value}\nwindow = {{}}\n\n[stimulus.signal]")
 }
 
-const SPINDLE: &str = r#"
-cycle_time = "2ms"
+const SPINDLE: &str = include_str!("case/spindle.toml");
 
-[axis.S]
-kenngr.achs_typ = "ACHSTYP_SPINDEL"
-getriebe = [{ kv = 2000, dynamik.vb_max = 9000000 }]
-
-[axis.S.antr]
-operation_mode = "CNC_POSITION_CONTROL"
-nbr_delay_cycles = 1
-sai_op_mode_change = { v_velocity_control_on = 1200000, v_position_control_on = 300000 }
-"#;
-
-const SCENARIO: &str = r#"
-purpose = "Shows how a scenario is kept."
-axis = "S"
-block = "spindle"
-scenario = "turn.nc"
-emitted = []
-shows = ["M3", "state POSITION"]
-"#;
+const SCENARIO: &str = include_str!("case/scenario.toml");
 
 /// A folder with a scenario.
 fn scenario() -> TempDir {

@@ -13,15 +13,7 @@ use st::{Dialect, Instance};
 
 const DIALECTS: [Dialect; 3] = [Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
 
-const IPC: &str = "cycle_time = '1ms'
-[axis.X]
-tunable = 'weights'
-getriebe = [{ dynamik.vb_max = 500000 }]
-[axis.X.lr_param.improved_position_control]
-enable = 'ON'
-v_add_max_fact = 100
-stage = [{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 20.0, q_factor = 5.0 }] }]
-";
+const IPC: &str = include_str!("enable.toml");
 
 /// [0.001 deg/s^2]
 const DECELERATION: f64 = 18_000_000.0;

@@ -103,7 +103,7 @@ fn count(case: &Case, turn: usize, name: &str, (plant, part): (Plant, usize)) ->
 }
 
 /// Each single fault that is planted, one in so many or with `AXGEN_EVERY_LEVEL` all, in each case's block: in each case
-/// some of each kind are found, and of those that the case's own stimulus shows at most one in 25 is missed. Many that are
+/// some of each kind are found, and of those that the case's own stimulus shows at most one in 25 is missed, of the few of a plain run one in 15. Many that are
 /// planted can be seen by nobody: a number next to a comparison, a value that is there already. The numbers of a spindle
 /// decide when it changes: a scenario in a closed loop shows what a self-test, which comes near few of them, does not. There
 /// at most as many are missed as are found, and of fused operations nothing is claimed.
@@ -130,11 +130,13 @@ fn a_self_test_finds_planted_faults() {
             })
         };
         let [spindles, others] = [all(true), all(false)];
+        // Of the few that a plain run plants, chance makes the part a larger one.
+        let least = by_depth(15, 25, 25);
         for Count { planted, found, missed } in [spindles, others] {
             println!("{name}: {planted} planted, {found} found, {missed} missed");
         }
         assert!(
-            others.found * part > 200 && 25 * others.missed < others.found,
+            others.found * part > 200 && least * others.missed < others.found,
             "{name}: {} of {}",
             others.missed,
             others.found

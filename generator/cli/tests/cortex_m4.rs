@@ -12,7 +12,7 @@ fn may_be_left_out() -> bool {
 fn the_block_halves_the_vibration_of_the_simulated_axis() {
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/cortex-m4/run.sh");
     let folder = tempfile::tempdir().unwrap();
-    let output = Command::new(script).arg(folder.path()).env("AXGEN", env!("CARGO_BIN_EXE_axgen")).output().unwrap();
+    let output = Command::new(script).arg(folder.path()).env("AXGEN", crate::AXGEN).output().unwrap();
     let [said, errors] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes).into_owned());
     if output.status.code() == Some(3) && may_be_left_out() {
         eprintln!("NOT TESTED: {errors}");

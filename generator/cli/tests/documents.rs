@@ -2,14 +2,11 @@
 //! that begins with the name of a file is that file; a block that begins with `$ axgen` is a command and what it prints;
 //! below the README's first command stands what that prints.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::{ROOT, words};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 const FROM_SOURCE: &str = "cargo run --release -p axgen -- ";
 
 /// A fenced block, with the last line of text before it.
@@ -43,12 +40,8 @@ fn file_of(before: &str) -> Option<&str> {
 
 /// Runs the command; what it prints must have all the lines that a page shows, in their order: a page may leave some out.
 fn assert_printed(folder: &Path, command: &str, shown: &[String]) {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen"))
-        .current_dir(folder)
-        .args(command.split_whitespace())
-        .output()
-        .unwrap();
-    let printed = String::from_utf8([output.stderr, output.stdout].concat()).unwrap();
+    let (_, out, err) = words(folder, command);
+    let printed = err + &out;
     let mut rest = printed.lines();
     for line in shown {
         assert!(rest.any(|found| found == line), "axgen {command}\nshown: {line}\nprinted:\n{printed}");

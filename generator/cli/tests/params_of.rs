@@ -1,40 +1,13 @@
 //! `axgen params-of` as a user sees it: each form read back, against the bytes that a C compiler makes of the generated header; what is
 //! refused, and what `axgen diff` says of the same changes.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::words;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 
-const OLD: &str = r#"cycle_time = "1ms"
-
-[axis.X]
-tunable = "all"
-watch = true
-getriebe = [{ dynamik.vb_max = 400000 }] # um/s
-
-[axis.X.lr_param.improved_position_control]
-enable = "OFF"
-v_add_max_fact = 500
-
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "DIRECT"
-weight_fact_num = 150
-weight_fact_denom = 100
-filter = [{ type = "BANDPASS", prototype = "CRIT_DAMPING", order = 1, fg_f0 = 53.0, q_factor = 10.0 }]
-
-[[axis.X.lr_param.improved_position_control.stage]]
-mode = "SET_POINT"
-osc_damping = 0.7
-weight_fact_num = 80
-weight_fact_denom = 100
-filter = [
-    { type = "BANDPASS", order = 1, fg_f0 = 12.0, q_factor = 2.0 },
-    { type = "ALLPASS", fg_f0 = 28.1, q_factor = 2.0 },
-]
-"#;
+const OLD: &str = include_str!("params_of.toml");
 /// Another weight and another frequency.
 const NEW: [(&str, &str); 2] = [("weight_fact_num = 150", "weight_fact_num = 90"), ("fg_f0 = 53.0", "fg_f0 = 54.3")];
 const SINGLE: (&str, &str) = ("tunable", "real = \"f32\"\ntunable");
@@ -94,7 +67,7 @@ fn folder(old: &[(&str, &str)], new: &[(&str, &str)]) -> TempDir {
 
 /// Runs the command; gives its exit code, its output and its messages.
 fn axgen(folder: &Path, arguments: &[&str]) -> (i32, Vec<u8>, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder).args(arguments).output().unwrap();
+    let output = Command::new(crate::AXGEN).current_dir(folder).args(arguments).output().unwrap();
     (output.status.code().unwrap(), output.stdout, String::from_utf8(output.stderr).unwrap())
 }
 
@@ -248,66 +221,33 @@ fn the_constant_in_c() {
     assert!(lines.contains(&"    -0.9, /* stage0_gain */") && lines.contains(&"    200000.0, /* limit */"), "{text}");
 }
 
-#[track_caller]
-fn assert_refused(old: &[(&str, &str)], new: &[(&str, &str)], arguments: &[&str], expected: &str) {
-    let folder = folder(old, new);
-    let all = [&["params-of", "new.toml", "--on", "old.toml", "--output", "set.c"], arguments].concat();
-    let (code, out, err) = axgen(folder.path(), &all);
-    assert_eq!((code, out.as_slice(), err.as_str()), (2, &b""[..], expected));
-    assert!(!folder.path().join("set.c").exists());
-}
-
+/// What is said of changes of the two sets, in `params_of.txt`: of a set that is refused, and the last line of the semantic diff.
 #[test]
-fn a_set_of_another_structure_is_refused() {
-    let new =
-        [NEW[0], ("order = 1, fg_f0 = 53.0", "order = 2, fg_f0 = 53.0"), ("tunable", "fade = \"150ms\"\ntunable")];
-    assert_refused(
-        &[],
-        &new,
-        &[],
-        "new.toml: error[AX021]: axis X has another structure than the block that was generated from old.toml: fade 100 -> 150 cycles; \
-         stage[0] DIRECT from v_motor, BANDPASS order 1, NO_FILTER -> DIRECT from v_motor, BANDPASS order 2, NO_FILTER\n    \
-         allowed: other weights, frequencies, quality factors and damping, and a smaller limit\n    \
-         write instead: `axgen generate new.toml --axis X`: the axis needs a new block\n\
-         1 error; nothing was written\n",
-    );
-}
-
-#[test]
-fn a_larger_limit_is_refused() {
-    assert_refused(
-        &[],
-        &[("v_add_max_fact = 500", "v_add_max_fact = 750")],
-        &["--axis", "X"],
-        "new.toml: error[AX022]: axis X has the limit 300000, above the one of the block that was generated from old.toml\n    \
-         allowed: limit <= 200000\n    \
-         write instead: a smaller v_add_max_fact (P-AXIS-00757), or `axgen generate new.toml --axis X`: the axis needs a new block\n\
-         1 error; nothing was written\n",
-    );
-}
-
-#[test]
-fn both_sets_have_the_key() {
-    let without = [("tunable = \"all\"", "tunable = \"weights\"")];
-    let expected = |file: &str| {
-        format!(
-            "{file}: error[AX020]: axis X takes no parameter sets\n    \
-             allowed: an axis of a set with `tunable = \"all\"`, in new.toml and in old.toml\n    \
-             write instead: tunable = \"all\" in [axis.X], and generate its block anew\n1 error; nothing was written\n"
-        )
-    };
-    assert_refused(&without, &NEW, &[], &expected("old.toml"));
-    assert_refused(&[], &without, &[], &expected("new.toml"));
-}
-
-#[test]
-fn what_the_command_line_names_must_be_there() {
-    let other =
-        [("axis.X]", "axis.Q]"), ("axis.X.lr", "axis.Q.lr"), ("axis.X.lr", "axis.Q.lr"), ("axis.X.lr", "axis.Q.lr")];
-    assert_refused(&other, &NEW, &[], "old.toml: error[AX012]: no axis `X`\n    allowed: Q\n");
-    assert_refused(&[], &NEW, &["--axis", "Y"], "--axis: error[AX012]: no axis `Y`\n    allowed: X\n");
-    let forms = "--as: error[AX012]: no form `pascal`\n    allowed: c, rust, st, scl, csv, bin\n";
-    assert_refused(&[], &NEW, &["--as", "pascal"], forms);
+fn what_is_said_of_changes() {
+    transcript::compare(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/params_of.txt"), |form, text| {
+        let lines = |key: &str| text.lines().filter_map(|line| line.strip_prefix(key)).collect::<Vec<_>>().join("\n");
+        let changes = |file: &str| -> Vec<(String, String)> {
+            let change =
+                |line: &str| line.split_once(" => ").map(|(from, to)| (from.to_owned(), to.replace(" // ", "\n")));
+            lines(file).lines().filter_map(change).collect()
+        };
+        let [old, new] = ["old: ", "new: "].map(changes);
+        let pairs =
+            |of: &[(String, String)]| changed(&of.iter().map(|(a, b)| (a.as_str(), b.as_str())).collect::<Vec<_>>());
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join("old.toml"), pairs(&old)).unwrap();
+        fs::write(folder.path().join("new.toml"), pairs(&new)).unwrap();
+        if form == "diff" {
+            let (code, out, err) = words(&folder, "diff old.toml new.toml");
+            assert_eq!((code, err.as_str()), (1, ""));
+            return out.lines().last().unwrap().to_owned();
+        }
+        let options = lines("options: ");
+        let (code, out, err) = words(&folder, &format!("params-of new.toml --on old.toml --output set.c {options}"));
+        assert_eq!((code, out.as_str()), (2, ""));
+        assert!(!folder.path().join("set.c").exists());
+        err
+    });
 }
 
 #[test]
@@ -337,33 +277,4 @@ fn what_no_set_carries_is_said() {
                     write instead: `axgen generate new.toml --axis X`, where the block is to have it\n";
     assert_eq!((code, err.as_str()), (0, expected));
     assert!(out.starts_with(b"structure,"));
-}
-
-/// The last line of the semantic diff.
-#[track_caller]
-fn assert_diff(new: &[(&str, &str)], expected: &str) {
-    let folder = folder(&[], new);
-    let (code, out, err) = axgen(folder.path(), &["diff", "old.toml", "new.toml"]);
-    assert_eq!((code, err.as_str()), (1, ""));
-    assert_eq!(String::from_utf8(out).unwrap().lines().last(), Some(expected));
-}
-
-#[test]
-fn diff_says_whether_a_set_is_enough() {
-    assert_diff(&NEW, "axis X: a parameter set is enough: axgen params-of NEW --axis X --on OLD");
-    let needed = "axis X: new code is needed, a parameter set is not enough";
-    assert_diff(&[("tunable", "fade = \"150ms\"\ntunable")], &format!("{needed}: fade 100 -> 150 cycles"));
-    assert_diff(
-        &[NEW[0], ("v_add_max_fact = 500", "v_add_max_fact = 750"), ("enable = \"OFF\"", "enable = \"DRYRUN\"")],
-        &format!("{needed}: limit 200000 -> 300000; starts OFF -> DRYRUN"),
-    );
-    // A set brings nothing there.
-    assert_diff(
-        &[("tunable = \"all\"", "tunable = \"nothing\"")],
-        &format!("{needed}: one of the versions takes no parameter sets"),
-    );
-    assert_diff(
-        &[NEW[0], ("enable = \"OFF\"", "enable = \"DRYRUN\"")],
-        "axis X: a parameter set brings all but this, which needs new code: starts OFF -> DRYRUN: axgen params-of NEW --axis X --on OLD",
-    );
 }

@@ -1,13 +1,10 @@
 //! The example repository of docs/pipelines.md, from an empty folder on: everything in it that a pipeline, a build or a person runs.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::EXAMPLES;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
-
-const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 /// A machine's repository as somebody begins it.
 struct Repository(tempfile::TempDir);
@@ -25,7 +22,7 @@ impl Repository {
 
     /// Runs a line of a shell in it, with `axgen` on the path; gives its exit code, and what it said.
     fn shell(&self, line: &str) -> (i32, String) {
-        let own = Path::new(env!("CARGO_BIN_EXE_axgen")).parent().unwrap().to_owned();
+        let own = Path::new(crate::AXGEN).parent().unwrap().to_owned();
         let path = std::env::var_os("PATH").unwrap_or_default();
         let path = std::env::join_paths(std::iter::once(own).chain(std::env::split_paths(&path))).unwrap();
         let output = Command::new("sh")

@@ -1,9 +1,7 @@
 //! Files end to end: a folder that takes none, a full disk, killed runs, runs side by side. No test here needs to be root,
 //! and none is passed over by root, whom no permission binds.
 
-#![cfg(unix)]
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::AXGEN;
 use generator::digest::has_right_checksum;
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,7 +11,6 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use tempfile::TempDir;
 
-const AXGEN: &str = env!("CARGO_BIN_EXE_axgen");
 /// A user without any right of its own.
 const NOBODY: u32 = 65534;
 

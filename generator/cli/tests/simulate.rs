@@ -1,14 +1,10 @@
 //! `axgen simulate`: the table of the demonstration plant with the shipped example, a drive whose ripple answers as
 //! its analysis says, a measured response as a machine, and loops that oscillate.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::{EXAMPLES, words};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 use tempfile::TempDir;
-
-const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/rack-and-pinion.lis");
 
 /// The exit code and what was printed.
 fn simulate(at: &Path, arguments: &str) -> (i32, String) {
@@ -17,24 +13,27 @@ fn simulate(at: &Path, arguments: &str) -> (i32, String) {
 
 /// The same of any set.
 fn simulate_set(at: &Path, arguments: &str) -> (i32, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
-    command.current_dir(at).arg("simulate").args(arguments.split_whitespace());
-    let output = command.output().unwrap();
-    (output.status.code().unwrap(), String::from_utf8(output.stdout).unwrap())
+    let (code, out, _) = words(at, &format!("simulate {arguments}"));
+    (code, out)
 }
 
 /// The shipped example, with another damping of its INDIRECT stage.
-fn example(damping: &str) -> TempDir {
-    let text = fs::read_to_string(EXAMPLE).unwrap();
+pub fn with_damping(damping: &str) -> String {
+    let text = fs::read_to_string(Path::new(EXAMPLES).join("rack-and-pinion.lis")).unwrap();
     let line = |value: &str| format!("stage[1].filter.damping    {value}\n");
     assert_eq!(text.matches(&line("0.8")).count(), 1);
+    text.replace(&line("0.8"), &line(damping))
+}
+
+/// A folder with it.
+fn example(damping: &str) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("example.lis"), text.replace(&line("0.8"), &line(damping))).unwrap();
+    fs::write(folder.path().join("example.lis"), with_damping(damping)).unwrap();
     folder
 }
 
 /// The numbers of a row.
-fn row(text: &str, name: &str) -> Vec<f64> {
+pub fn row(text: &str, name: &str) -> Vec<f64> {
     let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
     let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));
     row.split_whitespace().map(|cell| cell.parse().unwrap_or_else(|_| panic!("{name}: {cell}"))).collect()

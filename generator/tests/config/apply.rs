@@ -1,7 +1,5 @@
 //! Stages that are written into a set or a list, to the letter: what stands around them stays, byte for byte.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::apply::{self, Applied};
 use generator::axis::{DirectSource, Enable, Filter, Mode, Prototype, Stage};
 use generator::config::{ListOptions, Unreadable};
@@ -58,19 +56,7 @@ const BEHIND: &str = "\n# another axis\n[axis.y]\nkopf.achs_nr = 2\ngetriebe = [
     [axis.y.lr_param.improved_position_control]\nenable = \"OFF\"\n";
 
 /// Two tables.
-const TABLES: &str = "[[axis.x.lr_param.improved_position_control.stage]]
-mode = \"DIRECT\"
-weight_fact_num = 514
-weight_fact_denom = 1000
-filter = [{ order = 1, fg_f0 = 53.0, q_factor = 8.5 }, { type = \"ALLPASS\", fg_f0 = 30.25, q_factor = 2.0 }]
-
-[[axis.x.lr_param.improved_position_control.stage]]
-mode = \"INDIRECT\"
-osc_damping = 0.75
-weight_fact_num = 1900
-weight_fact_denom = 1000
-filter = [{ order = 1, fg_f0 = 11.0, q_factor = 2.0 }]
-";
+const TABLES: &str = include_str!("applied/tables.toml");
 
 /// The same as an array.
 const ARRAY: &str = "[
@@ -154,49 +140,11 @@ fn a_set_in_every_form() {
     assert!(changes.iter().any(|line| line.contains("axis x: ") && line.contains("53")), "{changes:?}");
 }
 
-const LIST: &str = "# X\nkopf.achs_nr                                     1\nkenngr.achs_typ                                  ACHSTYP_TRANSLATOR\n\
-    getriebe[0].dynamik.vb_max                       530000  # [um/s]\n\
-    lr_param.improved_position_control.enable                     TRUE   # at start\n\
-    lr_param.improved_position_control.stage[0].mode              INDIRECT (the bed\n\
-    lr_param.improved_position_control.stage[0].filter.order      2\n\
-    lr_param.improved_position_control.stage[0].filter.fg_f0      12        # [Hz]\n\
-    lr_param.improved_position_control.stage[0].filter.q_factor   10\n\
-    lr_param.improved_position_control.stage[0].filter.damping    0.5\n\
-    \n# NOT used\n\
-    lr_param.improved_position_control.stage[2].mode              1\n\
-    lr_param.improved_position_control.stage[2].filter[0].fg_f0   70\n\
-    lr_param.improved_position_control.stage[2].filter[0].order   1\n\
-    lr_param.improved_position_control.stage[2].filter[0].q_factor 4\n\
-    antr.mode_nr 3\nEnde\nnot read\n";
+const LIST: &str = include_str!("applied/before.lis");
 
 #[test]
 fn a_list() {
-    let expected = "# X\nkopf.achs_nr                                     1\nkenngr.achs_typ                                  ACHSTYP_TRANSLATOR\n\
-    getriebe[0].dynamik.vb_max                       530000  # [um/s]\n\
-    lr_param.improved_position_control.enable                     DRYRUN   # at start\n\
-    lr_param.improved_position_control.stage[0].mode              DIRECT (the bed\n\
-    lr_param.improved_position_control.stage[0].filter.order      1\n\
-    lr_param.improved_position_control.stage[0].filter.fg_f0      53        # [Hz]\n\
-    lr_param.improved_position_control.stage[0].filter.q_factor   8.5\n\
-    lr_param.improved_position_control.stage[0].filter.damping    0.5\n\
-    lr_param.improved_position_control.stage[0].weight_fact_num   514\n\
-    lr_param.improved_position_control.stage[0].weight_fact_denom 1000\n\
-    lr_param.improved_position_control.stage[0].filter[1].type    ALLPASS\n\
-    lr_param.improved_position_control.stage[0].filter[1].fg_f0   30.25\n\
-    lr_param.improved_position_control.stage[0].filter[1].q_factor 2\n\
-    lr_param.improved_position_control.stage[1].mode              INDIRECT\n\
-    lr_param.improved_position_control.stage[1].filter.damping    0.75\n\
-    lr_param.improved_position_control.stage[1].weight_fact_num   1900\n\
-    lr_param.improved_position_control.stage[1].weight_fact_denom 1000\n\
-    lr_param.improved_position_control.stage[1].filter[0].order   1\n\
-    lr_param.improved_position_control.stage[1].filter[0].fg_f0   11\n\
-    lr_param.improved_position_control.stage[1].filter[0].q_factor 2\n\
-    \n# NOT used\n\
-    lr_param.improved_position_control.stage[2].mode              NOT_ACTIVE\n\
-    lr_param.improved_position_control.stage[2].filter[0].fg_f0   70\n\
-    lr_param.improved_position_control.stage[2].filter[0].order   1\n\
-    lr_param.improved_position_control.stage[2].filter[0].q_factor 4\n\
-    antr.mode_nr 3\nEnde\nnot read\n";
+    let expected = include_str!("applied/after.lis");
     assert_eq!(changed("x.lis", LIST, &pair()), expected);
     assert_eq!(changed("x.lis", expected, &pair()), expected, "the same again");
     let crlf = |text: &str| text.replace('\n', "\r\n");

@@ -9,19 +9,7 @@ fn canonical(list: &str) -> String {
 }
 
 /// Path, id, range; the ends inside; just outside.
-const RANGES: &str = "
-kopf.achs_nr | 00016 | 0 <= achs_nr <= 65535 | 0 65535 | -1 65536
-kenngr.gantry_ax_nr | 00070 | 0 <= gantry_ax_nr <= 65535 | 0 | -1 65536
-getriebe[0].dynamik.vb_max | 00212 | 1 <= vb_max <= 2000000000 [um/s or 0.001 deg/s] | 1 2000000000 | -1 0 2000000001
-ipc.v_add_max_fact | 00757 | 0 <= v_add_max_fact <= 2000 [0.1 %] | 1 2000 | -1 2001
-ipc.stage[0].weight_fact_num | 00754 | 1 <= weight_fact_num <= 4294967294 | 1 0xFFFFFFFE | -1 0 4294967295
-ipc.stage[0].weight_fact_denom | 00755 | 1 <= weight_fact_denom <= 4294967294 | 1 0xFFFFFFFE | -1 0 4294967295
-ipc.stage[0].osc_damping | 00850 | 0 < osc_damping < 1 | 1e-15 0.9999999999999999 | -1 -5e-324 -0 0 1 1.0000000000000002
-ipc.stage[0].filter.damping | 00756 | 0 < damping < 1 | 1e-15 0.9999999999999999 | 1 1.0000000000000002
-ipc.stage[0].filter.order | 00750 | 1 <= order <= 3 | 1 3 | -1 0 4
-ipc.stage[0].filter.fg_f0 | 00751 | 0 < fg_f0 <= 500 [Hz] | 0.001 111 | -1 -5e-324 -0 0 500.0000000000001
-ipc.stage[0].filter.q_factor | 00752 | 1 <= q_factor <= 10 | 1 10 | -1 0.9999999999999999 10.000000000000002
-";
+const RANGES: &str = include_str!("ranges.txt");
 
 #[test]
 fn both_ends_of_every_range_of_a_list() {
@@ -75,21 +63,7 @@ fn every_spelling_of_a_path_is_one_parameter() {
 }
 
 /// Path, word; its spellings.
-const WORDS: &str = "
-ipc.enable OFF | OFF off FALSE False 0 0x0
-ipc.enable ON | ON on TRUE true 1 0x1
-ipc.enable DRYRUN | DRYRUN DryRun
-ipc.stage[0].mode NOT_ACTIVE | NOT_ACTIVE not_active 0
-ipc.stage[0].mode DIRECT | DIRECT direct 1
-ipc.stage[0].mode INDIRECT | INDIRECT Indirect 2
-ipc.stage[0].mode SET_POINT | SET_POINT set_point 3 0X3
-ipc.stage[0].filter[1].type NO_FILTER | NO_FILTER no_filter
-ipc.stage[0].filter[1].type BANDPASS | BANDPASS BandPass
-ipc.stage[0].filter[1].type ALLPASS | ALLPASS allpass
-ipc.stage[0].filter[0].prototype CRIT_DAMPING | CRIT_DAMPING crit_damping
-ipc.stage[0].filter[0].prototype BUTTERWORTH | BUTTERWORTH Butterworth
-ipc.stage[0].filter[0].prototype BESSEL | BESSEL bessel
-";
+const WORDS: &str = include_str!("words.txt");
 
 /// Defaults are not in the canonical form.
 const DEFAULTS: [&str; 4] = [

@@ -1,6 +1,6 @@
 //! Text inside CDATA sections: it stands there as it is. What marks become in it, `unit/twincat.rs` tests.
 
-use crate::{CASES, OBJECTS};
+use super::{CASES, OBJECTS};
 
 #[test]
 fn the_objects_hold_their_text_unescaped() {

@@ -1,6 +1,6 @@
 //! The digest in every file: it is right, any change of the file is noticed, other line ends are none.
 
-use crate::CASES;
+use super::CASES;
 use generator::digest::{NO_CHECKSUM, digest, has_right_checksum};
 
 /// Changed bytes of every file form.

@@ -1,6 +1,6 @@
 //! The bytes of every file: ASCII after TwinCAT's byte order mark, LF, a final newline; and the XML declaration.
 
-use crate::{CASES, OBJECTS, xml};
+use super::{CASES, OBJECTS, xml};
 
 #[test]
 fn every_file_is_ascii_with_line_feeds_and_a_last_one() {

@@ -1,9 +1,9 @@
 //! PLCopen XML: the structure of tc6_0200 as far as a project of functions and function blocks needs it.
 
-use crate::structure::Inside::{self, Elements, Nothing, Text};
-use crate::structure::Times::{Any, Once, Perhaps};
-use crate::structure::{Rule, any, faults, rule};
-use crate::{CASES, xml};
+use super::structure::Inside::{self, Elements, Nothing, Text};
+use super::structure::Times::{Any, Once, Perhaps};
+use super::structure::{Rule, any, faults, rule};
+use super::{CASES, xml};
 use std::collections::BTreeSet;
 
 /// The types that a variable may have.

@@ -1,8 +1,8 @@
 //! The entries for a PLC project, and the program that runs the suites: they name exactly what is there.
 
-use crate::structure::{Inside, Rule, Times, any, faults, rule};
-use crate::twincat::{code, object};
-use crate::{CASES, OBJECTS, xml};
+use super::structure::{Inside, Rule, Times, any, faults, rule};
+use super::twincat::{code, object};
+use super::{CASES, OBJECTS, xml};
 
 /// The structure of the entries: folders first.
 const RULES: [Rule; 5] = [

@@ -1,6 +1,6 @@
 //! SCL: the strict engine takes every block and every self-test of every source, and no source has others.
 
-use crate::CASES;
+use super::CASES;
 use st::{Block, Dialect};
 
 #[test]

@@ -1,6 +1,6 @@
 //! Checks a tree of elements against a table: which attributes an element has, and which elements in which order.
 
-use crate::xml::Element;
+use super::xml::Element;
 
 /// What an element may be.
 pub struct Rule {
@@ -99,7 +99,7 @@ fn what_the_table_does_not_allow_is_found() {
         Rule { perhaps: &[("z", |value| value == "1")], ..rule("b", &[], Inside::Text) },
         rule("c", &[], Inside::Nothing),
     ];
-    let found = |text: &str| faults(&RULES, &crate::xml::read(text).unwrap()).join(", ");
+    let found = |text: &str| faults(&RULES, &super::xml::read(text).unwrap()).join(", ");
     for (text, fault) in [
         ("<a x='1'><b>t</b><c/><c/><b/></a>", ""),
         ("<a x='1'> <b z='1'/> </a>", ""),

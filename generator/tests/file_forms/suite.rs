@@ -1,7 +1,7 @@
 //! TcUnit suites: the calls that the framework needs, the self-test that they run, and how many asserts they have.
 
-use crate::twincat::{code, object};
-use crate::{CASES, xml};
+use super::twincat::{code, object};
+use super::{CASES, xml};
 use generator::blocks::blocks;
 
 /// What TcUnit takes of one suite unless its library is built for more.

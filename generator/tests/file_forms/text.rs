@@ -1,6 +1,6 @@
 //! Text of every file: comments that are closed and hold no other, and nothing of the machine on which it was made.
 
-use crate::{CASES, OBJECTS, xml};
+use super::{CASES, OBJECTS, xml};
 use std::collections::BTreeSet;
 
 /// All pieces of Structured Text of a file.

@@ -1,7 +1,7 @@
 //! TwinCAT's objects: their structure, their names, their GUIDs.
 
-use crate::structure::{Inside, Rule, Times, any, faults, rule};
-use crate::{CASES, Case, OBJECTS, files, xml};
+use super::structure::{Inside, Rule, Times, any, faults, rule};
+use super::{CASES, Case, OBJECTS, files, xml};
 use std::collections::BTreeSet;
 
 /// The structure of a `.TcPOU` or `.TcDUT`.

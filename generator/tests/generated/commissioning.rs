@@ -1,13 +1,11 @@
 //! Commissioning pages: which axes have one, and what a page says of an axis that is not the shipped example. Whether
 //! its steps lead anywhere is tested on a simulated machine, in the crate tests.
 
-use generator::config::ListOptions;
+use crate::set_of;
 use generator::digest::has_right_checksum;
 use generator::generate::pages;
-use generator::pipeline::read_with;
 use generator::set_change::judge;
 use generator::target::of_names;
-use std::path::Path;
 
 /// The pages of a set, each with its name.
 fn of_set(set: &str) -> Vec<(String, String)> {
@@ -16,9 +14,7 @@ fn of_set(set: &str) -> Vec<(String, String)> {
 
 /// The pages of a set for these targets.
 fn of_set_for(set: &str, targets: &[&str]) -> Vec<(String, String)> {
-    let load = |_: &Path| Ok(set.as_bytes().to_vec());
-    let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    let read = read.unwrap_or_else(|| panic!("{report}"));
+    let read = set_of(set);
     let targets = of_names(|name| targets.contains(&name));
     let pages = pages(&read, &[], &targets, |made| (made.file.name, made.file.text));
     for (name, page) in &pages {
@@ -206,11 +202,7 @@ fn each_row_of_a_page_is_a_parameter_set_for_its_block() {
              stage = [{{ {STAGE}, {first} }}, {{ {other}, {second} }}]\n"
         )
     };
-    let designed = |set: &str| {
-        let load = |_: &Path| Ok(set.as_bytes().to_vec());
-        let (read, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-        read.unwrap_or_else(|| panic!("{report}")).axes.remove(0)
-    };
+    let designed = |set: &str| set_of(set).axes.remove(0);
     let old = of_weights([["3", "1"], ["5", "2"]], "100");
     let (_, page) = of_set(&old).remove(0);
     let path = "lr_param.improved_position_control.stage[1]";

@@ -2,8 +2,6 @@
 //! the files that `generate` writes for it; what a page says of the example for TwinCAT is there. What the steps do
 //! is tested elsewhere.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::config::ListOptions;
 use generator::generate::{files, pages};
 use generator::pipeline::{Set, read};

@@ -1,8 +1,6 @@
 //! The digest in a file covers the parameters of its block: what changes a block changes its digest, and what is another block's
 //! business leaves all its files as they are.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use generator::config::ListOptions;
 use generator::generate::axis_files;
 use generator::parameters::{Name, Scope};

@@ -1,61 +1,26 @@
 //! Signs, zeros and the digits of REAL in emitted Structured Text, read from the text alone. What the text computes is
 //! compared by the engines, which read a bare sign and a double rounding as most compilers do; these are for the others.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::{files, from_disk, set_of};
 use compiler::program::{Expr, Statement, Type, Var};
 use generator::blocks::blocks;
-use generator::config::ListOptions;
 use generator::generate::identity;
-use generator::pipeline::{Set, read, read_with};
-use generator::target::{File, TARGETS};
+use generator::pipeline::Set;
+use generator::target::TARGETS;
 use portable::{Binary, Literal, RealKind, Unary};
 use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Stages of weight 1, whose sign is a negation, and a gantry slave.
-const SIGNS: &str = r#"
-cycle_time = "1ms"
-[axis.X]
-kopf.achs_nr = 1
-getriebe = [{ kv = 2000 }]
-vorsteuer = { vorsteuerung = "VEL ACC", vs_a_faktor = 4000 }
-lr_param.improved_position_control.stage = [
-    { mode = "DIRECT", filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] },
-    { mode = "INDIRECT", osc_damping = 0.8, filter = [{ order = 2, fg_f0 = 11, q_factor = 2 }] },
-    { mode = "SET_POINT", osc_damping = 0.8, filter = [{ order = 1, fg_f0 = 60, q_factor = 2 }] },
-]
-[axis.S]
-kopf.achs_nr = 2
-kenngr.gantry_ax_nr = 1
-getriebe = [{ kv = 2000 }]
-"#;
-
-fn set(text: &str) -> Set {
-    let load = |_: &Path| Ok(text.as_bytes().to_vec());
-    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    set.unwrap_or_else(|| panic!("{report}"))
-}
-
-/// The files of a set in all targets, by name.
-fn files(set: &Set) -> BTreeMap<String, String> {
-    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
-    let units = generator::generate::units(set);
-    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
-    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
-    files.into_iter().collect()
-}
+const SIGNS: &str = include_str!("../data/signs.toml");
 
 /// The sets of the golden cases, and the one above in both real types.
 fn sets() -> Vec<Set> {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../golden/cases");
     let folders = std::fs::read_dir(cases).unwrap().map(|entry| entry.unwrap().path().join("set.toml"));
-    let of_cases = folders.filter(|path| path.exists()).map(|path| {
-        let (set, report) = read(&path, &ListOptions::default());
-        set.unwrap_or_else(|| panic!("{report}"))
-    });
+    let of_cases = folders.filter(|path| path.exists()).map(|path| from_disk(&path));
     let single = SIGNS.replace("[axis.X]\n", "[axis.X]\nreal = \"f32\"\n").replace("fg_f0 = 11,", "fg_f0 = 31,");
-    of_cases.chain([set(SIGNS), set(&single)]).collect()
+    of_cases.chain([set_of(SIGNS), set_of(&single)]).collect()
 }
 
 /// The Structured Text of a file without its comments; of an XML file what stands in its CDATA.
@@ -175,7 +140,7 @@ fn a_literal_of_a_real_is_the_same_read_as_an_lreal_that_is_rounded() {
         f64::from(BETWEEN) * 1e6
     );
     let mut found = BTreeMap::new();
-    for (name, text) in files(&set(&text)) {
+    for (name, text) in files(&set_of(&text)) {
         let Some(code) = code(&name, &text) else { continue };
         for real in reals(&code) {
             let (narrow, wide) = (real.parse::<f32>().unwrap(), real.parse::<f64>().unwrap() as f32);

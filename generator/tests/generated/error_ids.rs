@@ -1,9 +1,7 @@
 //! The table of the error ids: as long as the reference's, and what the page and the guides say.
 
-use generator::config::ListOptions;
+use crate::{files, set_of};
 use generator::error_ids::{all, page};
-use generator::pipeline::read_with;
-use generator::target::{File, TARGETS};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -37,14 +35,7 @@ fn the_page_is_the_table() {
 
 #[test]
 fn the_guides_have_each_id() {
-    let load = |_: &Path| Ok(SET.as_bytes().to_vec());
-    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    let set = set.unwrap_or_else(|| panic!("{report}"));
-    let files = generator::generate::files(&set, &[], &TARGETS, |made| made.file).unwrap();
-    let units = generator::generate::units(&set);
-    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
-    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
-    let guides: Vec<_> = files.into_iter().filter(|(name, _)| name.contains("IMPORT")).collect();
+    let guides: Vec<_> = files(&set_of(SET)).into_iter().filter(|(name, _)| name.contains("IMPORT")).collect();
     assert_eq!(guides.len(), 3);
     for (name, text) in guides {
         for row in all() {

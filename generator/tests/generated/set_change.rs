@@ -1,15 +1,13 @@
 //! Which changes of an axis a parameter set brings to the block on the machine, and which need new code.
 
+use crate::set_of;
 use compiler::leaves;
 use generator::blocks::{Design, Designed};
-use generator::config::ListOptions;
 use generator::params_of;
-use generator::pipeline::read_with;
 use generator::set_change::{Refusal, judge};
 use portable::{Literal, Portable, Real, RealKind};
 use reference::tunable_ipc::{Coeffs, Inputs, Outputs, State, TunableIpc, init, params, refusal, step};
 use std::collections::BTreeSet;
-use std::path::Path;
 
 const SET: &str = include_str!("../data/tunable.toml");
 
@@ -19,8 +17,7 @@ fn axis(changes: &[(&str, &str)]) -> Designed {
         assert!(text.contains(from), "{from}");
         text.replacen(from, to, 1)
     });
-    let (set, report) = read_with(Path::new("x.toml"), &ListOptions::default(), &|_| Ok(text.clone().into_bytes()));
-    set.unwrap_or_else(|| panic!("{report}")).axes.remove(0)
+    set_of(&text).axes.remove(0)
 }
 
 const SINGLE: (&str, &str) = ("tunable", "real = \"f32\"\ntunable");

@@ -1,12 +1,8 @@
 //! The digest of a block's structure: another value of a coefficient keeps it, anything else in the block changes it.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
+use crate::set_of;
 use generator::blocks::blocks;
-use generator::config::ListOptions;
 use generator::generate::identity;
-use generator::pipeline::read_with;
-use std::path::Path;
 
 const SET: &str = "cycle_time = '1ms'\n[axis.X]\nreal = 'f64'\naccept_unstable = true\nfade = '0.1s'\nshort_names = false\n\
     getriebe = [{ kv = 2000, multi_gain_z = 20000, multi_gain_n = 1, dynamik.vb_max = 500000 }]\n\
@@ -17,9 +13,7 @@ const SET: &str = "cycle_time = '1ms'\n[axis.X]\nreal = 'f64'\naccept_unstable =
 
 /// Each block with the digest of its structure.
 fn digests(set: &str) -> Vec<(&'static str, String)> {
-    let load = |_: &Path| Ok(set.as_bytes().to_vec());
-    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
-    let set = set.unwrap_or_else(|| panic!("{report}"));
+    let set = set_of(set);
     let blocks = blocks(&set.axes[0]).unwrap();
     blocks.iter().map(|block| (block.program.block, identity(&set.axes[0].axis, block).structure_digest)).collect()
 }

@@ -1,6 +1,7 @@
 //! What a dialect changes in a program, run by the interpreter: the values stay.
 
-use super::{MACHINE, files, set};
+use super::{MACHINE, files};
+use crate::set_of;
 use compiler::interp::Machine;
 use compiler::legalise::{RENAMED, WITH_ENABLE};
 use compiler::print::st::literal;
@@ -9,7 +10,7 @@ use generator::blocks::{Block, blocks};
 use portable::Literal;
 
 fn all_blocks() -> Vec<Block> {
-    set(MACHINE).axes.iter().flat_map(|axis| blocks(axis).unwrap()).collect()
+    set_of(MACHINE).axes.iter().flat_map(|axis| blocks(axis).unwrap()).collect()
 }
 
 /// Runs a program on the inputs of the block's trial.
@@ -173,7 +174,7 @@ fn a_number_beside_a_variable_gets_a_name() {
 fn every_constant_of_the_example_is_in_its_files_with_its_bits() {
     let files = files(MACHINE);
     let mut constants = 0;
-    for axis in set(MACHINE).axes {
+    for axis in set_of(MACHINE).axes {
         let name = axis.axis.name.to_ascii_lowercase();
         let text = &files[&format!("axis_{name}_ipc.st")];
         for constant in &blocks(&axis).unwrap()[0].program.constants {

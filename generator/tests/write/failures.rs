@@ -1,6 +1,6 @@
 //! A failure at any position leaves every file as it was.
 
-use crate::{content, file, generated, pair, write};
+use super::{content, file, generated, pair, write};
 use generator::write::{Refusal, commit, open, stage};
 use std::fs;
 use std::path::Path;

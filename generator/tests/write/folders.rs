@@ -1,6 +1,6 @@
 //! Folders: made, named in any way, held by one at a time.
 
-use crate::{content, generated, write};
+use super::{content, generated, write};
 use generator::write::{commit, open, stage};
 use std::fs;
 use std::sync::mpsc;

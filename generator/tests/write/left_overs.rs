@@ -1,6 +1,6 @@
 //! What a killed run left next to its targets is cleared by the next one.
 
-use crate::{content, generated, pair, write};
+use super::{content, generated, pair, write};
 use std::fs;
 
 #[test]

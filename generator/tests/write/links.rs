@@ -2,7 +2,7 @@
 
 #![cfg(unix)]
 
-use crate::{content, generated, pair, write};
+use super::{content, generated, pair, write};
 use generator::write::Refusal;
 use std::fs;
 use std::os::unix::fs::symlink;

@@ -1,6 +1,6 @@
 //! What is not as axgen made it needs `--force`.
 
-use crate::{content, generated, pair, write};
+use super::{content, generated, pair, write};
 use generator::digest::is_text;
 use generator::write::{Owner, Refusal, owner};
 use std::fs;

@@ -1,6 +1,6 @@
 //! A single file that a command was asked for: what a killed run left next to it is cleared, what a running one has there is not.
 
-use crate::{content, pair};
+use super::{content, pair};
 use generator::write::{Replace, stage_one};
 use std::fs::{self, File};
 

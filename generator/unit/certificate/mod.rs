@@ -6,10 +6,11 @@ mod lines;
 mod range;
 mod response;
 
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Filter, Mode, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::blocks::ipc::certificate::{Certificate, certify};
 use crate::blocks::{Block, blocks};
+use crate::unit::sets::axis;
 use portable::RealKind;
 
 /// The one block of an axis.
@@ -35,33 +36,6 @@ fn rack_and_pinion(real: RealKind) -> Axis {
         None,
     ];
     axis(real, 1_000_000, stage)
-}
-
-/// An axis with a limit of 530000.
-fn axis(real: RealKind, cycle_time_ns: u32, stage: [Option<Stage>; 3]) -> Axis {
-    Axis {
-        excitation: None,
-        short_names: false,
-        counts_calls: false,
-        name: "X".to_owned(),
-        real,
-        cycle_time_ns,
-        ipc: Ipc {
-            enable: Enable::On,
-            v_add_max_fact: 1000,
-            v_max: 530_000.0,
-            fade: 0.1,
-            ride_through: 0,
-            numbers: Numbers::Fixed,
-            watch: false,
-            delay_cycles: None,
-            stage,
-        },
-        control: crate::axis::Control::default(),
-        canonical: String::new(),
-        drive: Default::default(),
-        canonical_of: Default::default(),
-    }
 }
 
 /// A DIRECT stage of weight 1 with one band-pass.

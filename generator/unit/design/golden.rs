@@ -1,11 +1,12 @@
 //! Numbers of designs that were computed elsewhere, kept to 1e-13.
 
 use super::{oscillation_of, sections_of};
-use crate::axis::{Axis, DirectSource, Enable, Filter, Ipc, Mode, Numbers, Prototype, Stage};
+use crate::axis::{Axis, DirectSource, Filter, Ipc, Mode, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::design;
 use crate::design::band::{Band, band, warped};
 use crate::design::response::{of_allpass, of_bandpass, of_oscillation, of_stage};
+use crate::unit::sets::axis;
 use portable::RealKind;
 use reference::design::allpass as portable_allpass;
 use reference::design::sections::{Shape, allpass_numbers, bandpass_numbers};
@@ -119,29 +120,8 @@ fn rack_and_pinion() -> Axis {
         }),
         None,
     ];
-    Axis {
-        excitation: None,
-        short_names: false,
-        counts_calls: false,
-        name: "X".to_owned(),
-        real: RealKind::F64,
-        cycle_time_ns: 1_000_000,
-        ipc: Ipc {
-            enable: Enable::On,
-            v_add_max_fact: 1000,
-            v_max: 200_000.0,
-            fade: 0.1,
-            ride_through: 0,
-            numbers: Numbers::Fixed,
-            watch: false,
-            delay_cycles: None,
-            stage,
-        },
-        control: crate::axis::Control::default(),
-        canonical: String::new(),
-        drive: Default::default(),
-        canonical_of: Default::default(),
-    }
+    let of = axis(RealKind::F64, 1_000_000, stage);
+    Axis { ipc: Ipc { v_max: 200_000.0, ..of.ipc }, ..of }
 }
 
 #[test]

@@ -150,14 +150,7 @@ fn assert_like_new<B: Block<f64>>(designed: &Designed, set: impl Fn(&mut B::Inpu
 }
 
 /// A set that runs every part of an axis.
-const WHOLE: &str = "cycle_counter = true
-kenngr.antr_typ = 'SERCOS'
-antr.v_reso_num = 1000
-process_data.additive_velocity = 'INT32'
-process_data.additive_torque = 'INT16'
-vorsteuer.vorsteuerung = 0x101
-vorsteuer.velocity_delay_time = 3500
-";
+const WHOLE: &str = include_str!("whole.toml");
 
 #[test]
 fn every_block_starts_anew_behind_a_pause() {
@@ -276,17 +269,7 @@ fn position_control_starts_anew_behind_a_pause() {
     assert_eq!(faults.collect::<Vec<_>>()[..4], [0, 0, 9, 9]);
 }
 
-const SPINDLE: &str = "cycle_time = '2ms'
-[axis.X]
-cycle_counter = true
-kenngr.achs_typ = 'ACHSTYP_SPINDEL'
-kenngr.antr_typ = 'SERCOS'
-antr.sercos.op_mode_for_velocity_control = 1
-antr.nbr_delay_cycles = 4
-antr.sai_op_mode_change.v_velocity_control_on = 1200000
-antr.sai_op_mode_change.v_position_control_on = 300000
-getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]
-";
+const SPINDLE: &str = include_str!("spindle.toml");
 
 /// A pause alone stops a spindle whose drive is on: from its actual velocity, with the deceleration of the
 /// changeover, until reset.

@@ -6,12 +6,23 @@ use axgen_tests::model::subject;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use generator::blocks;
-use portable::{Block, Portable};
+use portable::{Block, Literal, Portable};
 use rayon::prelude::*;
 use reference::{ipc, spindle, spindle_axis};
 
 const HISTORIES: u64 = 100;
 const CYCLES: usize = 2000;
+
+fn bits(leaf: Literal) -> u64 {
+    match leaf {
+        Literal::F64(value) => value.to_bits(),
+        Literal::F32(value) => value.to_bits().into(),
+        Literal::U32(value) => value.into(),
+        Literal::I32(value) => u64::from(value.cast_unsigned()),
+        Literal::Bool(value) => value.into(),
+        other => panic!("{other:?} is no leaf"),
+    }
+}
 
 /// Runs `step` and any cycle from the same state, cycle after cycle; gives how many cycles could be usual ones.
 fn assert_same<B: Block<f64>>(
@@ -31,8 +42,11 @@ where
         usual += usize::from(is_usual(&state));
         any_cycle(&mut other_state, &inputs, &mut other_outputs);
         B::step(&mut state, coeffs, &inputs, &mut outputs);
-        let bits = |state: &B::State, outputs: &B::Outputs| format!("{:?} {:?}", leaves(outputs), leaves(state));
-        assert_eq!(bits(&state, &outputs), bits(&other_state, &other_outputs), "cycle {cycle}: {:?}", leaves(&inputs));
+        let bits = |state: &B::State, outputs: &B::Outputs| {
+            [leaves(outputs), leaves(state)].concat().into_iter().map(bits).collect()
+        };
+        let found: [Vec<u64>; 2] = [bits(&state, &outputs), bits(&other_state, &other_outputs)];
+        assert_eq!(found[0], found[1], "cycle {cycle}: {:?}", leaves(&inputs));
     }
     usual
 }

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use reference::ipc::Coeffs;
 
 const SEED: u64 = 20_261_123;
-/// Loops of each kind.
+/// Loops of each kind, of which one may trip that should not.
 const LOOPS: usize = 100;
 /// A swing grows, or decays, by e in less than so long [s]: what lies between is neither.
 const GROWS: f64 = 1.0;
@@ -52,7 +52,7 @@ fn loops(count: usize) -> [Vec<(Loop, f64, Rng)>; 2] {
 }
 
 fn count() -> usize {
-    LOOPS * by_depth(1, 3, 10)
+    LOOPS / 2 * by_depth(1, 4, 20)
 }
 
 fn watched<R: Real + Send + Sync>(all: &[(Loop, f64, Rng)], kind: RealKind, seconds: f64) -> Vec<Run>
@@ -121,7 +121,7 @@ fn unstable_loops_are_faded_out_and_stable_ones_are_not() {
 /// a force that comes at once, a burst of chatter that decays.
 #[test]
 fn what_decays_trips_no_stable_loop() {
-    let [_, stable] = loops(LOOPS);
+    let [_, stable] = loops(LOOPS / by_depth(2, 1, 1));
     type Disturb = fn(&Loop, &mut Stimulus);
     let scenes: [(&str, Disturb); 4] = [
         ("move", |of, stimulus| stimulus.one_move(of, 0.5, 3.0)),

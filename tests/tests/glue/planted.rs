@@ -1,72 +1,12 @@
-//! Mistakes as they are made at a machine: the file, what stands there, what is written instead.
+//! Mistakes as they are made at a machine, in `planted.toml`.
 
-use super::project::{LISTS, MAIN, OFFSETS, PERMIT, VELOCITY};
-
-const CONTROLLED: &str = "tests_passed AND nc_controls AND drive_operates AND NOT brake_closed";
-const NC: &str = "Axis.Status.Operational AND Axis.Status.ControlLoopClosed AND NOT Axis.Status.Error";
-const PAUSED: &str = "setup OR tripped OR (stands AND (hold OR (Axis.PlcToNc.Override = 0)))";
-
-pub const PLANTED: &[(&str, &str, &str)] = &[
-    (PERMIT, CONTROLLED, "nc_controls AND drive_operates AND NOT brake_closed"),
-    (PERMIT, CONTROLLED, "tests_passed AND drive_operates AND NOT brake_closed"),
-    (PERMIT, CONTROLLED, "tests_passed AND nc_controls AND NOT brake_closed"),
-    (PERMIT, CONTROLLED, "tests_passed AND nc_controls AND drive_operates"),
-    (PERMIT, CONTROLLED, "tests_passed AND nc_controls AND drive_operates AND NOT brake_closed AND NOT tripped"),
-    (PERMIT, NC, "Axis.Status.ControlLoopClosed AND NOT Axis.Status.Error"),
-    (PERMIT, NC, "Axis.Status.Operational AND NOT Axis.Status.Error"),
-    (PERMIT, NC, "Axis.Status.Operational AND Axis.Status.ControlLoopClosed"),
-    (PERMIT, "status_bits MOD 16 = 7", "status_bits MOD 8 = 7"),
-    (PERMIT, "status_bits / 32 MOD 4 = 1", "status_bits / 32 MOD 4 < 4"),
-    (PERMIT, "stop OR Axis.Status.HomingBusy", "Axis.Status.HomingBusy"),
-    (PERMIT, "stop OR Axis.Status.HomingBusy", "stop"),
-    (PERMIT, "IF acknowledge AND NOT acknowledge_before THEN", "IF acknowledge THEN"),
-    (PERMIT, "IF position_controlled AND block_error THEN", "IF block_error THEN"),
-    (PERMIT, PAUSED, "tripped OR (stands AND (hold OR (Axis.PlcToNc.Override = 0)))"),
-    (PERMIT, PAUSED, "setup OR (stands AND (hold OR (Axis.PlcToNc.Override = 0)))"),
-    (PERMIT, PAUSED, "setup OR tripped OR hold OR (Axis.PlcToNc.Override = 0)"),
-    (PERMIT, PAUSED, "setup OR tripped OR (stands AND hold)"),
-    (PERMIT, PAUSED, "setup OR tripped OR (stands AND (Axis.PlcToNc.Override = 0))"),
-    (PERMIT, "(Axis.PlcToNc.Override = 0)", "(Axis.PlcToNc.Override < 1000000)"),
-    (PERMIT, "IF paused AND (mode = 1) THEN", "IF paused THEN"),
-    (PERMIT, "    block_mode := 2;", "    block_mode := 0;"),
-    (PERMIT, "IF block_reset OR tripped OR NOT position_controlled THEN", "IF NOT position_controlled THEN"),
-    (PERMIT, "IF block_reset OR tripped OR NOT position_controlled THEN", "IF block_reset OR tripped THEN"),
-    (PERMIT, "ELSIF Axis.Status.NotMoving THEN", "ELSIF position_controlled THEN"),
-    (PERMIT, "feed_torque AND NOT setup", "feed_torque"),
-    (PERMIT, "standstill : LREAL := 0.001", "standstill : LREAL := 10.0"),
-    (PERMIT, "read_status(Axis := Axis, Enable := TRUE)", "read_status(Axis := Axis, Enable := stop)"),
-    (VELOCITY, "filter_cycles * (actual_velocity - before)", "filter_cycles * (before - actual_velocity)"),
-    (VELOCITY, "filter_cycles * (actual_velocity - before)", "(actual_velocity - before)"),
-    (VELOCITY, "    IF good_before THEN", "    IF good THEN"),
-    (VELOCITY, "um_per_mm * (actual_velocity + lead)", "actual_velocity + lead"),
-    (VELOCITY, "um_per_mm * (actual_velocity + lead)", "-um_per_mm * (actual_velocity + lead)"),
-    (VELOCITY, "um_per_mm * (actual_velocity + lead)", "um_per_mm * actual_velocity"),
-    (OFFSETS, "scaled := velocity_increments * v_add", "scaled := v_add"),
-    (OFFSETS, "    scaled := -scaled;", "    scaled := scaled;"),
-    (OFFSETS, "IF inverted THEN\n    torque := -torque;\nEND_IF;\n", ""),
-    (OFFSETS, "additive_torque + INT_TO_DINT(weight_torque)", "additive_torque"),
-    (OFFSETS, "additive_torque + INT_TO_DINT(weight_torque)", "INT_TO_DINT(weight_torque)"),
-    (OFFSETS, "IF torque > most_torque THEN", "IF torque > 40000 THEN"),
-    (OFFSETS, "ELSIF torque < -most_torque THEN", "ELSIF torque < -40000 THEN"),
-    (OFFSETS, "IF part >= half THEN", "IF part > 1.0 THEN"),
-    (OFFSETS, "ELSIF part <= -half THEN", "ELSIF part < -1.0 THEN"),
-    (MAIN, "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime", "_TaskInfo[GETCURTASKINDEXEX()].CycleTime"),
-    (MAIN, "    task_cycle_ns := cycle_ns,", "    task_cycle_ns := 0,"),
-    (MAIN, "cycle_count := _TaskInfo[GETCURTASKINDEXEX()].CycleCount", "cycle_count := cycle_count + 1"),
-    (MAIN, "    Enable := permit_x.enable,", "    Enable := FALSE,"),
-    (MAIN, "    mode := permit_z.block_mode,", "    mode := GVL_axis_z.mode,"),
-    (MAIN, "    mode := permit_x.block_mode,", "    mode := permit_z.block_mode,"),
-    (MAIN, "    reset := permit_x.block_reset,", "    reset := FALSE,"),
-    (MAIN, "    position_controlled := permit_z.position_controlled,", "    position_controlled := TRUE,"),
-    (MAIN, "    v_motor := velocity_z.v_motor,", "    v_motor := um_per_mm * axis_z.NcToPlc.ActVelo,"),
-    (MAIN, "um_per_mm * axis_x.NcToPlc.SetAcc", "axis_x.NcToPlc.SetAcc"),
-    (MAIN, "block_error := ipc_x.Error OR feedforward_x.Error", "block_error := ipc_x.Error"),
-    (MAIN, "block_error := ipc_x.Error OR feedforward_x.Error", "block_error := feedforward_x.Error"),
-    (MAIN, "ipc_x_test.done AND (ipc_x_test.differing = 0)", "ipc_x_test.done"),
-    (MAIN, "offsets_z.torque_offset;", "offsets_x.torque_offset;"),
-    (MAIN, "    inverted := GVL_axis_z.inverted", "    inverted := GVL_axis_x.inverted"),
-    (MAIN, "GVL_axis_x.v_add := ipc_x.v_add / um_per_mm", "GVL_axis_x.v_add := ipc_x.v_add_calculated / um_per_mm"),
-    (LISTS[0], "velocity_increments : LREAL := 60.0", "velocity_increments : LREAL := 6.0"),
-    (LISTS[1], "inverted : BOOL := TRUE", "inverted : BOOL := FALSE"),
-    (LISTS[1], "filter_cycles : LREAL := 4.0", "filter_cycles : LREAL := 0.0"),
-];
+/// The file, what stands there, what is written instead.
+pub fn planted() -> Vec<[String; 3]> {
+    let files: toml::Table = include_str!("planted.toml").parse().unwrap();
+    let of_file = |(file, changes): (&String, &toml::Value)| {
+        let text = |change: &toml::Value, at: usize| change[at].as_str().unwrap().to_owned();
+        let changes = changes.as_array().unwrap().iter();
+        changes.map(|change| [file.clone(), text(change, 0), text(change, 1)]).collect::<Vec<_>>()
+    };
+    files.iter().flat_map(of_file).collect()
+}

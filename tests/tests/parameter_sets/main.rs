@@ -30,7 +30,7 @@ use reference::ipc::numbers::Params;
 use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 
 /// Cycles of a run.
-const RUN: usize = 20_000;
+const RUN: usize = 12_000;
 /// Sets that are offered in turn.
 const SETS: usize = 6;
 const KINDS: [RealKind; 2] = [RealKind::F64, RealKind::F32];
@@ -113,7 +113,7 @@ fn samples(bench: &Bench, length: usize) -> Samples {
 
 #[test]
 fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
-    let length = RUN * by_depth(1, 3, 9);
+    let length = RUN * by_depth(1, 3, 15);
     let cases: Vec<(usize, RealKind)> =
         (0..STRUCTURES).flat_map(|structure| KINDS.map(|kind| (structure, kind))).collect();
     let cycles: usize = cases

@@ -30,53 +30,18 @@ fn read(name: &str, text: &[u8], options: &ListOptions) -> (Option<Set>, Report)
     (set, report)
 }
 
+/// Pieces without a blank.
+const WORDS: &str = "stage[ stage[0]. filter[1]. filter. ] osc_damping mode fg_f0 order type enable getriebe[0].dynamik.vb_max \
+    [[axis.X. DIRECT ALLPASS # ( \" ' . 0x 1 -1 1e9 nan 53 ä";
+/// Pieces with one.
+const SPACED: [&str; 10] = ["\n[axis.", "]]\n", "stage = [{ ", "filter = [{", " }]", "\n", " ", "\t", " = ", "\r\n"];
+
 /// Pieces from which lists and sets are made, so that random files come past the first line.
 fn pieces() -> impl Strategy<Value = Vec<u8>> {
     let piece = prop_oneof![
         Just(IPC.to_owned()),
         Just("cycle_time = \"1ms\"\n[axis.X]\n".to_owned()),
-        prop::sample::select(
-            &[
-                "stage[",
-                "stage[0].",
-                "filter[1].",
-                "filter.",
-                "]",
-                "osc_damping",
-                "mode",
-                "fg_f0",
-                "order",
-                "type",
-                "enable",
-                "getriebe[0].dynamik.vb_max",
-                "\n[axis.",
-                "[[axis.X.",
-                "]]\n",
-                "stage = [{ ",
-                "filter = [{",
-                " }]",
-                "DIRECT",
-                "ALLPASS",
-                "\n",
-                " ",
-                "\t",
-                " = ",
-                "#",
-                "(",
-                "\"",
-                "'",
-                "\r\n",
-                ".",
-                "0x",
-                "1",
-                "-1",
-                "1e9",
-                "nan",
-                "53",
-                "\u{e4}"
-            ][..]
-        )
-        .prop_map(str::to_owned),
+        prop::sample::select(WORDS.split(' ').chain(SPACED).collect::<Vec<_>>()).prop_map(str::to_owned),
         any::<u64>().prop_map(|n| n.to_string()),
         any::<f64>().prop_map(|x| x.to_string()),
     ];

@@ -67,32 +67,6 @@ fn the_lag_in_the_cnc_is_60_deg_without_feedforward_and_30_deg_with_50_percent()
     }
 }
 
-/// Von is 1 200 000, 200 rpm; S 200 stays, S 200.001 does not.
-#[test]
-fn the_limit_of_200_rpm_is_1_200_000_and_is_not_higher_than_itself() {
-    assert_eq!(V_ON, 1_200_000.0);
-    for (s, state) in [(200.0, SpindleState::Position), (200.001, SpindleState::ToVelocity)] {
-        let mut bench = Bench::in_drive().at_rest();
-        bench.inputs.s_word = s * RPM;
-        bench.with_inputs(|i| i.m3 = true);
-        bench.v = 200.0 * RPM;
-        bench.cycle();
-        assert_eq!(bench.next(), state);
-    }
-}
-
-/// Voff is 300 000, 50 rpm: 1000 rpm go down to it, and not beyond.
-#[test]
-fn the_spindle_brakes_to_50_rpm() {
-    assert_eq!(V_OFF, 300_000.0);
-    for v in [1000.0, -1000.0, 500.0] {
-        let mut bench = Bench::in_drive();
-        bench.coeffs.brake_cycles = 200;
-        let o = bench.before_brake(v * RPM).until(SpindleState::ToPosition);
-        assert_eq!(o.v_spindle, 50.0 * RPM * v.signum());
-    }
-}
-
 /// 180 deg in 2 ms: 15 000 rpm are too fast already, the next number below is not.
 #[test]
 fn half_a_turn_a_cycle_of_2_ms_is_15_000_rpm_and_too_fast() {

@@ -1,18 +1,24 @@
 //! Resets: one wins against everything else.
 
 use super::bench::{Bench, MODE_CYCLES, POSITION_MODE, RPM, V_STEP, VELOCITY_MODE};
+use super::start::STATES;
 use reference::spindle::{Inputs, Job, SpindleState};
+
+/// From POSITION on, a turn that is asked for then is not ended by anything older.
+fn assert_turns_for_good(mut bench: Bench) {
+    bench.until_next(SpindleState::Position);
+    bench.v = bench.outputs.v_spindle;
+    bench.cycle();
+    bench.with_inputs(|i| i.m3 = true);
+    bench.v = 1000.0 * RPM;
+    bench.until(SpindleState::Velocity);
+    let o = bench.cycles(5);
+    assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
+}
 
 #[test]
 fn a_reset_clears_what_waits_and_makes_stop_the_job_in_its_cycle() {
-    let states: [fn(Bench) -> Bench; 5] = [
-        Bench::turning,
-        Bench::before_to_velocity,
-        |bench| bench.fast(1000.0 * RPM),
-        |bench| bench.before_brake(1000.0 * RPM),
-        Bench::before_to_position,
-    ];
-    for state in states {
+    for (_, state) in &STATES[1..] {
         for bench in Bench::both() {
             let o = state(bench).with_inputs(|i| (i.reset, i.job_done) = (true, true));
             assert_eq!((o.waiting, o.job, o.job_speed, o.job_position), (0, Job::Stop, 0.0, 0.0));
@@ -114,14 +120,7 @@ fn a_reset_before_an_error_does_not_end_a_later_turn() {
     bench.display = None;
     bench.v = 0.0;
     bench.with_inputs(|i| i.reset = true);
-    bench.until_next(SpindleState::Position);
-    bench.v = bench.outputs.v_spindle;
-    bench.cycle();
-    bench.with_inputs(|i| i.m3 = true);
-    bench.v = 1000.0 * RPM;
-    bench.until(SpindleState::Velocity);
-    let o = bench.cycles(5);
-    assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
+    assert_turns_for_good(bench);
 }
 
 /// The same when the error comes in the cycle of the reset.
@@ -134,14 +133,7 @@ fn a_reset_in_the_cycle_of_an_error_does_not_end_a_later_turn() {
     assert_eq!(bench.outputs.v_spindle, 1000.0 * RPM - V_STEP);
     bench.display = None;
     bench.with_inputs(|i| i.reset = true);
-    bench.until_next(SpindleState::Position);
-    bench.v = bench.outputs.v_spindle;
-    bench.cycle();
-    bench.with_inputs(|i| i.m3 = true);
-    bench.v = 1000.0 * RPM;
-    bench.until(SpindleState::Velocity);
-    let o = bench.cycles(5);
-    assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
+    assert_turns_for_good(bench);
 }
 
 /// The reset is a level: it ends the error of the fourth cycle without a sample, and BRAKE needs nothing of the interpolator.
@@ -196,13 +188,6 @@ fn a_reset_in_velocity_does_not_end_a_later_turn() {
     for bench in Bench::both() {
         let mut bench = bench.fast(1000.0 * RPM);
         bench.with_inputs(|i| i.reset = true);
-        bench.until_next(SpindleState::Position);
-        bench.v = bench.outputs.v_spindle;
-        bench.cycle();
-        bench.with_inputs(|i| i.m3 = true);
-        bench.v = 1000.0 * RPM;
-        bench.until(SpindleState::Velocity);
-        let o = bench.cycles(5);
-        assert_eq!((o.spindle_state, o.job), (SpindleState::Velocity, Job::Turn));
+        assert_turns_for_good(bench);
     }
 }

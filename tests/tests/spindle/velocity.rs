@@ -247,22 +247,10 @@ fn assert_brakes(ask: fn(&mut Inputs<f64>), job: Job) {
 }
 
 #[test]
-fn velocity_to_brake_for_m19() {
+fn velocity_to_brake_for_what_needs_position_control_and_for_a_reset() {
     assert_brakes(|i| i.m19 = true, Job::Orient);
-}
-
-#[test]
-fn velocity_to_brake_for_g74() {
     assert_brakes(|i| i.g74 = true, Job::Home);
-}
-
-#[test]
-fn velocity_to_brake_for_putax() {
     assert_brakes(|i| i.putax = true, Job::Release);
-}
-
-#[test]
-fn velocity_to_brake_for_a_reset() {
     assert_brakes(|i| i.reset = true, Job::Stop);
 }
 

@@ -1,6 +1,7 @@
 //! What ends a command, each with its code: for people with place, line and mark, for machines an object a line, and
 //! nothing else on standard error.
 
+use super::killed::content;
 use super::{axgen, edit, started};
 use serde_json::Value;
 use std::fs;
@@ -16,6 +17,9 @@ fn folder() -> tempfile::TempDir {
     fs::write(path.join("two.toml"), one + &other).unwrap();
     fs::write(path.join("in.csv"), "v_motor,mode\n1.0,1\n1.0\n1.0,\u{202e}x\n").unwrap();
     fs::write(path.join("x.lis"), "kopf.achs_nr 1\n").unwrap();
+    fs::write(path.join("columns.csv"), "v_motor,speed,v_motor\n").unwrap();
+    let set = fs::read_to_string(path.join("axes.toml")).unwrap();
+    fs::write(path.join("wrong.toml"), set.replace("fg_f0 = 53.0", "fg_f0 = 460.0")).unwrap();
     assert_eq!(axgen(path, &["generate", "axes.toml", "--target", "c"]).0, 0);
     for (name, text) in [("axis_x_ipc.c", "edited"), ("axis_x_ipc.h", "removed ")] {
         let file = path.join("generated").join(name);
@@ -27,94 +31,18 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-/// What ends the command: arguments, exit code, and what is said to people.
-const ENDS: &[(&str, i32, &str)] = &[
-    ("generate axes.toml --axis Q", 2, "--axis: error[AX012]: no axis `Q`\n    allowed: X\n"),
-    (
-        "generate axes.toml --target q",
-        2,
-        "--target: error[AX012]: no target `q`\n    allowed: c, rust, st, twincat, codesys, scl\n",
-    ),
-    (
-        "generate axes.toml --emit q",
-        2,
-        "--emit: error[AX012]: no stage `q`\n    \
-         allowed: parameters, program, typed, identity, known, threaded, answered, live, coalesced, sunk, chained, turned, pruned, verified, \
-         c, rust, st, twincat, codesys, scl\n",
-    ),
-    (
-        "generate axes.toml --target c",
-        2,
-        "generated/axis_x_ipc.h: error[AX014]: was not generated, or its line `checksum` was taken out; nothing was written\n    \
-         write instead: the change in what the file is made from; or overwrite it with --force\n\
-         generated/axis_x_ipc.c: error[AX013]: was changed by hand after it had been generated; nothing was written\n    \
-         write instead: the change in what the file is made from; or overwrite it with --force\n",
-    ),
-    ("generate axes.toml --out in.csv", 3, "in.csv: error[AX017]: File exists (os error 17); nothing was written\n"),
-    (
-        "run two.toml --stimulus in.csv",
-        2,
-        "--axis: error[AX011]: the set has several axes: which one?\n    allowed: X, Y\n",
-    ),
-    (
-        "run axes.toml --stimulus in.csv --engine q",
-        2,
-        "--engine: error[AX012]: no engine `q`\n    allowed: reference, program, c, rust, st, twincat, codesys, scl\n",
-    ),
-    ("run axes.toml --stimulus in.csv --block q", 2, "--block: error[AX012]: no block `q`\n    allowed: ipc\n"),
-    (
-        "run axes.toml --stimulus in.csv",
-        2,
-        "in.csv:3:1: error[AX015]: 1 cells\n  3 | 1.0\n    | ^\n    \
-         allowed: 2 cells, as many as the header has columns\n\
-         in.csv:4:5: error[AX015]: `\\u{202e}x` for mode\n  4 | 1.0,\\u{202e}x\n    |     ^\n    \
-         allowed: an integer from -2147483648 to 2147483647\n",
-    ),
-    (
-        "run axes.toml --stimulus not-there.csv",
-        2,
-        "not-there.csv: error[AX001]: cannot be read: there is no such file\n",
-    ),
-    (
-        "run axes.toml --stimulus in.csv --out in.csv",
-        2,
-        "in.csv: error[AX014]: is an input of this run; give another name\n",
-    ),
-    (
-        "import not-there.lis",
-        2,
-        "not-there.lis: error[AX001]: `not-there.lis` cannot be read: there is no such file\n\
-         1 error; nothing was written\n",
-    ),
-    (
-        "import x.lis --cycle-time 1ms --out in.csv",
-        2,
-        "in.csv: error[AX014]: is there already; give another name, or --force to replace it\n",
-    ),
-    ("init", 2, "axes.toml: error[AX014]: is there already; give another name\n"),
-    (
-        "params bandwidth",
-        2,
-        "axgen params: error[AX012]: no parameter `bandwidth`; `axgen params` lists all, by id and path\n",
-    ),
-    ("explain AX999", 2, "axgen explain: error[AX012]: no code `AX999`; `axgen explain` lists all, from AX001 on\n"),
-    (
-        "golden verify not-there",
-        2,
-        "not-there: error[AX016]: not-there/case.toml: cannot be read: there is no such file\n",
-    ),
-    ("man in.csv", 3, "in.csv: error[AX017]: File exists (os error 17); nothing was written\n"),
-];
-
+/// What ends a command, in `ends.txt`: to people and to machines; nothing of the folder changes.
 #[test]
 fn whatever_ends_a_command_is_said_to_people_and_to_machines() {
     let folder = folder();
-    for (arguments, code, human) in ENDS {
+    let all = || [content(folder.path()), content(&folder.path().join("generated"))];
+    let before = all();
+    transcript::compare(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/front_door/ends.txt"), |_, arguments| {
         let words: Vec<&str> = arguments.split(' ').collect();
-        let (ended, out, err) = axgen(folder.path(), &words);
-        assert_eq!((ended, out.as_str(), err.as_str()), (*code, "", *human), "{arguments}");
+        let (code, out, human) = axgen(folder.path(), &words);
+        assert_eq!(out, "", "{arguments}");
         let (ended, _, err) = axgen(folder.path(), &[&words[..], &["--message-format", "json"]].concat());
-        assert_eq!(ended, *code, "{arguments}");
+        assert_eq!(ended, code, "{arguments}");
         let said: Vec<Value> = err.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
         let heads: Vec<&str> = human.lines().filter(|line| line.contains(": error[")).collect();
         assert_eq!(said.len(), heads.len(), "{err}");
@@ -124,7 +52,9 @@ fn whatever_ends_a_command_is_said_to_people_and_to_machines() {
             assert!(head.starts_with(&text("file")), "{object}");
             assert!(head.ends_with(&format!(": error[{}]: {}", text("code"), text("found"))), "{object}");
         }
-    }
+        assert_eq!(all(), before, "{arguments}");
+        format!("exit {code}\n{human}")
+    });
 }
 
 /// What clap says to people it says with colours, and in its own form.
@@ -200,7 +130,7 @@ fn a_byte_order_mark_moves_no_column() {
 }
 
 fn with_compiler(folder: &Path, compiler: &str, arguments: &[&str]) -> (i32, String) {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    let mut command = Command::new(crate::AXGEN);
     let Output { status, stderr, .. } =
         command.current_dir(folder).env("CC", compiler).args(arguments).output().unwrap();
     (status.code().unwrap(), String::from_utf8(stderr).unwrap())

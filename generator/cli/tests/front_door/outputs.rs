@@ -1,7 +1,8 @@
 //! Single files that commands write: which ones they replace, that no link leads elsewhere, and that nothing is left
 //! of a failure.
 
-use super::{AXGEN, axgen, started};
+use super::{axgen, started};
+use crate::AXGEN;
 use std::fs;
 use std::path::Path;
 

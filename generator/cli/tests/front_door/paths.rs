@@ -1,7 +1,8 @@
 //! Paths as other machines have them: with blanks and letters beyond ASCII, long ones, names that a shared folder would have. No Windows is
 //! needed for it.
 
-use super::{ROOT, axgen};
+use super::axgen;
+use crate::ROOT;
 use std::fs;
 
 /// A set and its list in such a folder, written into another one: the files are those of plain paths, and messages name the paths.

@@ -2,8 +2,8 @@
 
 #![cfg(unix)]
 
-use super::limited::{self, Limits};
 use super::{axgen, started};
+use crate::limited::{self, Limits};
 use std::fs::{self, File};
 use std::os::unix::fs::symlink;
 use std::path::Path;

@@ -7,37 +7,11 @@ use std::fs::File;
 use std::path::Path;
 use std::process::{Command, Output};
 
-/// Every command that prints.
-const PRINT: &[&str] = &[
-    "check axes.toml",
-    "generate axes.toml",
-    "generate axes.toml --emit program",
-    "generate axes.toml --check --out other",
-    "generate axes.toml --diff --out other",
-    "run axes.toml --stimulus in.csv",
-    "run axes.toml --compare recorded.csv",
-    "verify axes.toml --samples 3",
-    "diff axes.toml axes.toml",
-    "import x.lis",
-    "export axes.toml",
-    "params",
-    "params q_factor",
-    "params --markdown",
-    "explain",
-    "explain AX304",
-    "init new.toml",
-    "schema",
-    "completions bash",
-    "man",
-    "golden record case",
-    "golden verify case",
-    "--help",
-    "help run",
-    "--version",
-];
+/// Every command that prints, one a line.
+const PRINT: &str = include_str!("printing.txt");
 
 fn into_full(folder: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_axgen"));
+    let mut command = Command::new(crate::AXGEN);
     command.current_dir(folder).args(arguments.split(' '));
     command.stdout(File::options().write(true).open("/dev/full").unwrap());
     command
@@ -55,7 +29,7 @@ fn a_standard_output_that_is_full_is_the_environment() {
         "case/case.toml",
         "purpose = \"\"\nset = \"../axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\n[stimulus.signal]\n",
     );
-    for arguments in PRINT {
+    for arguments in PRINT.lines() {
         let Output { status, stderr, .. } = into_full(folder.path(), arguments).output().unwrap();
         let err = String::from_utf8(stderr).unwrap();
         assert_eq!(status.code(), Some(3), "{arguments}: {err}");

@@ -1,7 +1,7 @@
 //! The document: its table is read, compared with the rows, or written.
 
-use crate::row::{Seen, see};
-use crate::rows;
+use super::row::{Seen, see};
+use super::rows;
 use std::collections::BTreeMap;
 use std::fs;
 

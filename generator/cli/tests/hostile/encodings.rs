@@ -1,6 +1,6 @@
 //! Bytes that are no text, or a text of another encoding.
 
-use crate::row::{IPC, list, set};
+use super::row::{IPC, list, set};
 
 const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\n";
 

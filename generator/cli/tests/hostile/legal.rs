@@ -1,6 +1,6 @@
 //! Input that looks hostile and is legal: it is generated, and every compiler and checker takes the result.
 
-use crate::row::{IPC, list, set};
+use super::row::{IPC, list, set};
 use std::fs;
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! Axis lists with broken lines and values.
 
-use crate::row::{IPC, list};
+use super::row::{IPC, list};
 
 rows! {
     an_equals_sign: "a list with `=`" => |folder| list(folder, format!("{IPC}.enable = ON\n"));

@@ -1,6 +1,6 @@
 //! Axis names that would end comments, texts or folders where they came through.
 
-use crate::row::{list, set};
+use super::row::{list, set};
 use std::path::Path;
 
 rows! {

@@ -1,6 +1,6 @@
 //! Files that are not there, or are none; ways out of the folder.
 
-use crate::row::{axis, set};
+use super::row::{axis, set};
 use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;

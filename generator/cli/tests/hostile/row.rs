@@ -1,7 +1,8 @@
 //! A row: its input is made, run twice, and must leave every file as it was; what is said must be what the document says.
 
-use crate::document;
-use crate::run::{Run, axgen, files, read_result};
+use super::document;
+use super::run::{axgen, files, read_result};
+use crate::Run;
 use generator::digest::has_right_checksum;
 use generator::manifest::NAME as MANIFEST;
 use std::collections::BTreeMap;

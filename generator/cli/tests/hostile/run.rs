@@ -1,21 +1,12 @@
 //! Running the command with limits of time and memory; looking at folders.
 
+use crate::Run;
 use crate::limited::{self, Limits};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Stdio;
 use std::time::Duration;
-
-/// How the command ended.
-pub struct Run {
-    /// its exit code
-    pub code: i32,
-    /// standard output
-    pub out: String,
-    /// standard error
-    pub err: String,
-}
 
 /// No input may keep the command busy for longer.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), memory: 1_048_576 };

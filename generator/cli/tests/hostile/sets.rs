@@ -1,6 +1,6 @@
 //! Sets whose structure is wrong.
 
-use crate::row::{IPC, axis, set};
+use super::row::{IPC, axis, set};
 
 rows! {
     an_empty_set: "an empty set" => |folder| set(folder, "");

@@ -1,6 +1,6 @@
 //! Input that is large, long or deep.
 
-use crate::row::{IPC, axis, list, set};
+use super::row::{IPC, axis, list, set};
 use std::fs::File;
 use std::path::Path;
 

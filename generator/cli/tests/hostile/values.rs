@@ -1,6 +1,6 @@
 //! Values of another type, without their unit, out of their range, or no values at all.
 
-use crate::row::{IPC, axis, set};
+use super::row::{IPC, axis, set};
 
 rows! {
     a_cycle_time_that_is_a_number: "a cycle time that is a number" => |folder| set(folder, "cycle_time = 1\n[axis.X]\n");

@@ -1,5 +1,6 @@
 //! A folder with sets and what they generated, and what happens to it between two runs.
 
+use crate::{AXGEN, Run as Said};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,49 +9,13 @@ use std::thread::sleep;
 use std::time::Duration;
 use tempfile::TempDir;
 
-const AXGEN: &str = env!("CARGO_BIN_EXE_axgen");
-
 /// What somebody writes into a file: it is never lost.
 pub const MINE: &str = "mine\n";
 
 /// The folder of the files.
 pub const OUT: &str = "generated";
 
-/// What happens to a folder.
-pub enum Step {
-    /// writes a set: its file; its targets, `-`: the set names none; its axes, each a name and words
-    Set(&'static str, &'static str, &'static [&'static str]),
-    /// `axgen generate` with these arguments, which succeeds
-    Run(&'static str),
-    /// the same, killed some time [us] after it has replaced the manifest, which comes first
-    Kill(&'static str, u64),
-    /// somebody adds a line to a file
-    Edit(&'static str),
-    /// somebody puts a file of theirs into a place
-    Put(&'static str, &'static str),
-    /// somebody deletes a file
-    Delete(&'static str),
-    /// somebody renames a file
-    Rename(&'static str, &'static str),
-    /// version control checks all files out with its own line ends
-    CarriageReturns,
-    /// TwinCAT saves all its objects
-    Save,
-    /// two branches are merged, and the manifest has the lines of both
-    Merge,
-    /// a link is put in the place of a file
-    #[cfg(unix)]
-    Link(&'static str),
-}
-
 pub struct Folder(TempDir);
-
-/// What came of a command.
-pub struct Said {
-    pub code: i32,
-    pub out: String,
-    pub err: String,
-}
 
 impl Folder {
     pub fn new() -> Self {
@@ -73,51 +38,58 @@ impl Folder {
         Said { code: output.status.code().unwrap(), out: text(output.stdout), err: text(output.stderr) }
     }
 
-    pub fn happens(&self, step: &Step) {
+    /// A step of `ways.toml`.
+    pub fn happens(&self, step: &str) {
         let path = |file: &str| self.path().join(OUT).join(file);
-        match *step {
-            Step::Set(file, targets, axes) => fs::write(self.path().join(file), set(targets, axes)).unwrap(),
-            Step::Run(arguments) => {
-                let said = self.generate(arguments, OUT);
-                assert_eq!(said.code, 0, "{arguments}: {}", said.err);
+        let (what, rest) = step.split_once(' ').unwrap_or((step, ""));
+        let (first, more) = rest.split_once(' ').unwrap_or((rest, ""));
+        match what {
+            "set" => {
+                let [file, targets, axes] = rest.split(" | ").collect::<Vec<_>>()[..] else { panic!("{step}") };
+                fs::write(self.path().join(file), set(targets, axes)).unwrap();
             }
-            Step::Kill(arguments, after) => {
-                let manifest = || fs::metadata(path("axgen.manifest")).unwrap().modified().unwrap();
-                let before = manifest();
-                let mut command = self.command(arguments, OUT);
-                let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
-                while manifest() == before && child.try_wait().unwrap().is_none() {}
-                sleep(Duration::from_micros(after));
-                let _ = child.kill(); // it may have ended
-                child.wait().unwrap();
+            "run" => {
+                let said = self.generate(rest, OUT);
+                assert_eq!(said.code, 0, "{rest}: {}", said.err);
             }
-            Step::Edit(file) => {
-                let text = fs::read_to_string(path(file)).unwrap();
-                fs::write(path(file), text + MINE).unwrap();
+            "kill" => self.kill(more, Duration::from_micros(first.parse().unwrap())),
+            "edit" => {
+                let text = fs::read_to_string(path(rest)).unwrap();
+                fs::write(path(rest), text + MINE).unwrap();
             }
-            Step::Put(file, text) => fs::write(path(file), text).unwrap(),
-            Step::Delete(file) => fs::remove_file(path(file)).unwrap(),
-            Step::Rename(from, to) => fs::rename(path(from), path(to)).unwrap(),
-            Step::CarriageReturns => self.rewrite("", |text| text.replace('\n', "\r\n")),
-            Step::Save => self.rewrite("Tc", saved),
-            Step::Merge => self.rewrite("manifest", |text| {
+            "put" => {
+                let (file, text) = rest.split_once(" | ").unwrap_or((rest, MINE));
+                fs::write(path(file), text).unwrap();
+            }
+            "delete" => fs::remove_file(path(rest)).unwrap(),
+            "rename" => fs::rename(path(first), path(more)).unwrap(),
+            "carriage" => self.rewrite("", |text| text.replace('\n', "\r\n")),
+            "save" => self.rewrite("Tc", saved),
+            "merge" => self.rewrite("manifest", |text| {
                 let lines: Vec<&str> = text.lines().collect();
-                let back = lines.iter().rev().copied();
-                lines
-                    .iter()
-                    .copied()
-                    .chain(["# another branch", ""])
-                    .chain(back)
-                    .map(|line| format!("{line}\r\n"))
-                    .collect()
+                let both = lines.iter().chain(&["# another branch", ""]).chain(lines.iter().rev());
+                both.map(|line| format!("{line}\r\n")).collect()
             }),
             #[cfg(unix)]
-            Step::Link(file) => {
-                fs::remove_file(path(file)).unwrap();
+            "link" => {
+                fs::remove_file(path(rest)).unwrap();
                 fs::write(self.path().join("elsewhere"), MINE).unwrap();
-                std::os::unix::fs::symlink(self.path().join("elsewhere"), path(file)).unwrap();
+                std::os::unix::fs::symlink(self.path().join("elsewhere"), path(rest)).unwrap();
             }
+            _ => panic!("no such step: {step}"),
         }
+    }
+
+    /// A run that is killed some time after it has replaced the manifest, which comes first.
+    fn kill(&self, arguments: &str, after: Duration) {
+        let manifest = || fs::metadata(self.path().join(OUT).join("axgen.manifest")).unwrap().modified().unwrap();
+        let before = manifest();
+        let mut command = self.command(arguments, OUT);
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        while manifest() == before && child.try_wait().unwrap().is_none() {}
+        sleep(after);
+        let _ = child.kill(); // it may have ended
+        child.wait().unwrap();
     }
 
     /// Writes the files anew whose extension begins so.
@@ -148,10 +120,10 @@ impl Folder {
 }
 
 /// A set: each axis has a name and words.
-fn set(targets: &str, axes: &[&str]) -> String {
+fn set(targets: &str, axes: &str) -> String {
     let list = targets.split(' ').map(|target| format!("\"{target}\"")).collect::<Vec<_>>().join(", ");
     let targets = if targets == "-" { String::new() } else { format!("targets = [{list}]\n") };
-    axes.iter().map(|axis| self::axis(axis)).fold(format!("cycle_time = \"1ms\"\n{targets}"), |set, axis| set + &axis)
+    axes.split(", ").map(axis).fold(format!("cycle_time = \"1ms\"\n{targets}"), |set, axis| set + &axis)
 }
 
 fn axis(axis: &str) -> String {

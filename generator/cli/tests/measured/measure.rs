@@ -8,10 +8,11 @@
     reason = "numbers of samples"
 )]
 
-use crate::plant::{
-    self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, Run, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, X_ACTUAL,
-    axgen, excited, moves, number, recorded,
+use super::plant::{
+    self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, X_ACTUAL, excited,
+    moves, number, recorded,
 };
+use crate::{Run, axgen};
 use machine::Machine;
 use machine::measure::fourier;
 use machine::plant::DEMONSTRATION;

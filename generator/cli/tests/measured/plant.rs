@@ -6,8 +6,6 @@ use machine::sequence::Sequence;
 use machine::{Machine, Measured};
 use serde_json::Value;
 use std::fmt::Write;
-use std::process::Command;
-use tempfile::TempDir;
 
 pub const CYCLE: f64 = 1e-3;
 pub const X_COMMAND: usize = 0;
@@ -84,25 +82,6 @@ pub fn csv(names: &[&str; 7], columns: &Columns, of: &[usize]) -> String {
         text.push('\n');
     }
     text
-}
-
-/// What a command gave.
-pub struct Run {
-    pub code: i32,
-    pub out: String,
-    pub err: String,
-}
-
-impl Run {
-    pub fn json(&self) -> Value {
-        serde_json::from_str(&self.out).unwrap_or_else(|_| panic!("{}{}", self.out, self.err))
-    }
-}
-
-pub fn axgen(folder: &TempDir, arguments: &[&str]) -> Run {
-    let output = Command::new(env!("CARGO_BIN_EXE_axgen")).current_dir(folder.path()).args(arguments).output().unwrap();
-    let [out, err] = [output.stdout, output.stderr].map(|bytes| String::from_utf8(bytes).unwrap());
-    Run { code: output.status.code().unwrap(), out, err }
 }
 
 pub fn number(value: &Value, key: &str) -> f64 {

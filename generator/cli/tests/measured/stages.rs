@@ -1,7 +1,9 @@
 //! `axgen tune` with stages of one's own, its files, and proposals that are written into a set or a list.
 
-use crate::plant::{A_LOAD, CYCLE, Columns, OF_EXCITED, OF_MOVES, V_EXCITE, V_MOTOR, axgen, moves, number};
-use crate::tune::{SET, csv, drive, excited, folder, row, seen_error, tune};
+use super::plant::{A_LOAD, CYCLE, Columns, OF_EXCITED, OF_MOVES, V_EXCITE, V_MOTOR, moves, number};
+use super::tune::{SET, csv, drive, excited, folder, seen_error, tune};
+use crate::axgen;
+use crate::simulate::row;
 use serde_json::Value;
 use std::f64::consts::PI;
 use std::fs;

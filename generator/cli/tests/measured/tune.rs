@@ -1,6 +1,8 @@
 //! `axgen tune`: proposals from recordings of the simulated demonstration plant, tried on it; and recordings that allow none.
 
-use crate::plant::{self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, Run, V_MOTOR, axgen, moves, number};
+use super::plant::{self, A_LOAD, CYCLE, Columns, Noise, OF_EXCITED, OF_MOVES, V_MOTOR, moves, number};
+use crate::simulate::row;
+use crate::{Run, axgen};
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -80,13 +82,6 @@ fn set_with(proposal: &Value) -> String {
         .unwrap();
     }
     text
-}
-
-/// A row of the table of `simulate`.
-pub fn row(text: &str, name: &str) -> Vec<f64> {
-    let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
-    let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));
-    row.split_whitespace().map(|cell| cell.parse().unwrap_or_else(|_| panic!("{name}: {cell}"))).collect()
 }
 
 /// The peak of the following error that the controller sees, on by off, of a simulation as CSV.

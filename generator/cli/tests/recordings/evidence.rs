@@ -5,7 +5,7 @@ use super::{compare, folder, good};
 #[test]
 fn what_moves_and_what_was_taken_is_said_first() {
     let folder = folder();
-    let run = compare(folder.path(), good(folder.path()).only(&["v_motor", "v_add"]).csv(), &[]);
+    let run = compare(folder.path(), good().only(&["v_motor", "v_add"]).csv(), &[]);
     let lines: Vec<&str> = run.out.lines().collect();
     assert!(lines[0].starts_with("moved: v_motor 0 to "), "{}", run.out);
     assert!(lines[0].contains(" um/s, v_add -"), "{}", run.out);
@@ -64,7 +64,7 @@ fn nothing_that_moves() {
 #[test]
 fn too_few_digits() {
     let folder = folder();
-    let recording = good(folder.path()).only(&["v_command", "v_motor", "v_add"]);
+    let recording = good().only(&["v_command", "v_motor", "v_add"]);
     let row = |row: &Vec<f64>| format!("{:.0}E3,{:.0}E3,{:.0}E1\n", row[0] / 1e3, row[1] / 1e3, row[2] / 10.0);
     let text = "v_command,v_motor,v_add\n".to_owned() + &recording.rows.iter().map(row).collect::<String>();
     let run = compare(folder.path(), text, &[]);

@@ -2,6 +2,7 @@
 
 use super::{Recording, SET, axgen, compare, folder, good};
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
 
 /// The lines that name what explains a difference.
@@ -15,6 +16,9 @@ fn explained(folder: &Path, recording: &Recording) -> String {
 
 const EVERY_BIT: &str = "with that undone every bit agrees\n";
 const DIGITS: &str = "with that undone every sample agrees within its digits\n";
+const LATER: &str = " on every sample agrees\n";
+const INPUTS: [&str; 2] = ["v_command", "v_motor"];
+const OUTPUTS: [&str; 2] = ["v_add", "v_add_calculated"];
 
 /// The same recording with one column changed in every row.
 fn with(recording: &Recording, column: &str, change: impl Fn(f64) -> f64) -> Recording {
@@ -26,47 +30,23 @@ fn with(recording: &Recording, column: &str, change: impl Fn(f64) -> f64) -> Rec
 #[test]
 fn a_good_recording_needs_no_explanation() {
     let folder = folder();
-    let run = compare(folder.path(), good(folder.path()).csv(), &[]);
+    let run = compare(folder.path(), good().csv(), &[]);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     assert!(run.out.contains(": 0 differing bits\n") && !run.out.contains("explained"), "{}", run.out);
 }
 
-#[test]
-fn a_sign() {
-    let folder = folder();
-    let good = good(folder.path());
-    let said = explained(folder.path(), &with(&good, "v_motor", |v| -v));
-    assert_eq!(said, format!("explained: the recording has v_motor with the other sign; {EVERY_BIT}"));
-    let said = explained(folder.path(), &with(&good, "v_add", |v| -v));
-    assert_eq!(said, format!("explained: the recording has v_add with the other sign; {EVERY_BIT}"));
-    let both = with(&with(&good, "v_motor", |v| -v), "v_command", |v| -v);
-    let said = explained(folder.path(), &both);
-    assert_eq!(said, format!("explained: the recording has v_command, v_motor with the other sign; {EVERY_BIT}"));
+/// The recording with two columns exchanged.
+fn swapped(recording: &Recording, [a, b]: [usize; 2]) -> Recording {
+    let mut changed = recording.clone();
+    changed.names.swap(a, b);
+    changed
 }
 
-#[test]
-fn a_factor() {
-    let folder = folder();
-    let good = good(folder.path());
-    let said = explained(folder.path(), &with(&good, "v_motor", |v| v / 1000.0));
-    assert_eq!(said, format!("explained: the recording has v_motor divided by 1000; {DIGITS}"));
-    let said = explained(folder.path(), &with(&good, "v_add", |v| v * 1000.0));
-    assert_eq!(said, format!("explained: the recording has v_add times 1000; {DIGITS}"));
-    let said = explained(folder.path(), &with(&good, "v_command", |v| v * 60.0));
-    assert_eq!(said, format!("explained: the recording has v_command times 60; {DIGITS}"));
-}
-
-#[test]
-fn two_columns_swapped() {
-    let folder = folder();
-    let mut recording = good(folder.path());
-    recording.names.swap(0, 1);
-    let said = explained(folder.path(), &recording);
-    assert_eq!(said, format!("explained: the columns v_command and v_motor are swapped; {EVERY_BIT}"));
-    let mut recording = good(folder.path());
-    recording.names.swap(1, 2);
-    let said = explained(folder.path(), &recording);
-    assert_eq!(said, format!("explained: the columns v_motor and v_add are swapped; {EVERY_BIT}"));
+/// The recording without some of its samples.
+fn without(recording: &Recording, samples: Range<usize>) -> Recording {
+    let mut changed = recording.clone();
+    changed.rows.drain(samples);
+    changed
 }
 
 /// A column as it was a number of cycles before.
@@ -80,50 +60,35 @@ fn late(recording: &Recording, columns: &[&str], cycles: usize) -> Recording {
     changed
 }
 
+/// Mistakes of the recording itself, and what is said of each: how it begins, and ends.
 #[test]
-fn cycles_late() {
-    let folder = folder();
-    let good = good(folder.path());
-    let said = explained(folder.path(), &late(&good, &["v_add", "v_add_calculated"], 1));
-    assert!(said.starts_with("explained: the outputs were recorded 1 cycle late against the inputs; "), "{said}");
-    let said = explained(folder.path(), &late(&good, &["v_command", "v_motor"], 3));
-    assert!(said.starts_with("explained: the outputs were recorded 3 cycles early against the inputs; "), "{said}");
-    let said = explained(folder.path(), &late(&good, &["v_motor"], 2));
-    assert!(said.starts_with("explained: v_motor was recorded 2 cycles late against the other columns; "), "{said}");
-}
-
-#[test]
-fn samples_lost() {
-    let folder = folder();
-    let mut recording = good(folder.path());
-    recording.rows.drain(200..203);
-    let said = explained(folder.path(), &recording);
-    assert!(
-        said.starts_with("explained: about 3 samples are lost before sample 200 (line 202); from sample "),
-        "{said}"
-    );
-    assert!(said.ends_with(" on every sample agrees\n"), "{said}");
-}
-
-#[test]
-fn started_in_the_middle() {
-    let folder = folder();
-    let mut recording = good(folder.path());
-    recording.rows.drain(..150);
-    let said = explained(folder.path(), &recording);
-    let start =
-        "explained: the recording starts in the middle, the block was not at rest at its first sample; from sample ";
-    assert!(said.starts_with(start), "{said}");
-}
-
-#[test]
-fn another_sampling() {
-    let folder = folder();
-    let mut recording = good(folder.path());
-    recording.rows = recording.rows.iter().flat_map(|row| [row.clone(), row.clone(), row.clone()]).skip(1).collect();
-    let said = explained(folder.path(), &recording);
-    let expected = "explained: every cycle was recorded 3 times: another sampling than the block's cycle";
-    assert_eq!(said, format!("{expected}; {EVERY_BIT}"));
+fn mistakes_of_a_recording() {
+    let good = &good();
+    let both = with(&with(good, "v_motor", |v| -v), "v_command", |v| -v);
+    let mut thrice = good.clone();
+    thrice.rows = good.rows.iter().flat_map(|row| [row.clone(), row.clone(), row.clone()]).skip(1).collect();
+    let every = "every cycle was recorded 3 times: another sampling than the block's cycle; ";
+    let middle = "the recording starts in the middle, the block was not at rest at its first sample; from sample ";
+    for (recording, begins, ends) in [
+        (with(good, "v_motor", |v| -v), "the recording has v_motor with the other sign; ", EVERY_BIT),
+        (with(good, "v_add", |v| -v), "the recording has v_add with the other sign; ", EVERY_BIT),
+        (both, "the recording has v_command, v_motor with the other sign; ", EVERY_BIT),
+        (with(good, "v_motor", |v| v / 1000.0), "the recording has v_motor divided by 1000; ", DIGITS),
+        (with(good, "v_add", |v| v * 1000.0), "the recording has v_add times 1000; ", DIGITS),
+        (with(good, "v_command", |v| v * 60.0), "the recording has v_command times 60; ", DIGITS),
+        (swapped(good, [0, 1]), "the columns v_command and v_motor are swapped; ", EVERY_BIT),
+        (swapped(good, [1, 2]), "the columns v_motor and v_add are swapped; ", EVERY_BIT),
+        (late(good, &OUTPUTS, 1), "the outputs were recorded 1 cycle late against the inputs; ", "\n"),
+        (late(good, &INPUTS, 3), "the outputs were recorded 3 cycles early against the inputs; ", "\n"),
+        (late(good, &["v_motor"], 2), "v_motor was recorded 2 cycles late against the other columns; ", "\n"),
+        (without(good, 200..203), "about 3 samples are lost before sample 200 (line 202); from sample ", LATER),
+        (without(good, 0..150), middle, "\n"),
+        (thrice, every, EVERY_BIT),
+    ] {
+        let said = explained(folder().path(), &recording);
+        assert!(said.starts_with(&format!("explained: {begins}")) && said.ends_with(ends), "{begins}: {said}");
+        assert!(ends.len() < 25 || said.len() == "explained: ".len() + begins.len() + ends.len(), "{said}");
+    }
 }
 
 /// What another set, or another axis, makes of the same inputs.
@@ -133,36 +98,25 @@ fn of_another(folder: &Path, from: &str, to: &str, axis: &str) -> Recording {
     Recording::of(folder, "other.toml", axis, None).only(&["v_command", "v_motor", "v_add", "v_add_calculated"])
 }
 
+/// The block on the machine is another one than that of the set.
 #[test]
-fn another_cycle_time() {
+fn another_block() {
+    for (from, to, axis, expected) in [
+        ("1ms", "2ms", "X", "the block was generated for a cycle time of 2 ms, the set says 1 ms"),
+        (
+            "[axis.X]",
+            "[axis.X]\nreal = \"f32\"",
+            "X",
+            "the block computes in REAL (real = \"f32\"), that of the set in LREAL",
+        ),
+        ("1ms", "1ms", "Y", "it is the block of the axis Y"),
+        ("\"SET_POINT\"", "\"NOT_ACTIVE\"", "X", "the block has other parameters: stage[1] is not active in it"),
+    ] {
+        let folder = folder();
+        let said = explained(folder.path(), &of_another(folder.path(), from, to, axis));
+        assert_eq!(said, format!("explained: {expected}; {EVERY_BIT}"));
+    }
     let folder = folder();
-    let said = explained(folder.path(), &of_another(folder.path(), "1ms", "2ms", "X"));
-    let expected = "explained: the block was generated for a cycle time of 2 ms, the set says 1 ms";
-    assert_eq!(said, format!("{expected}; {EVERY_BIT}"));
-}
-
-#[test]
-fn another_real_type() {
-    let folder = folder();
-    let said = explained(folder.path(), &of_another(folder.path(), "[axis.X]", "[axis.X]\nreal = \"f32\"", "X"));
-    let expected = "explained: the block computes in REAL (real = \"f32\"), that of the set in LREAL";
-    assert_eq!(said, format!("{expected}; {EVERY_BIT}"));
-}
-
-#[test]
-fn another_axis() {
-    let folder = folder();
-    let said = explained(folder.path(), &of_another(folder.path(), "1ms", "1ms", "Y"));
-    assert_eq!(said, format!("explained: it is the block of the axis Y; {EVERY_BIT}"));
-}
-
-#[test]
-fn other_parameters() {
-    let folder = folder();
-    let said =
-        explained(folder.path(), &of_another(folder.path(), "mode = \"SET_POINT\"", "mode = \"NOT_ACTIVE\"", "X"));
-    let expected = "explained: the block has other parameters: stage[1] is not active in it";
-    assert_eq!(said, format!("{expected}; {EVERY_BIT}"));
     let said = explained(folder.path(), &of_another(folder.path(), "fg_f0 = 53.0", "fg_f0 = 54.0", "X"));
     assert!(said.starts_with("not explained by any of "), "{said}");
     assert!(said.contains("the block on the machine probably has other parameters"), "{said}");
@@ -171,11 +125,11 @@ fn other_parameters() {
 #[test]
 fn an_input_without_a_column() {
     let folder = folder();
-    let without = good(folder.path()).only(&["v_motor", "v_add", "v_add_calculated"]);
+    let without = good().only(&["v_motor", "v_add", "v_add_calculated"]);
     let said = explained(folder.path(), &without);
     assert!(said.starts_with("not explained by any of "), "{said}");
     // v_command was the same as v_motor.
-    let text = good(folder.path()).only(&["v_motor"]).csv().replace("v_motor", "v_command,v_motor");
+    let text = good().only(&["v_motor"]).csv().replace("v_motor", "v_command,v_motor");
     let text: Vec<String> = text.lines().map(|line| line.to_owned()).collect();
     let doubled = text[1..].iter().map(|value| format!("{value},{value}\n")).collect::<String>();
     fs::write(folder.path().join("inputs.csv"), format!("{}\n{doubled}", text[0])).unwrap();

@@ -6,7 +6,7 @@ use std::fmt::Write;
 /// The good recording with a column of times before it.
 fn with_times(name: &str, time: impl Fn(usize) -> f64) -> (tempfile::TempDir, String) {
     let folder = folder();
-    let recording = good(folder.path()).only(&["v_command", "v_motor", "v_add"]);
+    let recording = good().only(&["v_command", "v_motor", "v_add"]);
     let csv = recording.csv();
     let mut text = String::new();
     for (row, line) in csv.lines().enumerate() {

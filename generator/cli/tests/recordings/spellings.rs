@@ -35,7 +35,7 @@ fn latin_1(text: &str) -> Vec<u8> {
 #[test]
 fn an_export_in_latin_1_is_compared() {
     let folder = folder();
-    let text = export(&good(folder.path()));
+    let text = export(&good());
     for bytes in [latin_1(&text), text.into_bytes()] {
         let run = compare(folder.path(), bytes, &[INPUTS, OUTPUTS].concat());
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
@@ -51,7 +51,7 @@ fn an_export_in_latin_1_is_compared() {
 #[test]
 fn an_export_is_a_stimulus() {
     let folder = folder();
-    let recording = good(folder.path());
+    let recording = good();
     fs::write(folder.path().join("scope.csv"), export(&recording)).unwrap();
     let run = |map: &[&str]| {
         let command = ["run", "axes.toml", "--axis", "X", "--stimulus", "scope.csv"];
@@ -75,7 +75,7 @@ fn an_export_is_a_stimulus() {
 #[test]
 fn a_map_names_columns_of_both_files() {
     let folder = folder();
-    let recording = good(folder.path());
+    let recording = good();
     let csv = |names: &[&str], called: &str| {
         let csv = recording.only(names).csv();
         called.to_owned() + &csv[csv.find('\n').unwrap()..]

@@ -84,15 +84,7 @@ fn feedforward_of_axes() {
 }
 
 /// The page is too narrow for two comments of this listing.
-const SPINDLES: &str = "S[G135]                (Activate feedforward control for S)
-S[G136=80]             (Specifying feedforward control weighting in
-%)
-S[G137]                (Deactivate feedforward control)
-S2[G135 G136=90]      (Activate at 90% weighting for S2)
-S2[G136=0]            (Change weighting to 0%)
-S1[G135]              (Activating with 100% default weighting for
-S1)
-";
+const SPINDLES: &str = include_str!("spindles.nc");
 
 #[test]
 fn feedforward_of_spindles() {

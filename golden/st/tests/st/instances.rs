@@ -5,66 +5,10 @@ use portable::{Literal, RealKind};
 use st::{Block, Dialect};
 
 /// The block of which there are instances: every type, jumps, a start value, memory.
-const INNER: &str = "FUNCTION_BLOCK Adder
-VAR_INPUT
-    width : LREAL := 1.5;
-    up : BOOL := TRUE;
-    n : DINT;
-    u : UDINT;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-    q : BOOL;
-    k : DINT;
-    v : UDINT;
-END_VAR
-VAR
-    sum : LREAL;
-END_VAR
-IF up THEN
-    sum := sum + width;
-    k := n;
-ELSE
-    sum := 0.0;
-    k := -n / 2;
-END_IF;
-y := sum;
-q := y > 2.0;
-v := u + 1;
-END_FUNCTION_BLOCK
-";
+const INNER: &str = include_str!("forms/adder.st");
 
 /// Two instances, of which one is called twice in some cycles.
-const OUTER: &str = "FUNCTION_BLOCK probe
-VAR_INPUT
-    up : BOOL;
-    n : DINT;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-    z : LREAL;
-    k : DINT;
-    q : BOOL;
-    v : UDINT;
-END_VAR
-VAR
-    one : Adder;
-    two : ADDER;
-    w : LREAL;
-END_VAR
-w := 0.25;
-IF n > 0 THEN
-    one(up := up, n := n + 1, width := w * 4.0, U := two.v);
-END_IF;
-ONE(n := n);
-two(width := one.y, up := NOT one.Q);
-y := one.y;
-z := two.y - 1.0;
-k := One.k;
-q := one.q OR two.q;
-v := one.v;
-END_FUNCTION_BLOCK
-";
+const OUTER: &str = include_str!("forms/adders.st");
 
 /// Calls and answers of a block with the variables of the outer one.
 fn found(block: &Block, inputs: &[(bool, i32)]) -> Vec<Vec<Literal>> {
@@ -174,31 +118,7 @@ fn the_forms_of_the_tools_have_instances_too() {
 fn a_block_with_an_instance_may_be_instantiated() {
     let inner = block(Dialect::Plain, INNER, "adder", RealKind::F64);
     let outer = block_with(Dialect::Plain, OUTER, "probe", RealKind::F64, std::slice::from_ref(&inner));
-    let text = "FUNCTION_BLOCK outermost
-VAR_INPUT
-    up : BOOL;
-    n : DINT;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-    z : LREAL;
-    k : DINT;
-    q : BOOL;
-    v : UDINT;
-END_VAR
-VAR
-    other : Adder;
-    whole : probe;
-END_VAR
-other(width := 7.0, up := TRUE, n := 9);
-whole(up := up, n := n);
-y := whole.y;
-z := whole.z;
-k := whole.k;
-q := whole.q;
-v := whole.v;
-END_FUNCTION_BLOCK
-";
+    let text = include_str!("forms/outermost.st");
     let outermost = block_with(Dialect::Plain, text, "outermost", RealKind::F64, &[inner, outer.clone()]);
     let inputs = [(true, 0), (true, 4), (true, 0), (false, 5), (true, 1)];
     assert_eq!(found(&outermost, &inputs), found(&outer, &inputs));

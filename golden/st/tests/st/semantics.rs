@@ -4,58 +4,10 @@ use crate::support::{LREAL, answers, block};
 use portable::{Literal, Real, RealKind};
 use st::{Dialect, Signal};
 
-const BIQUAD: &str = "
-FUNCTION_BLOCK biquad
-VAR_INPUT
-    x : LREAL := 0.0;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-END_VAR
-VAR
-    s1 : LREAL;
-    s2 : LREAL;
-END_VAR
-y := 0.067455273889071896 * x + s1;
-s1 := 0.13491054777814379 * x - (-1.1429805025399011) * y + s2;
-s2 := 0.067455273889071896 * x - 0.41280159809618866 * y;
-END_FUNCTION_BLOCK
-";
+const BIQUAD: &str = include_str!("forms/biquad.st");
 
 /// A REAL block assigns its literals first, and does one operation a statement.
-const BIQUAD_SINGLE: &str = "
-FUNCTION_BLOCK biquad
-VAR_INPUT
-    x : REAL := 0.0;
-END_VAR
-VAR_OUTPUT
-    y : REAL;
-END_VAR
-VAR
-    s1 : REAL;
-    s2 : REAL;
-    b0 : REAL;
-    b1 : REAL;
-    a1 : REAL;
-    a2 : REAL;
-    t : REAL;
-    u : REAL;
-END_VAR
-b0 := 0.06745527;
-b1 := 0.13491055;
-a1 := -1.1429805;
-a2 := 0.4128016;
-t := b0 * x;
-y := t + s1;
-t := b1 * x;
-u := a1 * y;
-t := t - u;
-s1 := t + s2;
-t := b0 * x;
-u := a2 * y;
-s2 := t - u;
-END_FUNCTION_BLOCK
-";
+const BIQUAD_SINGLE: &str = include_str!("forms/biquad_single.st");
 
 /// Random bits: a third of them as they are, NaN and infinities among them.
 fn random_reals<R: Real>(count: usize, of: impl Fn(u64) -> R) -> Vec<R> {
@@ -258,34 +210,7 @@ fn integers_wrap_around() {
 
 #[test]
 fn a_choice_takes_the_first_arm_that_holds_and_state_stays() {
-    let text = "
-FUNCTION_BLOCK Counter
-VAR_INPUT
-    n : DINT := 7;
-    up : BOOL := TRUE;
-END_VAR
-VAR_OUTPUT
-    y : DINT;
-END_VAR
-VAR
-    sum : DINT;
-END_VAR
-IF n < 0 THEN
-    y := -1;
-ELSIF (n = 0) OR up THEN
-    IF up THEN
-        sum := sum + n;
-    ELSE
-        sum := 0;
-    END_IF;
-    y := sum;
-ELSIF n > 100 THEN
-    y := 100;
-ELSE
-    y := 5;
-END_IF;
-END_FUNCTION_BLOCK
-";
+    let text = include_str!("forms/counter.st");
     let block = block(Dialect::Plain, text, "COUNTER", RealKind::F64);
     let inputs = [3, 4, -2, 0, 5];
     let samples = inputs.map(|n| vec![Literal::I32(n)]);

@@ -44,8 +44,6 @@ pub mod motion;
 pub mod parameters;
 pub mod requests;
 pub mod start;
-#[cfg(test)]
-mod tests;
 
 pub use agree::agree;
 pub use cycle::Model;

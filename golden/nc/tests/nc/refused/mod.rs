@@ -1,7 +1,5 @@
 //! What is refused: `texts/*.txt`, programs with all that is reported for them. No rule stands here.
 
-mod foreign;
-
 use crate::support::said;
 use std::path::Path;
 

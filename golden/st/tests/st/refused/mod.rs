@@ -1,45 +1,18 @@
-//! What is refused: `texts/*.txt`, each rule with a text and all that is reported for it. No rule stands here.
+//! What is refused: `texts/*.txt`, each rule with a text and all that is reported for it; `changes/*.txt`, the same of a file in
+//! which a part is replaced. No rule stands here.
 
 mod names;
-mod scl;
 
+use crate::forms;
 use crate::support::{block, said, said_with};
 use portable::RealKind;
 use st::{Block, Dialect};
 use std::path::Path;
 
-const VARIABLES: &str = "FUNCTION_BLOCK probe
-VAR_INPUT
-    x : LREAL;
-    i : DINT;
-    u : UDINT;
-    p : BOOL;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-    j : DINT;
-    v : UDINT;
-    q : BOOL;
-END_VAR
-";
+const VARIABLES: &str = include_str!("../forms/variables.st");
 
 /// Another block, for instances of it.
-const GAIN: &str = "FUNCTION_BLOCK gain
-VAR_INPUT
-    x : LREAL;
-    n : DINT;
-    w : LREAL;
-END_VAR
-VAR_OUTPUT
-    y : LREAL;
-END_VAR
-VAR
-    k : LREAL;
-END_VAR
-k := 2.0;
-y := k * x;
-END_FUNCTION_BLOCK
-";
+const GAIN: &str = include_str!("../forms/gain.st");
 
 fn gain(real: RealKind) -> Block {
     let text = if real == RealKind::F32 { GAIN.replace("LREAL", "REAL") } else { GAIN.to_owned() };
@@ -48,11 +21,28 @@ fn gain(real: RealKind) -> Block {
 
 #[test]
 fn what_is_reported() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/st/refused/texts");
-    for file in folder.read_dir().expect("the texts") {
-        let file = file.expect("a file");
-        transcript::compare(file.path(), |form, text| reported(form, text).join("\n"));
+    for (name, reported) in [("texts", reported as fn(&str, &str) -> Vec<String>), ("changes", of_a_change)] {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/st/refused").join(name);
+        for file in folder.read_dir().expect("the texts") {
+            let file = file.expect("a file");
+            transcript::compare(file.path(), |form, text| reported(form, text).join("\n"));
+        }
     }
+}
+
+/// What is reported about a file, by the form, in which the part before a line `=>` is replaced by the one after it.
+fn of_a_change(form: &str, change: &str) -> Vec<String> {
+    let (dialect, text, name) = match form {
+        "TwinCAT" => (Dialect::TwinCat, forms::TWINCAT, "probe"),
+        "CODESYS" => (Dialect::Codesys, forms::CODESYS, "probe"),
+        "SCL" => (Dialect::Scl, crate::scl::SOURCE, "FB_x"),
+        "SCL case" => (Dialect::Scl, crate::case::SCL, "probe"),
+        "SCL instance" => (Dialect::Scl, include_str!("../forms/instance.scl"), "FB_probe"),
+        other => panic!("no such form: {other}"),
+    };
+    let (from, to) = change.split_once("\n=>\n").expect("a line `=>`");
+    assert!(text.contains(from), "{form}: {from}");
+    said_with(dialect, &text.replacen(from, to, 1), name, RealKind::F64, &[gain(RealKind::F64)])
 }
 
 /// What is reported about a text, by the form, which says where it stands:
@@ -62,6 +52,7 @@ fn what_is_reported() {
 /// - `declared`: before the body of a block with one output, from line 5 on
 /// - `declared instance`: the same, where the text may have a `gain`
 /// - `file`, `TwinCAT`: it is a file
+/// - `program`: the body of the program of `program.rs`
 pub fn reported(form: &str, text: &str) -> Vec<String> {
     let (form, real) = form.strip_suffix(" of REAL").map_or((form, RealKind::F64), |form| (form, RealKind::F32));
     let body = |variables: &str| {
@@ -79,6 +70,7 @@ pub fn reported(form: &str, text: &str) -> Vec<String> {
         "declared instance" => said_with(Dialect::Plain, &declared(), "probe", RealKind::F64, &[gain(real)]),
         "file" => said(Dialect::Plain, text, "probe", real),
         "TwinCAT" => said(Dialect::TwinCat, text, "probe", real),
+        "program" => crate::program::refused(text),
         other => panic!("no such form: {other}"),
     }
 }

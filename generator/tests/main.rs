@@ -1,0 +1,65 @@
+//! What the generator reads, checks, says and writes. All tests are one program, which is linked once, but for the one that
+//! measures its own memory.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+mod config;
+mod excitation;
+mod file_forms;
+mod generated;
+mod real_files;
+mod response_file;
+mod structured_text;
+mod write;
+
+use generator::config::{ListOptions, Unreadable};
+use generator::pipeline::{Set, read, read_with};
+use generator::target::{File, TARGETS};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// A set `set.toml` next to a list of the examples, in which nothing is wrong.
+fn set_of(text: &str) -> Set {
+    let load = |path: &Path| match path.to_str() {
+        Some("set.toml") => Ok(text.as_bytes().to_vec()),
+        Some("rack-and-pinion.lis") => Ok(include_bytes!("../../examples/rack-and-pinion.lis").to_vec()),
+        _ => Err(Unreadable::System("there is no such file".to_owned())),
+    };
+    let (set, report) = read_with(Path::new("set.toml"), &ListOptions::default(), &load);
+    set.unwrap_or_else(|| panic!("{text}\n{report}"))
+}
+
+/// A set of a file, or a list at a cycle time of 1 ms.
+fn from_disk(path: &Path) -> Set {
+    let is_list = path.extension().is_some_and(|extension| extension == "lis");
+    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), ..ListOptions::default() };
+    let (set, report) = read(path, &options);
+    set.unwrap_or_else(|| panic!("{}: {report}", path.display()))
+}
+
+/// The files of a set in all targets, by name.
+fn files(set: &Set) -> BTreeMap<String, String> {
+    let files = generator::generate::files(set, &[], &TARGETS, |made| made.file).unwrap();
+    let units = generator::generate::units(set);
+    let files = files.into_iter().chain(TARGETS.iter().flat_map(|target| (target.shared)(&units)));
+    let files: Vec<_> = files.map(|File { name, text }| (name, text)).collect();
+    let count = files.len();
+    let files: BTreeMap<String, String> = files.into_iter().collect();
+    assert_eq!(files.len(), count, "no two files have one name");
+    files
+}
+
+/// A file that nobody names here would not be run: cargo does not look for tests of this crate.
+#[test]
+fn every_file_is_a_module() {
+    let modules = include_str!("main.rs");
+    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).unwrap() {
+        let path = file.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let is_module = path.join("mod.rs").exists() || path.extension().is_some_and(|extension| extension == "rs");
+        assert!(
+            !is_module || ["main", "memory"].contains(&name) || modules.contains(&format!("mod {name};\n")),
+            "{name}"
+        );
+    }
+}
