@@ -112,7 +112,7 @@ fn numbers_have_the_stated_accuracy() {
     let count = by_depth(2_000, 20_000, 100_000);
     let worst = (0..count).into_par_iter().map(|index| (case(index).error(), index));
     let (worst, index) = worst.reduce(|| (0.0, 0), |a, b| if a.0 > b.0 { a } else { b });
-    println!("{count} designs: {worst:.2} times 2^-53 (1 + condition), number {index}");
+    eprintln!("{count} designs: {worst:.2} times 2^-53 (1 + condition), number {index}");
     assert!(worst <= f64::from(LIMIT), "{worst} times 2^-53 (1 + condition): design {index}");
     assert!(worst > 1.0, "the numbers are more accurate than doubles can be: {worst}");
 }

@@ -28,7 +28,8 @@ fn found(structure: &Coeffs<f64>, inputs: &Inputs<f64>, ns: u32) -> (Wrong, u32)
 fn each_input_has_its_range() {
     let none = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0, 0.0];
     type Set = fn(&mut Inputs<f64>, f64);
-    let rows: [(Set, Wrong, u32, &[f64], &[f64]); 5] = [
+    type Row<'n> = (Set, Wrong, u32, &'n [f64], &'n [f64]);
+    let rows: [Row<'_>; 5] = [
         (|of, x| of.filter[0].f0 = x, Wrong::Frequency, 0, &[LOWEST, 450.0], &[450.0_f64.next_up(), 500.0, 1e300]),
         (|of, x| of.filter[1].f0 = x, Wrong::Frequency, 1, &[LOWEST, 449.0], &[451.0, 501.0]),
         (|of, x| of.filter[1].q_factor = x, Wrong::QualityFactor, 1, &[1.0, 10.0], &[0.999, 10.001, 1e300]),
