@@ -103,8 +103,11 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
     let rest = if forming.pieces == 0u32 { number * first_cut() } else { forming.rest };
     let piece = whole(rest);
     forming.rest = (rest - from_i32::<R>(piece)) * next_cut();
-    forming.first = (forming.first % 46_337i32 * 31_337i32 + piece % 46_337i32) % 46_337i32;
-    forming.second = (forming.second % 46_337i32 * 17_389i32 + piece % 46_337i32) % 46_337i32;
+    let part = piece % 46_337i32;
+    let first = forming.first % 46_337i32 * 31_337i32;
+    let second = forming.second % 46_337i32 * 17_389i32;
+    forming.first = (first + part) % 46_337i32;
+    forming.second = (second + part) % 46_337i32;
     let is_last = forming.pieces >= last_piece::<R>();
     if is_last {
         forming.pieces = 0u32;

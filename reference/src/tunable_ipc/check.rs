@@ -26,9 +26,9 @@ pub struct State<R> {
     /// the number before it
     pub before: R,
     /// the number two before it
-    pub before_2: R,
+    pub two_before: R,
     /// the number three before it
-    pub before_3: R,
+    pub three_before: R,
     /// the check word
     pub forming: Forming<R>,
 }
@@ -60,7 +60,7 @@ pub fn is_sound<R: Real>(state: &State<R>, coeffs: &ipc::Coeffs<R>) -> bool {
     } else if role == role_lower_limit() {
         in_range(number + state.before, R::ZERO)
     } else if role == role_sum_limit() {
-        in_range(number * limit_scale(), largest_number()) && number >= state.before_2
+        in_range(number * limit_scale(), largest_number()) && number >= state.two_before
     } else if coeffs.watch.active && role == role_quiet() {
         in_range(number, coeffs.limit)
     } else if role == role_gain() {
@@ -68,10 +68,10 @@ pub fn is_sound<R: Real>(state: &State<R>, coeffs: &ipc::Coeffs<R>) -> bool {
     } else if !is_driven_by_change::<R>() && role == role_a2() {
         is_stable_biquad(state.before, number)
     } else if is_driven_by_change::<R>() && role == role_c() {
-        is_stable_trapezoidal(state.before_2, state.before, number)
+        is_stable_trapezoidal(state.two_before, state.before, number)
     } else if is_driven_by_change::<R>() && role == role_g2() {
         in_range(number, largest_number())
-            && are_poles_inside(state.before * state.before_3, state.before * state.before_2, number)
+            && are_poles_inside(state.before * state.three_before, state.before * state.two_before, number)
     } else {
         in_range(number, largest_number())
     }
@@ -86,8 +86,8 @@ pub fn add<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) -> bool {
     let is_number_done = check_word::add(&mut state.forming, scaled);
     let mut is_done = false;
     if is_number_done {
-        state.before_3 = state.before_2;
-        state.before_2 = state.before;
+        state.three_before = state.two_before;
+        state.two_before = state.before;
         state.before = number;
         state.turn += 1u32;
         is_done = state.turn >= length(coeffs);

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   392c4d77e7aa1ba25c7177cf5a298517
- * checksum    1351a6f444629a130cdfe892c058c543
+ * structure   82c5248c7f65fe460c1d1611fa69663d
+ * checksum    adb91b9fe35a9da99a700b0f874b7032
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -123,7 +123,7 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->check_picked_number = 0.0f;
     state->check_picked_role = 0;
     state->check_before = 0.0f;
-    state->check_before_2 = 0.0f;
+    state->check_two_before = 0.0f;
     state->check_forming_first = 0;
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
@@ -282,11 +282,11 @@ static void axis_x_ipc_any_cycle(
                         } else if (check_role == role_sum_limit) {
                             check_is_in_order =
                                 axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
-                                    && check_number >= state->check_before_2;
+                                    && check_number >= state->check_two_before;
                         } else if (check_role == role_gain) {
                             check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
                         } else if (check_role == role_c) {
-                            const float check_a = state->check_before_2;
+                            const float check_a = state->check_two_before;
                             const float check_b = state->check_before;
                             if (axis_x_ipc_magnitude(check_a) <= largest_number
                                     && axis_x_ipc_magnitude(check_b) <= pole_limit
@@ -324,10 +324,15 @@ static void axis_x_ipc_any_cycle(
                             check_forming_piece = 0;
                         }
                         state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                        const int32_t check_forming_part = check_forming_piece % 46337;
+                        const int32_t check_forming_first =
+                            (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                        const int32_t check_forming_second =
+                            (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
                         state->check_forming_first =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337)) + (uint32_t)(check_forming_piece % 46337))) % 46337;
+                            ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
                         state->check_forming_second =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389)) + (uint32_t)(check_forming_piece % 46337))) % 46337;
+                            ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
                         const bool check_forming_is_last = state->check_forming_pieces >= last_piece;
                         if (check_forming_is_last) {
                             state->check_forming_pieces = 0u;
@@ -337,7 +342,7 @@ static void axis_x_ipc_any_cycle(
                         }
                         bool check_is_done;
                         if (check_forming_is_last) {
-                            state->check_before_2 = state->check_before;
+                            state->check_two_before = state->check_before;
                             state->check_before = check_number_next;
                             state->check_turn = state->check_turn + 1u;
                             check_is_done = state->check_turn >= 7u;

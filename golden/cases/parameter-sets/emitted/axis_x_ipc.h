@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   392c4d77e7aa1ba25c7177cf5a298517
- * checksum    825c85720cac8f1a21f7424a66e18c1e
+ * structure   82c5248c7f65fe460c1d1611fa69663d
+ * checksum    ac17e4b80e9af32683d119a5a34e1a62
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x392c4d77u
-#define AXIS_X_IPC_STRUCTURE_1 0xe7aa1ba2u
-#define AXIS_X_IPC_STRUCTURE_2 0x5c7177cfu
-#define AXIS_X_IPC_STRUCTURE_3 0x5a298517u
+#define AXIS_X_IPC_STRUCTURE_0 0x82c5248cu
+#define AXIS_X_IPC_STRUCTURE_1 0x7f65fe46u
+#define AXIS_X_IPC_STRUCTURE_2 0x0c1d1611u
+#define AXIS_X_IPC_STRUCTURE_3 0xfa69663du
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
@@ -166,7 +166,7 @@ typedef struct {
     float check_picked_number; /* the number whose turn it is */
     int32_t check_picked_role; /* what that number is, which decides what is checked */
     float check_before; /* the number before it */
-    float check_before_2; /* the number two before it */
+    float check_two_before; /* the number two before it */
     int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
     int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
     uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
