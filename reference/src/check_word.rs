@@ -9,7 +9,7 @@
 //! rest   = number * 2^15
 //! piece  = whole part of rest ;  rest = (rest - piece) * 2^31       three times in single, four times in double precision
 //! first  = (first * 31337 + piece) mod 46337 ;  second = (second * 17389 + piece) mod 46337
-//! word   = 1 + first * 46337 + second                               after the last number, both made positive
+//! word   = 46337 + first * 46337 + second                           after the last number; mod from 0 on
 //! ```
 //!
 //! A change of one number always changes the word, except a change of the sign of 0. Any other change, such as a mix of two
@@ -97,13 +97,19 @@ pub fn start<R: Real>(forming: &mut Forming<R>, first: i32, second: i32) {
     forming.left_over = R::ZERO;
 }
 
+/// A remainder as it is from 0 on.
+#[portable]
+pub fn positive(remainder: i32) -> i32 {
+    if remainder < 0i32 { remainder + 46_337i32 } else { remainder }
+}
+
 /// Adds the next piece of a number of at most [`largest_number`]. Returns whether it was the last one.
 #[portable]
 pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
     let rest = if forming.pieces == 0u32 { number * first_cut() } else { forming.rest };
     let piece = whole(rest);
     forming.rest = (rest - from_i32::<R>(piece)) * next_cut();
-    let part = piece % 46_337i32;
+    let part = positive(piece % 46_337i32);
     let first = forming.first % 46_337i32 * 31_337i32;
     let second = forming.second % 46_337i32 * 17_389i32;
     forming.first = (first + part) % 46_337i32;
@@ -118,27 +124,16 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
     is_last
 }
 
-/// A part of the word, from 0 to 46336.
-#[portable]
-pub fn positive(part: i32) -> i32 {
-    if part < 0i32 { part + 46_337i32 } else { part }
-}
-
 /// Whether the word is the number of the set, and no number has digits that it does not cover.
 #[portable]
 pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
-    let mut is_same = false;
-    if set_id != 0u32 {
-        let above = set_id - 1u32;
-        let first = from_u32::<R>(above / 46_337u32) - from_i32::<R>(positive(forming.first));
-        let second = from_u32::<R>(above % 46_337u32) - from_i32::<R>(positive(forming.second));
-        is_same = in_range(first, R::ZERO) && in_range(second, R::ZERO) && in_range(forming.left_over, R::ZERO);
-    }
-    is_same
+    let first = from_u32::<R>(set_id / 46_337u32) - from_i32::<R>(forming.first) - R::ONE;
+    let second = from_u32::<R>(set_id % 46_337u32) - from_i32::<R>(forming.second);
+    in_range(first, R::ZERO) && in_range(second, R::ZERO) && in_range(forming.left_over, R::ZERO)
 }
 
 /// The word as the number of a set.
 #[must_use]
 pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
-    1 + positive(forming.first).unsigned_abs() * 46_337 + positive(forming.second).unsigned_abs()
+    46_337 + forming.first.unsigned_abs() * 46_337 + forming.second.unsigned_abs()
 }

@@ -136,20 +136,22 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
         if params.structure != coeffs.structure || state.offered_set == 0u32 {
             refused = error_set_structure();
         }
-    } else if state.check.turn < check::length(coeffs) {
+    } else {
         if is_copied {
             state.check.picked.number = state.picked.number;
         } else {
             numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
         }
-        refused = check::step(&mut state.check, coeffs, is_copied);
-        state.turn = if is_copied { state.check.turn } else { state.turn };
-    } else if is_copied {
-        use_copied(state);
-    } else if state.ipc.fade == 0u32 {
-        copy_offered(state, coeffs, params);
-    } else {
-        state.acting_set = 0u32;
+        if state.check.turn < check::length(coeffs) {
+            refused = check::step(&mut state.check, coeffs, is_copied);
+            state.turn = if is_copied { state.check.turn } else { state.turn };
+        } else if is_copied {
+            use_copied(state);
+        } else if state.ipc.fade == 0u32 {
+            copy_offered(state, coeffs, params);
+        } else {
+            state.acting_set = 0u32;
+        }
     }
     refused
 }
@@ -194,7 +196,7 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
 #[portable]
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let numbers = check::length(coeffs);
-    if state.turn < numbers {
+    if state.turn <= numbers {
         numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now);
         if state.set_id != 0u32 {
             numbers::pick(&mut state.picked_copy, state.turn, &coeffs.ipc, &state.copy);

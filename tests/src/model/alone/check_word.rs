@@ -49,5 +49,5 @@ pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) 
         }
     }
     let [first, second] = word.map(|value| value.rem_euclid(MODULUS));
-    (!is_left_over).then(|| u32::try_from(1 + first * MODULUS + second).expect("at most the square of the modulus"))
+    (!is_left_over).then(|| u32::try_from((1 + first) * MODULUS + second).expect("32 bits"))
 }
