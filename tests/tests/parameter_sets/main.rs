@@ -80,10 +80,10 @@ fn samples(bench: &Bench, length: usize) -> Samples {
     for cycle in 0..length {
         let whole = &bench.sets[rng.below(bench.sets.len())];
         match uniform() {
-            of if of < 0.004 => offered = whole.clone(),
-            of if of < 0.006 => offered = corrupted(whole, &bench.sets, &bench.foreign, &mut rng),
-            of if of < 0.0065 => offered = bench.foreign.clone(),
-            of if of < 0.007 => offered = bench.beyond.clone(),
+            of if of < 0.0015 => offered = whole.clone(),
+            of if of < 0.0022 => offered = corrupted(whole, &bench.sets, &bench.foreign, &mut rng),
+            of if of < 0.0025 => offered = bench.foreign.clone(),
+            of if of < 0.0028 => offered = bench.beyond.clone(),
             _ => {}
         }
         if uniform() < 0.002 {
@@ -183,7 +183,7 @@ fn takes_over_at_rest(inputs: &Samples, outputs: &Samples, bench: &Bench) {
     }
     let is_whole = |id: &f64| *id == 0.0 || ids.contains(&Literal::U32(*id as u32));
     assert!(used.iter().all(is_whole), "only whole sets are taken over: {used:?}");
-    assert!(used.len() > SETS && changes > 20, "{} sets in use, {changes} changes", used.len());
+    assert!(used.len() >= SETS && changes > 15, "{} sets in use, {changes} changes", used.len());
     assert!([6.0, 7.0, 8.0].iter().all(|id| told.contains(id)), "every refusal is told: {told:?}");
 }
 
