@@ -89,7 +89,7 @@ fn always(statement: &Statement, local: Var) -> bool {
 
 /// Removes the assignments of this value from a list and its inner lists. A branch with a comment keeps a statement:
 /// Structured Text does not permit a branch of comments only.
-fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
+pub(super) fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
     list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, local, value));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
     let is_it = |statement: &Statement| match statement {

@@ -26,7 +26,18 @@ impl Names {
         Self { is_reserved: language.is_reserved, significant, taken: HashSet::new() }
     }
 
-    /// A name for a path that differs from all previous names.
+    /// The name of an intermediate value, of this cycle. Its path can be that of a signal or of a part of the memory: `fixed`
+    /// contains the names of these.
+    pub(super) fn take_local(&mut self, path: &str, fixed: &HashSet<String>) -> String {
+        if fixed.contains(&self.key(&identifier(path))) { self.take(&format!("{path}_now")) } else { self.take(path) }
+    }
+
+    /// The names taken so far.
+    pub(super) fn taken(&self) -> HashSet<String> {
+        self.taken.clone()
+    }
+
+    /// A name for a path that differs from all previous names: another value of the same path gets a number.
     pub(super) fn take(&mut self, path: &str) -> String {
         let mut name = identifier(path);
         if name.len() > self.significant
@@ -37,12 +48,7 @@ impl Names {
         if (self.is_reserved)(&name) {
             name.push_str("_value");
         }
-        // Usually a new value of something that already has a name.
-        let words =
-            ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"]
-                .into_iter()
-                .map(str::to_owned);
-        let mut ends = words.chain((2..).map(|number| format!("_{number}")));
+        let mut ends = (2..).map(|number| format!("_{number}"));
         while !self.claim(&name) {
             let end = ends.next().unwrap_or_default();
             name = identifier(path);
@@ -69,6 +75,11 @@ impl Names {
 
     /// Takes the name if no other one is equal to it within the significant characters.
     fn claim(&mut self, name: &str) -> bool {
-        self.taken.insert(name.get(..self.significant).unwrap_or(name).to_ascii_lowercase())
+        self.taken.insert(self.key(name))
+    }
+
+    /// What makes a name differ from others.
+    fn key(&self, name: &str) -> String {
+        name.get(..self.significant).unwrap_or(name).to_ascii_lowercase()
     }
 }

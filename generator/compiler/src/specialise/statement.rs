@@ -250,11 +250,18 @@ impl Specialiser<'_> {
         self.distinct(root, name)
     }
 
-    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal.
+    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal or
+    /// of a part of the state.
     fn distinct(&self, root: &str, field: &str) -> String {
+        let context = &*self.frame().context;
         let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
-        let is_signal = root != field && self.frame().context.is_empty() && signals.any(|signal| signal.path == field);
-        if is_signal { format!("{root}_{field}") } else { field.to_owned() }
+        let mut state = self.program.state.iter().filter_map(|kept| kept.path.strip_prefix(context));
+        let is_taken = if context.is_empty() {
+            signals.any(|signal| signal.path == field)
+        } else {
+            root != "state" && state.any(|rest| rest.strip_prefix('.') == Some(field))
+        };
+        if root != field && is_taken { format!("{root}_{field}") } else { field.to_owned() }
     }
 }
 
