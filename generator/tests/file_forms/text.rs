@@ -73,11 +73,9 @@ fn a_numbered_name_has_one_before_it() {
         for (file, text) in case.with(&[".c", ".rs", ".st", ".scl", ".TcPOU"]) {
             let names = names(text);
             for name in &names {
-                let Some((path, number)) = name.rsplit_once('_').and_then(|(path, end)| Some((path, end.parse().ok()?)))
-                else {
-                    continue;
-                };
-                let before = if number == 2 { path.to_owned() } else { format!("{path}_{}", number - 1_u32) };
+                let Some((path, end)) = name.rsplit_once('_') else { continue };
+                let Ok(number) = end.parse::<u32>() else { continue };
+                let before = if number == 2 { path.to_owned() } else { format!("{path}_{}", number.saturating_sub(1)) };
                 // A reserved word has another name the first time.
                 let is_known = [&*before, &format!("{before}_value")].iter().any(|before| names.contains(before));
                 assert!(number > 1 && is_known, "{}: {file}: {name}", case.name);

@@ -12,18 +12,40 @@ use crate::pass::Defect;
 use crate::program::{Expr, Program, Statement, Var, rename};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
-    let mut lives = Lives { conflicts: vec![Set::new(program.locals.len()); program.locals.len()] };
-    lives.before(&program.step, &mut Set::new(program.locals.len()));
-    let shared = variables(&program, &lives.conflicts);
+    let copies = copies(&program);
+    if copies.is_empty() {
+        return Ok(program);
+    }
+    let empty = Set(vec![0; program.locals.len().div_ceil(64)]);
+    let mut lives = Lives { copied: empty.clone(), conflicts: vec![empty.clone(); program.locals.len()] };
+    copies.iter().flatten().for_each(|local| lives.copied.insert(*local));
+    lives.before(&program.step, &mut empty.clone());
+    let shared = variables(program.locals.len(), &copies, &lives.conflicts);
     rename(&mut program.step, &|var| match var {
         Var::Local(local) => Var::Local(shared[local]),
         var => var,
     });
-    for local in (0..program.locals.len()).filter(|local| shared[*local] == *local).map(Var::Local) {
-        leave_out(&mut program.step, local, &Expr::Var(local));
-    }
+    leave_out(&mut program.step, &|statement| match statement {
+        Statement::Assign { target, value: Expr::Var(source) } => target == source,
+        _ => false,
+    });
     drop_unused(&mut program);
     Ok(program)
+}
+
+/// Target and source of each copy of a local to another one with its name.
+fn copies(program: &Program) -> Vec<[usize; 2]> {
+    let mut copies = Vec::new();
+    for statement in &program.step {
+        statement.assignments(&mut |target, value| {
+            if let (Var::Local(target), Expr::Var(Var::Local(source))) = (target, value)
+                && program.locals[target] == program.locals[*source]
+            {
+                copies.push([target, *source]);
+            }
+        });
+    }
+    copies
 }
 
 /// A set of locals.
@@ -31,10 +53,6 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 struct Set(Vec<u64>);
 
 impl Set {
-    fn new(locals: usize) -> Self {
-        Self(vec![0; locals.div_ceil(64)])
-    }
-
     fn insert(&mut self, local: usize) {
         self.0[local / 64] |= 1 << (local % 64);
     }
@@ -52,8 +70,11 @@ impl Set {
     }
 }
 
-/// For each local those whose values are still needed where it is assigned.
+/// What is needed when.
 struct Lives {
+    /// the locals that are copied, or are copies; the others are left out everywhere
+    copied: Set,
+    /// for each local those whose values are still needed where it is assigned
     conflicts: Vec<Set>,
 }
 
@@ -61,7 +82,9 @@ impl Lives {
     /// Changes the locals that are needed after a list of statements into those that are needed before it.
     fn before(&mut self, list: &[Statement], needed: &mut Set) {
         for statement in list.iter().rev() {
-            if let Statement::Assign { target: Var::Local(target), value } = statement {
+            if let Statement::Assign { target: Var::Local(target), value } = statement
+                && self.copied.has(*target)
+            {
                 let mut others = needed.clone();
                 others.remove(*target);
                 if let Expr::Var(Var::Local(source)) = value {
@@ -81,7 +104,9 @@ impl Lives {
             }
             if let Some(expr) = statement.expr() {
                 expr.variables(&mut |var| {
-                    if let Var::Local(local) = var {
+                    if let Var::Local(local) = var
+                        && self.copied.has(local)
+                    {
                         needed.insert(local);
                     }
                 });
@@ -91,26 +116,16 @@ impl Lives {
 }
 
 /// For each local the one whose variable it uses.
-fn variables(program: &Program, conflicts: &[Set]) -> Vec<usize> {
-    let mut shared: Vec<usize> = (0..program.locals.len()).collect();
-    let mut share = |target: usize, source: usize| {
-        let [one, other] = [shared[target], shared[source]];
-        if one == other || program.locals[target] != program.locals[source] {
-            return;
-        }
-        let sharers = |of| (0..shared.len()).filter(|local| shared[*local] == of).collect::<Vec<_>>();
+fn variables(locals: usize, copies: &[[usize; 2]], conflicts: &[Set]) -> Vec<usize> {
+    let mut shared: Vec<usize> = (0..locals).collect();
+    for [target, source] in copies {
+        let [one, other] = [shared[*target], shared[*source]];
+        let sharers = |of| (0..locals).filter(|local| shared[*local] == of).collect::<Vec<_>>();
         let others = sharers(other);
         let is_free = |a: usize, b: usize| !conflicts[a].has(b) && !conflicts[b].has(a);
-        if sharers(one).iter().all(|a| others.iter().all(|b| is_free(*a, *b))) {
+        if one != other && sharers(one).iter().all(|a| others.iter().all(|b| is_free(*a, *b))) {
             shared.iter_mut().filter(|of| **of == one.max(other)).for_each(|of| *of = one.min(other));
         }
-    };
-    for statement in &program.step {
-        statement.assignments(&mut |target, value| {
-            if let (Var::Local(target), Expr::Var(Var::Local(source))) = (target, value) {
-                share(target, *source);
-            }
-        });
     }
     shared
 }

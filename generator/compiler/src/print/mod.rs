@@ -116,8 +116,8 @@ impl<'p> Printer<'p> {
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: Vec::new(),
         };
-        let fixed = names.taken();
-        scope.locals = program.locals.iter().map(|local| names.take_local(&local.path, &fixed)).collect();
+        names.begin_locals();
+        scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let names = scope;
         let mut texts = names.clone();
         put_inside(&mut texts.inputs, program, language.inside);

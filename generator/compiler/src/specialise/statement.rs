@@ -254,14 +254,18 @@ impl Specialiser<'_> {
     /// of a part of the state.
     fn distinct(&self, root: &str, field: &str) -> String {
         let context = &*self.frame().context;
-        let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
-        let mut state = self.program.state.iter().filter_map(|kept| kept.path.strip_prefix(context));
-        let is_taken = if context.is_empty() {
-            signals.any(|signal| signal.path == field)
-        } else {
-            root != "state" && state.any(|rest| rest.strip_prefix('.') == Some(field))
+        let is_signal = || self.program.inputs.iter().chain(&self.program.outputs).any(|signal| signal.path == field);
+        let is_kept = || {
+            let mut above = self.program.state.iter().filter_map(|kept| kept.path.strip_suffix(field)?.strip_suffix('.'));
+            above.any(|above| above == context)
         };
-        if root != field && is_taken { format!("{root}_{field}") } else { field.to_owned() }
+        let is_taken = match root {
+            root if root == field => false,
+            _ if context.is_empty() => is_signal(),
+            "state" => false,
+            _ => is_kept(),
+        };
+        if is_taken { format!("{root}_{field}") } else { field.to_owned() }
     }
 }
 

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   6e374858b5fe7a1492c6199c2bb5921e
- * checksum    c7a0e27c51b7e186d6b5ed96e4e0457e
+ * checksum    17d9849bf1201e8d7cb15a30c8899ec2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -230,8 +230,8 @@ static void axis_x_ipc_any_cycle(
                     const bool are_sound_so_far0 = are_sound_so_far && is_sound_so_far00;
                     if (are_sound_so_far0) {
                         const float limits = state->copy_limit;
-                        const float limits_next = state->copy_lower_limit;
-                        const float limits_last = state->copy_sum_limit;
+                        const float limits_2 = state->copy_lower_limit;
+                        const float limits_3 = state->copy_sum_limit;
                         const float number0 = limits * limit_scale;
                         const float rest0 = number0 * first_cut;
                         int32_t piece00;
@@ -272,7 +272,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second01 * (uint32_t)17389)) + (uint32_t)part02)) % 46337;
                         const float rest02 = (rest01 - (float)piece02) * next_cut;
                         const float left_over0 = 0.0f + rest02;
-                        const float number1 = limits_next * limit_scale;
+                        const float number1 = limits_2 * limit_scale;
                         const float rest1 = number1 * first_cut;
                         int32_t piece10;
                         if (axis_x_ipc_magnitude(rest1) <= largest_piece) {
@@ -314,7 +314,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second11 * (uint32_t)17389)) + (uint32_t)part12)) % 46337;
                         const float rest12 = (rest11 - (float)piece12) * next_cut;
                         const float left_over1 = left_over0 + rest12;
-                        const float number2 = limits_last * limit_scale;
+                        const float number2 = limits_3 * limit_scale;
                         const float rest2 = number2 * first_cut;
                         int32_t piece20;
                         if (axis_x_ipc_magnitude(rest2) <= largest_piece) {
@@ -357,8 +357,8 @@ static void axis_x_ipc_any_cycle(
                         const float rest22 = (rest21 - (float)piece22) * next_cut;
                         const float left_over2 = left_over1 + rest22;
                         const float numbers000 = state->copy_stage0_filter0_bandpass0_a;
-                        const float numbers000_next = state->copy_stage0_filter0_bandpass0_b;
-                        const float numbers000_last = state->copy_stage0_filter0_bandpass0_c;
+                        const float numbers000_2 = state->copy_stage0_filter0_bandpass0_b;
+                        const float numbers000_3 = state->copy_stage0_filter0_bandpass0_c;
                         const float rest0000 = numbers000 * first_cut;
                         int32_t piece00000;
                         if (axis_x_ipc_magnitude(rest0000) <= largest_piece) {
@@ -400,7 +400,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00001 * (uint32_t)17389)) + (uint32_t)part00002)) % 46337;
                         const float rest00002 = (rest00001 - (float)piece00002) * next_cut;
                         const float left_over0000 = left_over2 + rest00002;
-                        const float rest0001 = numbers000_next * first_cut;
+                        const float rest0001 = numbers000_2 * first_cut;
                         int32_t piece00010;
                         if (axis_x_ipc_magnitude(rest0001) <= largest_piece) {
                             piece00010 = (int32_t)rest0001;
@@ -441,7 +441,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00011 * (uint32_t)17389)) + (uint32_t)part00012)) % 46337;
                         const float rest00012 = (rest00011 - (float)piece00012) * next_cut;
                         const float left_over0001 = left_over0000 + rest00012;
-                        const float rest0002 = numbers000_last * first_cut;
+                        const float rest0002 = numbers000_3 * first_cut;
                         int32_t piece00020;
                         if (axis_x_ipc_magnitude(rest0002) <= largest_piece) {
                             piece00020 = (int32_t)rest0002;
@@ -482,67 +482,67 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second00021 * (uint32_t)17389)) + (uint32_t)part00022)) % 46337;
                         const float rest00022 = (rest00021 - (float)piece00022) * next_cut;
                         const float left_over0002 = left_over0001 + rest00022;
-                        const float number0_next = state->copy_stage0_gain;
-                        const float rest0_next = number0_next * first_cut;
-                        int32_t piece00_next;
-                        if (axis_x_ipc_magnitude(rest0_next) <= largest_piece) {
-                            piece00_next = (int32_t)rest0_next;
+                        const float number0_2 = state->copy_stage0_gain;
+                        const float rest0_2 = number0_2 * first_cut;
+                        int32_t piece00_2;
+                        if (axis_x_ipc_magnitude(rest0_2) <= largest_piece) {
+                            piece00_2 = (int32_t)rest0_2;
                         } else {
                             /* reached only if the block's memory was corrupted */
-                            piece00_next = 0;
+                            piece00_2 = 0;
                         }
-                        const int32_t part00_next = piece00_next % 46337;
-                        const int32_t first00_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00022 * (uint32_t)31337)) + (uint32_t)part00_next)) % 46337;
-                        const int32_t second00_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00022 * (uint32_t)17389)) + (uint32_t)part00_next)) % 46337;
-                        const float rest00_next = (rest0_next - (float)piece00_next) * next_cut;
-                        int32_t piece01_next;
-                        if (axis_x_ipc_magnitude(rest00_next) <= largest_piece) {
-                            piece01_next = (int32_t)rest00_next;
+                        const int32_t part00_2 = piece00_2 % 46337;
+                        const int32_t first00_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00022 * (uint32_t)31337)) + (uint32_t)part00_2)) % 46337;
+                        const int32_t second00_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00022 * (uint32_t)17389)) + (uint32_t)part00_2)) % 46337;
+                        const float rest00_2 = (rest0_2 - (float)piece00_2) * next_cut;
+                        int32_t piece01_2;
+                        if (axis_x_ipc_magnitude(rest00_2) <= largest_piece) {
+                            piece01_2 = (int32_t)rest00_2;
                         } else {
                             /* reached only if the block's memory was corrupted */
-                            piece01_next = 0;
+                            piece01_2 = 0;
                         }
-                        const int32_t part01_next = piece01_next % 46337;
-                        const int32_t first01_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00_next * (uint32_t)31337)) + (uint32_t)part01_next)) % 46337;
-                        const int32_t second01_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00_next * (uint32_t)17389)) + (uint32_t)part01_next)) % 46337;
-                        const float rest01_next = (rest00_next - (float)piece01_next) * next_cut;
-                        int32_t piece02_next;
-                        if (axis_x_ipc_magnitude(rest01_next) <= largest_piece) {
-                            piece02_next = (int32_t)rest01_next;
+                        const int32_t part01_2 = piece01_2 % 46337;
+                        const int32_t first01_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first00_2 * (uint32_t)31337)) + (uint32_t)part01_2)) % 46337;
+                        const int32_t second01_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second00_2 * (uint32_t)17389)) + (uint32_t)part01_2)) % 46337;
+                        const float rest01_2 = (rest00_2 - (float)piece01_2) * next_cut;
+                        int32_t piece02_2;
+                        if (axis_x_ipc_magnitude(rest01_2) <= largest_piece) {
+                            piece02_2 = (int32_t)rest01_2;
                         } else {
                             /* reached only if the block's memory was corrupted */
-                            piece02_next = 0;
+                            piece02_2 = 0;
                         }
-                        const int32_t part02_next = piece02_next % 46337;
-                        const int32_t first02_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first01_next * (uint32_t)31337)) + (uint32_t)part02_next)) % 46337;
-                        const int32_t second02_next =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_next * (uint32_t)17389)) + (uint32_t)part02_next)) % 46337;
-                        const float rest02_next = (rest01_next - (float)piece02_next) * next_cut;
-                        const float left_over0_next = left_over0002 + rest02_next;
+                        const int32_t part02_2 = piece02_2 % 46337;
+                        const int32_t first02_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first01_2 * (uint32_t)31337)) + (uint32_t)part02_2)) % 46337;
+                        const int32_t second02_2 =
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second01_2 * (uint32_t)17389)) + (uint32_t)part02_2)) % 46337;
+                        const float rest02_2 = (rest01_2 - (float)piece02_2) * next_cut;
+                        const float left_over0_2 = left_over0002 + rest02_2;
                         const uint32_t low_half0 = structure % 65536u;
                         const uint32_t high_half0 = structure / 65536u;
                         const float low0 = (float)low_half0;
                         const float high0 = (float)high_half0;
                         const float number00 = low0 * half;
-                        const float rest00_last = number00 * first_cut;
+                        const float rest00_3 = number00 * first_cut;
                         int32_t piece000;
-                        if (axis_x_ipc_magnitude(rest00_last) <= largest_piece) {
-                            piece000 = (int32_t)rest00_last;
+                        if (axis_x_ipc_magnitude(rest00_3) <= largest_piece) {
+                            piece000 = (int32_t)rest00_3;
                         } else {
                             /* reached only if the block's memory was corrupted */
                             piece000 = 0;
                         }
                         const int32_t part000 = piece000 % 46337;
                         const int32_t first000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02_next * (uint32_t)31337)) + (uint32_t)part000)) % 46337;
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)first02_2 * (uint32_t)31337)) + (uint32_t)part000)) % 46337;
                         const int32_t second000 =
-                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02_next * (uint32_t)17389)) + (uint32_t)part000)) % 46337;
-                        const float rest000 = (rest00_last - (float)piece000) * next_cut;
+                            ((int32_t)((uint32_t)((int32_t)((uint32_t)second02_2 * (uint32_t)17389)) + (uint32_t)part000)) % 46337;
+                        const float rest000 = (rest00_3 - (float)piece000) * next_cut;
                         int32_t piece001;
                         if (axis_x_ipc_magnitude(rest000) <= largest_piece) {
                             piece001 = (int32_t)rest000;
@@ -569,12 +569,12 @@ static void axis_x_ipc_any_cycle(
                         const int32_t second002 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second001 * (uint32_t)17389)) + (uint32_t)part002)) % 46337;
                         const float rest002 = (rest001 - (float)piece002) * next_cut;
-                        const float left_over00 = left_over0_next + rest002;
+                        const float left_over00 = left_over0_2 + rest002;
                         const float number01 = high0 * half;
-                        const float rest01_last = number01 * first_cut;
+                        const float rest01_3 = number01 * first_cut;
                         int32_t piece010;
-                        if (axis_x_ipc_magnitude(rest01_last) <= largest_piece) {
-                            piece010 = (int32_t)rest01_last;
+                        if (axis_x_ipc_magnitude(rest01_3) <= largest_piece) {
+                            piece010 = (int32_t)rest01_3;
                         } else {
                             /* reached only if the block's memory was corrupted */
                             piece010 = 0;
@@ -584,7 +584,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first002 * (uint32_t)31337)) + (uint32_t)part010)) % 46337;
                         const int32_t second010 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second002 * (uint32_t)17389)) + (uint32_t)part010)) % 46337;
-                        const float rest010 = (rest01_last - (float)piece010) * next_cut;
+                        const float rest010 = (rest01_3 - (float)piece010) * next_cut;
                         int32_t piece011;
                         if (axis_x_ipc_magnitude(rest010) <= largest_piece) {
                             piece011 = (int32_t)rest010;
@@ -617,10 +617,10 @@ static void axis_x_ipc_any_cycle(
                         const float low1 = (float)low_half1;
                         const float high1 = (float)high_half1;
                         const float number10 = low1 * half;
-                        const float rest10_next = number10 * first_cut;
+                        const float rest10_2 = number10 * first_cut;
                         int32_t piece100;
-                        if (axis_x_ipc_magnitude(rest10_next) <= largest_piece) {
-                            piece100 = (int32_t)rest10_next;
+                        if (axis_x_ipc_magnitude(rest10_2) <= largest_piece) {
+                            piece100 = (int32_t)rest10_2;
                         } else {
                             /* reached only if the block's memory was corrupted */
                             piece100 = 0;
@@ -630,7 +630,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first012 * (uint32_t)31337)) + (uint32_t)part100)) % 46337;
                         const int32_t second100 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second012 * (uint32_t)17389)) + (uint32_t)part100)) % 46337;
-                        const float rest100 = (rest10_next - (float)piece100) * next_cut;
+                        const float rest100 = (rest10_2 - (float)piece100) * next_cut;
                         int32_t piece101;
                         if (axis_x_ipc_magnitude(rest100) <= largest_piece) {
                             piece101 = (int32_t)rest100;
@@ -659,10 +659,10 @@ static void axis_x_ipc_any_cycle(
                         const float rest102 = (rest101 - (float)piece102) * next_cut;
                         const float left_over10 = left_over01 + rest102;
                         const float number11 = high1 * half;
-                        const float rest11_next = number11 * first_cut;
+                        const float rest11_2 = number11 * first_cut;
                         int32_t piece110;
-                        if (axis_x_ipc_magnitude(rest11_next) <= largest_piece) {
-                            piece110 = (int32_t)rest11_next;
+                        if (axis_x_ipc_magnitude(rest11_2) <= largest_piece) {
+                            piece110 = (int32_t)rest11_2;
                         } else {
                             /* reached only if the block's memory was corrupted */
                             piece110 = 0;
@@ -672,7 +672,7 @@ static void axis_x_ipc_any_cycle(
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)first102 * (uint32_t)31337)) + (uint32_t)part110)) % 46337;
                         const int32_t second110 =
                             ((int32_t)((uint32_t)((int32_t)((uint32_t)second102 * (uint32_t)17389)) + (uint32_t)part110)) % 46337;
-                        const float rest110 = (rest11_next - (float)piece110) * next_cut;
+                        const float rest110 = (rest11_2 - (float)piece110) * next_cut;
                         int32_t piece111;
                         if (axis_x_ipc_magnitude(rest110) <= largest_piece) {
                             piece111 = (int32_t)rest110;
@@ -823,74 +823,72 @@ static void axis_x_ipc_any_cycle(
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_MODE;
     }
-    bool ipc_limited_next;
+    bool ipc_limited_2;
     float ipc_v_add;
     float ipc_v_add_calculated;
     bool ipc_fault;
     uint32_t error_id_so_far;
     if (ipc_runs) {
         const uint32_t ipc_fade = state->ipc_fade;
-        const float ipc_source_v_motor_change_next = inputs->v_motor - state->ipc_source_v_motor_before;
+        const float ipc_source_v_motor_change_2 = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
-        const float ipc_source_v_motor_next = ipc_source_v_motor_change_next + axis_x_ipc_least_change;
+        const float ipc_source_v_motor_2 = ipc_source_v_motor_change_2 + axis_x_ipc_least_change;
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a_next = state->now_stage0_filter0_bandpass0_a;
-        const float ipc_stage0_filter0_section0_b_next = state->now_stage0_filter0_bandpass0_b;
-        const float ipc_stage0_filter0_section0_c_next = state->now_stage0_filter0_bandpass0_c;
-        const float ipc_stage0_filter0_section0_left_next =
-            state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_next;
-        const float ipc_stage0_filter0_section0_u_next =
-            ipc_stage0_filter0_section0_a_next * ipc_stage0_filter0_section0_left_next
-                - ipc_stage0_filter0_section0_b_next * state->ipc_stage0_filter0_section0_s1;
-        const float ipc_stage0_filter0_section0_next_next =
-            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u_next;
-        const float ipc_stage0_filter0_section0_y_next =
-            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next_next;
-        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_next;
+        const float ipc_stage0_filter0_section0_a_2 = state->now_stage0_filter0_bandpass0_a;
+        const float ipc_stage0_filter0_section0_b_2 = state->now_stage0_filter0_bandpass0_b;
+        const float ipc_stage0_filter0_section0_c_2 = state->now_stage0_filter0_bandpass0_c;
+        const float ipc_stage0_filter0_section0_left_2 = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_2;
+        const float ipc_stage0_filter0_section0_u_2 =
+            ipc_stage0_filter0_section0_a_2 * ipc_stage0_filter0_section0_left_2
+                - ipc_stage0_filter0_section0_b_2 * state->ipc_stage0_filter0_section0_s1;
+        const float ipc_stage0_filter0_section0_next_2 =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u_2;
+        const float ipc_stage0_filter0_section0_y_2 =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next_2;
+        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_2;
         state->ipc_stage0_filter0_section0_p =
-            ipc_stage0_filter0_section0_left_next
-                - ipc_stage0_filter0_section0_c_next * ipc_stage0_filter0_section0_y_next;
-        const float ipc_v_stage0_next = state->now_stage0_gain * ipc_stage0_filter0_section0_y_next;
-        const float ipc_upper_next = state->now_limit;
-        float ipc_v_limited_next;
-        if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= ipc_upper_next) {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= axis_x_ipc_ipc_rest) {
-                ipc_v_limited_next = 0.0f;
+            ipc_stage0_filter0_section0_left_2 - ipc_stage0_filter0_section0_c_2 * ipc_stage0_filter0_section0_y_2;
+        const float ipc_v_stage0_2 = state->now_stage0_gain * ipc_stage0_filter0_section0_y_2;
+        const float ipc_upper_2 = state->now_limit;
+        float ipc_v_limited_2;
+        if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= ipc_upper_2) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= axis_x_ipc_ipc_rest) {
+                ipc_v_limited_2 = 0.0f;
             } else {
-                ipc_v_limited_next = ipc_v_stage0_next;
+                ipc_v_limited_2 = ipc_v_stage0_2;
             }
-            ipc_limited_next = false;
+            ipc_limited_2 = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= state->now_sum_limit) {
-                if (ipc_v_stage0_next > 0.0f) {
-                    ipc_v_limited_next = ipc_upper_next;
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->now_sum_limit) {
+                if (ipc_v_stage0_2 > 0.0f) {
+                    ipc_v_limited_2 = ipc_upper_2;
                 } else {
-                    ipc_v_limited_next = state->now_lower_limit;
+                    ipc_v_limited_2 = state->now_lower_limit;
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
                  * the block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
-                ipc_v_limited_next = 0.0f;
+                ipc_v_limited_2 = 0.0f;
             }
-            ipc_limited_next = true;
+            ipc_limited_2 = true;
         }
         if (ipc_fade < axis_x_ipc_ipc_fade_cycles) {
             if (ipc_fade > 0u) {
-                ipc_v_add = ipc_v_limited_next * ((float)ipc_fade * ipc_fade_step);
+                ipc_v_add = ipc_v_limited_2 * ((float)ipc_fade * ipc_fade_step);
             } else {
                 ipc_v_add = 0.0f;
             }
             if (mode == AXIS_X_IPC_MODE_OFF) {
                 ipc_v_add_calculated = 0.0f;
             } else {
-                ipc_v_add_calculated = ipc_v_limited_next;
+                ipc_v_add_calculated = ipc_v_limited_2;
             }
         } else {
-            ipc_v_add = ipc_v_limited_next;
-            ipc_v_add_calculated = ipc_v_limited_next;
+            ipc_v_add = ipc_v_limited_2;
+            ipc_v_add_calculated = ipc_v_limited_2;
         }
         ipc_fault = false;
         error_id_so_far = AXIS_X_IPC_ERROR_NONE;
@@ -898,14 +896,14 @@ static void axis_x_ipc_any_cycle(
         ipc_fault = ipc_reason != AXIS_X_IPC_ERROR_NONE;
         ipc_v_add = 0.0f;
         ipc_v_add_calculated = 0.0f;
-        ipc_limited_next = false;
+        ipc_limited_2 = false;
         error_id_so_far = ipc_reason;
     }
     if (axis_x_ipc_magnitude(ipc_v_add) <= axis_x_ipc_ipc_limit
             && axis_x_ipc_magnitude(ipc_v_add_calculated) <= axis_x_ipc_ipc_limit) {
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
-        outputs->limited = ipc_limited_next;
+        outputs->limited = ipc_limited_2;
     } else {
         /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
          * set over again */
@@ -915,101 +913,101 @@ static void axis_x_ipc_any_cycle(
         outputs->limited = true;
     }
     if (state->acting_set != 0u) {
-        const int32_t turn_next = state->turn_next;
-        switch (turn_next) {
+        const int32_t turn_2 = state->turn_next;
+        switch (turn_2) {
         case 0: {
-            const float turn_limit_difference_next = *(const volatile float *)&state->now_limit - state->copy_limit;
-            int32_t turn_after_limit_next;
-            if (axis_x_ipc_is_zero(turn_limit_difference_next)) {
-                turn_after_limit_next = 1;
+            const float turn_limit_difference_2 = *(const volatile float *)&state->now_limit - state->copy_limit;
+            int32_t turn_after_limit_2;
+            if (axis_x_ipc_is_zero(turn_limit_difference_2)) {
+                turn_after_limit_2 = 1;
             } else {
-                turn_after_limit_next = axis_x_ipc_differed;
+                turn_after_limit_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_after_limit_next;
+            state->turn_next = turn_after_limit_2;
             break;
         }
         case 1: {
-            int32_t turn_after_lower_limit_next;
+            int32_t turn_after_lower_limit_2;
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_lower_limit - state->copy_lower_limit)) {
-                turn_after_lower_limit_next = 2;
+                turn_after_lower_limit_2 = 2;
             } else {
-                turn_after_lower_limit_next = axis_x_ipc_differed;
+                turn_after_lower_limit_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_after_lower_limit_next;
+            state->turn_next = turn_after_lower_limit_2;
             break;
         }
         case 2: {
-            int32_t turn_after_sum_limit_next;
+            int32_t turn_after_sum_limit_2;
             if (axis_x_ipc_is_zero(*(const volatile float *)&state->now_sum_limit - state->copy_sum_limit)) {
-                turn_after_sum_limit_next = 3;
+                turn_after_sum_limit_2 = 3;
             } else {
-                turn_after_sum_limit_next = axis_x_ipc_differed;
+                turn_after_sum_limit_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_after_sum_limit_next;
+            state->turn_next = turn_after_sum_limit_2;
             break;
         }
         case 3: {
-            const float turn_numbers0000_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
-            const float turn_copies0000_next = state->copy_stage0_filter0_bandpass0_a;
-            const float turn_difference0000_next = turn_numbers0000_next - turn_copies0000_next;
-            int32_t turn_next0000_next;
-            if (axis_x_ipc_is_zero(turn_difference0000_next)) {
-                turn_next0000_next = 4;
+            const float turn_numbers0000_2 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_a;
+            const float turn_copies0000_2 = state->copy_stage0_filter0_bandpass0_a;
+            const float turn_difference0000_2 = turn_numbers0000_2 - turn_copies0000_2;
+            int32_t turn_next0000_2;
+            if (axis_x_ipc_is_zero(turn_difference0000_2)) {
+                turn_next0000_2 = 4;
             } else {
-                turn_next0000_next = axis_x_ipc_differed;
+                turn_next0000_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0000_next;
+            state->turn_next = turn_next0000_2;
             break;
         }
         case 4: {
-            const float turn_numbers0001_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
-            const float turn_copies0001_next = state->copy_stage0_filter0_bandpass0_b;
-            const float turn_difference0001_next = turn_numbers0001_next - turn_copies0001_next;
-            int32_t turn_next0001_next;
-            if (axis_x_ipc_is_zero(turn_difference0001_next)) {
-                turn_next0001_next = 5;
+            const float turn_numbers0001_2 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_b;
+            const float turn_copies0001_2 = state->copy_stage0_filter0_bandpass0_b;
+            const float turn_difference0001_2 = turn_numbers0001_2 - turn_copies0001_2;
+            int32_t turn_next0001_2;
+            if (axis_x_ipc_is_zero(turn_difference0001_2)) {
+                turn_next0001_2 = 5;
             } else {
-                turn_next0001_next = axis_x_ipc_differed;
+                turn_next0001_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0001_next;
+            state->turn_next = turn_next0001_2;
             break;
         }
         case 5: {
-            const float turn_numbers0002_next = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
-            const float turn_copies0002_next = state->copy_stage0_filter0_bandpass0_c;
-            const float turn_difference0002_next = turn_numbers0002_next - turn_copies0002_next;
-            int32_t turn_next0002_next;
-            if (axis_x_ipc_is_zero(turn_difference0002_next)) {
-                turn_next0002_next = 6;
+            const float turn_numbers0002_2 = *(const volatile float *)&state->now_stage0_filter0_bandpass0_c;
+            const float turn_copies0002_2 = state->copy_stage0_filter0_bandpass0_c;
+            const float turn_difference0002_2 = turn_numbers0002_2 - turn_copies0002_2;
+            int32_t turn_next0002_2;
+            if (axis_x_ipc_is_zero(turn_difference0002_2)) {
+                turn_next0002_2 = 6;
             } else {
-                turn_next0002_next = axis_x_ipc_differed;
+                turn_next0002_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_next0002_next;
+            state->turn_next = turn_next0002_2;
             break;
         }
         case 6: {
-            const float turn_gain_difference0_next =
+            const float turn_gain_difference0_2 =
                 *(const volatile float *)&state->now_stage0_gain - state->copy_stage0_gain;
-            int32_t turn_after_gain0_next;
-            if (axis_x_ipc_is_zero(turn_gain_difference0_next)) {
-                turn_after_gain0_next = 7;
+            int32_t turn_after_gain0_2;
+            if (axis_x_ipc_is_zero(turn_gain_difference0_2)) {
+                turn_after_gain0_2 = 7;
             } else {
-                turn_after_gain0_next = axis_x_ipc_differed;
+                turn_after_gain0_2 = axis_x_ipc_differed;
             }
-            state->turn_next = turn_after_gain0_next;
+            state->turn_next = turn_after_gain0_2;
             break;
         }
         default: {
-            if (turn_next < 0) {
+            if (turn_2 < 0) {
                 state->turn_next = axis_x_ipc_differed;
-            } else if (turn_next >= 7) {
+            } else if (turn_2 >= 7) {
                 /* every number has been compared; the rest of the round is a pause */
-                if (turn_next < 28) {
-                    state->turn_next = (int32_t)((uint32_t)turn_next + (uint32_t)1);
+                if (turn_2 < 28) {
+                    state->turn_next = (int32_t)((uint32_t)turn_2 + (uint32_t)1);
                 } else {
                     state->turn_next = 0;
                 }
-                if (turn_next > 28) {
+                if (turn_2 > 28) {
                     /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
                      * set over again */
                     state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
@@ -1021,10 +1019,10 @@ static void axis_x_ipc_any_cycle(
         }
         }
     }
-    const uint32_t set_id_next = state->set_id;
-    outputs->active_set = set_id_next;
+    const uint32_t set_id_2 = state->set_id;
+    outputs->active_set = set_id_2;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
-        outputs->fault = set_id_next == 0u;
+        outputs->fault = set_id_2 == 0u;
         outputs->error_id = refused;
     } else {
         outputs->error_id = error_id_so_far;
