@@ -39,6 +39,6 @@ fn a_name_is_given_once() {
     };
     assert_eq!(
         Printer::new(&program, &LANGUAGE, "names").names().constants,
-        ["a0_b", "float_value", "A0_B_next", "float_next", "a0_b_last"]
+        ["a0_b", "float_value", "A0_B_2", "float_2", "a0_b_3"]
     );
 }

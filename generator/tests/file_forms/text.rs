@@ -59,18 +59,45 @@ fn blocks_with_case_are_those_that_the_document_names() {
     assert_eq!(found, named);
 }
 
-/// What no name in a file says: the number of a second one of that name, or of a number.
+/// The names of a text, without comments and without those that an axis's number ends.
+fn names(text: &str) -> BTreeSet<&str> {
+    let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
+    words.filter(|word| !word.contains("axis_") && word.starts_with(|c: char| c.is_ascii_lowercase())).collect()
+}
+
+/// A number at the end of a name counts the values of that name, from 2 on.
 #[test]
-fn names_say_what_they_name() {
+fn a_numbered_name_has_one_before_it() {
+    let mut numbered = 0;
     for case in CASES.iter() {
-        for (name, text) in case.with(&[".c", ".rs", ".st", ".scl", ".TcPOU"]) {
-            let words = text.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_'));
-            let is_numbered = |word: &&str| {
-                let end = word.rsplit_once('_').map_or("", |(_, end)| end);
-                let is_count = !end.is_empty() && end.bytes().all(|digit| digit.is_ascii_digit());
-                is_count && !word.contains("axis_") && word.starts_with(|c: char| c.is_ascii_lowercase())
+        for (file, text) in case.with(&[".c", ".rs", ".st", ".scl", ".TcPOU"]) {
+            let names = names(text);
+            for name in &names {
+                let Some((path, end)) = name.rsplit_once('_') else { continue };
+                let Ok(number) = end.parse::<u32>() else { continue };
+                let before = if number == 2 { path.to_owned() } else { format!("{path}_{}", number.saturating_sub(1)) };
+                // A reserved word has another name the first time.
+                let is_known = [&*before, &format!("{before}_value")].iter().any(|before| names.contains(before));
+                assert!(number > 1 && is_known, "{}: {file}: {name}", case.name);
+                numbered += 1;
+            }
+        }
+    }
+    assert!(numbered > 100, "{numbered} names");
+}
+
+/// Names of the second value of something say nothing of time: the block keeps the values of the last cycle.
+#[test]
+fn no_name_says_when_it_is_valid() {
+    let known = ["spindle_next", "next", "v_last"];
+    for case in CASES.iter() {
+        for (file, text) in case.with(&[".c", ".rs", ".st", ".scl", ".TcPOU"]) {
+            let is_of_time = |name: &&&str| {
+                ["_next", "_last", "_then", "_after", "_later", "_again"].iter().any(|end| name.ends_with(end))
+                    && !known.iter().any(|known| name.ends_with(known))
             };
-            assert_eq!(words.clone().find(is_numbered), None, "{}: {name}", case.name);
+            let names = names(text);
+            assert_eq!(names.iter().find(is_of_time), None, "{}: {file}", case.name);
         }
     }
 }

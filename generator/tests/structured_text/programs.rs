@@ -148,27 +148,6 @@ fn what_init_does_moves_into_the_first_cycle() {
     }
 }
 
-#[test]
-fn a_number_beside_a_variable_gets_a_name() {
-    let blocks = all_blocks();
-    let block = blocks.iter().find(|block| block.program.block == "ipc").unwrap();
-    let mut program = block.program.clone();
-    let number = |value| Box::new(Expr::Literal(Literal::F64(value)));
-    let input = || Box::new(Expr::Var(Var::Input(1)));
-    let sum = |value| Expr::Binary(portable::Binary::Add, input(), number(value));
-    let v_add = Var::Output(0);
-    let own = legal("named", program.clone()).constants.len();
-    program.step.extend([0.5, 0.25, 0.5].map(|value| Statement::Assign { target: v_add, value: sum(value) }));
-    program.step.push(Statement::Assign { target: Var::Output(1), value: *number(0.125) });
-    let named = legal("named", program.clone());
-    let added: Vec<Literal> = named.constants[own..].iter().map(|constant| constant.value).collect();
-    let expected = [0.5, 0.25].map(Literal::F64);
-    assert_eq!(added, expected, "0.5 once, 0.25, and what is assigned stays");
-    let names: Vec<&str> = named.constants[own..].iter().map(|constant| constant.path.as_str()).collect();
-    assert_eq!(names, ["number_0p5", "number_0p25"]);
-    assert_eq!(run(&named, block), run(&program, block));
-}
-
 /// The constants of real blocks, in the files themselves.
 #[test]
 fn every_constant_of_the_example_is_in_its_files_with_its_bits() {

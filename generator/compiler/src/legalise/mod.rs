@@ -13,6 +13,7 @@ mod negation;
 mod operands;
 mod presumed;
 mod settle;
+mod share;
 mod single;
 mod start;
 mod stored;
@@ -44,12 +45,13 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("rounded", nearest::run),
     ("bounded", bound::run_digits),
     ("negated", negation::run),
-    ("named", operands::run_single),
+    ("named", operands::run),
     ("single", single::run),
     ("chosen", choose::run),
+    ("shared", share::run),
 ];
 
-/// The passes for its dialects with named numbers, with the signals of PLCopen around the block.
+/// The passes for its dialects with declared constants, with the signals of PLCopen around the block.
 pub const WITH_ENABLE: &[Stage] = &[
     ("enabled", enable::run),
     ("settled", settle::run),
@@ -62,6 +64,7 @@ pub const WITH_ENABLE: &[Stage] = &[
     ("named", operands::run),
     ("single", single::run),
     ("chosen", choose::run),
+    ("shared", share::run),
 ];
 
 /// The passes for TwinCAT: its runtime counts the cycles of a task.

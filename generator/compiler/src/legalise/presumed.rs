@@ -27,7 +27,10 @@ fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
         let mut rest = vec![statement];
         for (local, value) in presumed {
             done[local] = true;
-            leave_out(&mut rest, Var::Local(local), &value);
+            leave_out(&mut rest, &|statement| match statement {
+                Statement::Assign { target, value: other } => *target == Var::Local(local) && *other == value,
+                _ => false,
+            });
             list.push(Statement::Assign { target: Var::Local(local), value });
         }
         rest.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| in_list(inner, done));
@@ -87,15 +90,11 @@ fn always(statement: &Statement, local: Var) -> bool {
     }
 }
 
-/// Removes the assignments of this value from a list and its inner lists. A branch with a comment keeps a statement:
-/// Structured Text does not permit a branch of comments only.
-fn leave_out(list: &mut Vec<Statement>, local: Var, value: &Expr) {
-    list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, local, value));
+/// Removes these assignments from a list and its inner lists. A branch with a comment keeps a statement: Structured Text does
+/// not permit a branch of comments only.
+pub(super) fn leave_out(list: &mut Vec<Statement>, is_it: &dyn Fn(&Statement) -> bool) {
+    list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, is_it));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
-    let is_it = |statement: &Statement| match statement {
-        Statement::Assign { target, value: other } => *target == local && other == value,
-        _ => false,
-    };
     if list.iter().any(is_it) && (list.len() == 1 || others(list) > 1) {
         list.retain(|statement| !is_it(statement));
     }

@@ -1,13 +1,14 @@
-//! Moves the assignments of `init` into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not
-//! every one applies initial values. An `init` that assigns only 0 and FALSE is dropped.
+//! Moves the assignments of `init` into the first cycle, except those of 0 and FALSE: every target clears the memory of an
+//! instance, but not every one applies initial values.
 
 use crate::pass::Defect;
-use crate::program::{Expr, Program, Statement, Type, Var, Variable};
+use crate::program::{Constant, Expr, Program, Statement, Type, Var, Variable};
 use portable::Literal;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init = std::mem::take(&mut program.init);
-    if init.iter().all(is_clear) {
+    init.retain(|statement| !is_clear(statement, &program.constants));
+    if init.is_empty() {
         return Ok(program);
     }
     let started = Var::State(program.state.len());
@@ -24,12 +25,12 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 /// Whether a statement assigns the value that a variable already has.
-fn is_clear(statement: &Statement) -> bool {
+fn is_clear(statement: &Statement, constants: &[Constant]) -> bool {
+    use Literal::{Bool, F32, F64, I32, U32};
     match statement {
         Statement::Note(_) => true,
-        Statement::Assign { value: Expr::Literal(value), .. } => {
-            use Literal::{Bool, F32, F64, I32, U32};
-            [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(value)
+        Statement::Assign { value, .. } => {
+            value.known(constants).is_some_and(|value| [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(&value))
         }
         _ => false,
     }

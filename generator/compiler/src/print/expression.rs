@@ -2,7 +2,7 @@
 
 use super::language::{Form, Level};
 use super::{Doc, INDENTATION, Layout};
-use crate::program::Expr;
+use crate::program::{Expr, Var};
 use portable::{Binary, Unary};
 use pretty::DocAllocator;
 
@@ -74,24 +74,32 @@ impl<'d> Layout<'d> {
         let operands: Vec<Printed<'d>> = expr.operands().map(|operand| self.expr(operand)).collect();
         let line = |text: &'static str| {
             let mut pieces = text.split('{');
-            let doc = self.arena.text(pieces.next().unwrap_or_default());
-            pieces.fold(doc, |doc, piece| {
+            let mut before = pieces.next().unwrap_or_default();
+            let mut doc = self.arena.text(before);
+            for piece in pieces {
                 let (what, text) = piece.split_once('}').expect("print: a form's operand ends");
-                let doc = match what {
-                    "block" => doc.append(self.printer.block),
-                    operand => {
-                        let index = usize::from(operand == "1");
-                        doc.append(self.bound(operands[index].clone(), form.least[index], 0))
-                    }
+                let index = usize::from(what == "1");
+                doc = match self.negated(expr.operands().nth(index)).filter(|_| before.ends_with('-')) {
+                    _ if what == "block" => doc.append(self.printer.block),
+                    Some(negated) => doc.append(negated),
+                    None => doc.append(self.bound(operands[index].clone(), form.least[index], 0)),
                 };
-                doc.append(text)
-            })
+                doc = doc.append(text);
+                before = text;
+            }
+            doc
         };
         let doc = match form.text.split_once('\n') {
             Some((first, second)) => line(first).append(self.line_before(line(second))),
             None => line(form.text),
         };
         Printed { doc, level: form.level }
+    }
+
+    /// The text of an operand after a sign, if that differs.
+    fn negated(&self, operand: Option<&Expr>) -> Option<&'d str> {
+        let Some(Expr::Var(Var::Constant(index))) = operand else { return None };
+        self.printer.negated[*index].as_deref()
     }
 
     /// An operand: in parentheses unless it binds at least as tightly as required. Line breaks inside are indented.

@@ -42,6 +42,8 @@ pub struct Printer<'p> {
     appearances: Vec<Appearance>,
     /// names as in a statement
     texts: Scope,
+    /// the text of a constant after a sign, if that differs: the comment contains the sign too
+    negated: Vec<Option<String>>,
 }
 
 /// A text for each variable of a program.
@@ -107,19 +109,23 @@ impl<'p> Printer<'p> {
             let is_capital = language.has_capitals || *appearance == Appearance::Enumerator;
             if is_capital { name.to_ascii_uppercase() } else { name }
         };
-        let names = Scope {
+        let mut scope = Scope {
             inputs: inputs(program, language, &mut names),
             outputs: members(&program.outputs, language, &mut names),
             state: members(&program.state, language, &mut names),
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
-            locals: program.locals.iter().map(|local| names.take(&local.path)).collect(),
+            locals: Vec::new(),
         };
+        names.begin_locals();
+        scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
+        let names = scope;
         let mut texts = names.clone();
         put_inside(&mut texts.inputs, program, language.inside);
         let Scope { inputs, outputs, state, constants, locals } = &mut texts;
         for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
             list.iter_mut().for_each(|name| name.insert_str(0, before));
         }
+        let mut negated = vec![None; program.constants.len()];
         for (index, appearance) in appearances.iter().enumerate() {
             if *appearance == Appearance::Inline {
                 if let Origin::Runtime(text) = program.constants[index].origin {
@@ -129,10 +135,15 @@ impl<'p> Printer<'p> {
                 let (digits, level) = (language.operand)(program.constants[index].value);
                 let ([open, _, close], name) = (language.comment, &names.constants[index]);
                 let text = format!("{digits} {open}{name}{close}");
-                texts.constants[index] = if level == Level::Primary { text } else { format!("({text})") };
+                if level == Level::Primary {
+                    negated[index] = Some(format!("{digits} {open}-{name}{close}"));
+                    texts.constants[index] = text;
+                } else {
+                    texts.constants[index] = format!("({text})");
+                }
             }
         }
-        Self { program, language, block, names, signals, appearances, texts }
+        Self { program, language, block, names, signals, appearances, texts, negated }
     }
 
     /// The names of the variables, as they are declared.

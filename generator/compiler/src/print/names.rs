@@ -17,16 +17,24 @@ pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
     significant: usize,
     taken: HashSet<String>,
+    /// names of signals, memory and constants, in the scope of the intermediate values
+    fixed: HashSet<String>,
 }
 
 impl Names {
     /// An empty scope, in a language with reserved words.
     pub(super) fn new(language: &Language) -> Self {
         let significant = language.significant.unwrap_or(usize::MAX);
-        Self { is_reserved: language.is_reserved, significant, taken: HashSet::new() }
+        Self { is_reserved: language.is_reserved, significant, taken: HashSet::new(), fixed: HashSet::new() }
     }
 
-    /// A name for a path that differs from all previous names.
+    /// From now on a name is that of an intermediate value, of this cycle.
+    pub(super) fn begin_locals(&mut self) {
+        self.fixed = std::mem::take(&mut self.taken);
+    }
+
+    /// A name for a path that differs from all previous names: another value of the same path gets a number. The path of an
+    /// intermediate value can be that of a signal or of a part of the memory.
     pub(super) fn take(&mut self, path: &str) -> String {
         let mut name = identifier(path);
         if name.len() > self.significant
@@ -37,20 +45,24 @@ impl Names {
         if (self.is_reserved)(&name) {
             name.push_str("_value");
         }
-        // Usually a new value of something that already has a name.
-        let words =
-            ["_next", "_last", "_then", "_after", "_later", "_again", "_anew", "_once_more", "_at_last", "_in_the_end"]
-                .into_iter()
-                .map(str::to_owned);
-        let mut ends = words.chain((2..).map(|number| format!("_{number}")));
-        while !self.claim(&name) {
-            let end = ends.next().unwrap_or_default();
+        if self.claim(&name) {
+            return name;
+        }
+        if self.fixed.contains(&self.key(&name)) {
+            return self.take(&format!("{path}_now"));
+        }
+        let mut number = 2;
+        loop {
+            let end = format!("_{number}");
             name = identifier(path);
             // The distinguishing part must be within the significant characters.
             name.truncate(self.significant.saturating_sub(end.len()));
             name.push_str(&end);
+            if self.claim(&name) {
+                return name;
+            }
+            number += 1;
         }
-        name
     }
 
     /// For a path whose name is too long: the name of its first part and of as much of its end as fits. `None` if nothing of
@@ -69,6 +81,12 @@ impl Names {
 
     /// Takes the name if no other one is equal to it within the significant characters.
     fn claim(&mut self, name: &str) -> bool {
-        self.taken.insert(name.get(..self.significant).unwrap_or(name).to_ascii_lowercase())
+        let key = self.key(name);
+        !self.fixed.contains(&key) && self.taken.insert(key)
+    }
+
+    /// What makes a name differ from others.
+    fn key(&self, name: &str) -> String {
+        name.get(..self.significant).unwrap_or(name).to_ascii_lowercase()
     }
 }

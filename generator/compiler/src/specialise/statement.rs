@@ -255,11 +255,22 @@ impl Specialiser<'_> {
         self.distinct(root, name)
     }
 
-    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal.
+    /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal or
+    /// of a part of the state.
     fn distinct(&self, root: &str, field: &str) -> String {
-        let mut signals = self.program.inputs.iter().chain(&self.program.outputs);
-        let is_signal = root != field && self.frame().context.is_empty() && signals.any(|signal| signal.path == field);
-        if is_signal { format!("{root}_{field}") } else { field.to_owned() }
+        let context = &*self.frame().context;
+        let is_signal = || self.program.inputs.iter().chain(&self.program.outputs).any(|signal| signal.path == field);
+        let is_kept = || {
+            let mut above = self.program.state.iter().filter_map(|kept| kept.path.strip_suffix(field)?.strip_suffix('.'));
+            above.any(|above| above == context)
+        };
+        let is_taken = match root {
+            root if root == field => false,
+            _ if context.is_empty() => is_signal(),
+            "state" => false,
+            _ => is_kept(),
+        };
+        if is_taken { format!("{root}_{field}") } else { field.to_owned() }
     }
 }
 

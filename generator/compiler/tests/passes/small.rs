@@ -371,6 +371,68 @@ fn a_statement_on_real_does_one_operation() {
 }
 
 #[test]
+fn a_number_next_to_a_real_gets_a_name() {
+    let sum = |value| assign(Y, binary(Binary::Add, X, value));
+    let wide = [real(0.5), real(0.25)].map(sum).to_vec();
+    assert_eq!(legal("named", program(0, wide.clone())).step, wide, "digits are LREAL anyway");
+    let single = |value| Expr::Literal(Literal::F32(value));
+    let mut step = [0.5, 0.0, 0.5].map(|value| sum(single(value))).to_vec();
+    step.push(assign(S, single(0.125)));
+    let program = Program { real: RealKind::F32, ..program(0, step) };
+    let own = program.constants.len();
+    let named = legal("named", program);
+    let names: Vec<_> = named.constants[own..].iter().map(|constant| (&*constant.path, constant.value)).collect();
+    assert_eq!(names, [("real_0p5", Literal::F32(0.5)), ("real_zero", Literal::F32(0.0))]);
+    let [half, zero] = [own, own + 1].map(|constant| sum(Expr::Var(Var::Constant(constant))));
+    assert_eq!(named.step, [half.clone(), zero, half, assign(S, single(0.125))], "a number that is assigned alone stays");
+}
+
+#[test]
+fn start_values_of_0_are_there_already() {
+    let init = vec![assign(S, real(0.0)), assign(Y, real(7.0))];
+    let moved = legal("started", Program { init, ..program(0, vec![assign(Y, X)]) });
+    let Statement::If { then, .. } = &moved.step[0] else { panic!("{:?}", moved.step) };
+    let started = Var::State(moved.state.len() - 1);
+    assert_eq!(then, &[assign(Y, real(7.0)), assign(started, Expr::Literal(Literal::Bool(true)))]);
+}
+
+/// A program with locals of these paths.
+fn with_locals<const N: usize>(paths: [&str; N], step: Vec<Statement>) -> Program {
+    let local = |path: &str| Local { path: path.to_owned(), ty: Some(Type::Real) };
+    Program { locals: paths.map(local).to_vec(), ..program(0, step) }
+}
+
+/// The shared variables of a program: their paths, and the statements.
+fn shared<const N: usize>(paths: [&str; N], step: Vec<Statement>) -> (Vec<String>, Vec<Statement>) {
+    let Program { locals, step, .. } = legal("shared", with_locals(paths, step));
+    (locals.into_iter().map(|local| local.path).collect(), step)
+}
+
+#[test]
+fn a_new_value_replaces_an_old_one_that_nothing_needs_any_more() {
+    let is = |index, value| assign(Var::Local(index), value);
+    let limited = || choose(vec![is(1, local(0))], vec![is(1, real(0.0))]);
+    let (locals, step) = shared(["a", "a"], vec![is(0, Expr::Var(S)), limited(), assign(Y, local(1))]);
+    assert_eq!(locals, ["a"]);
+    let shorter = if_(not(ON), vec![is(0, real(0.0))], vec![]);
+    assert_eq!(step, [is(0, Expr::Var(S)), shorter, assign(Y, local(0))]);
+}
+
+#[test]
+fn values_that_are_needed_together_or_have_other_names_keep_their_variables() {
+    let is = |index, value| assign(Var::Local(index), value);
+    let limited = || choose(vec![is(1, local(0))], vec![is(1, real(0.0))]);
+    // The old value is read after the new one.
+    let needed = vec![is(0, X), limited(), assign(Y, binary(Binary::Add, local(0), local(1)))];
+    assert_eq!(shared(["a", "a"], needed.clone()), (vec!["a".to_owned(); 2], needed));
+    let other = vec![is(0, X), limited(), assign(Y, local(1))];
+    assert_eq!(shared(["a", "b"], other.clone()).1, other);
+    // Two calculations of one name: neither is the old value of the other.
+    let apart = vec![is(0, X), assign(S, local(0)), is(1, real(2.0)), assign(Y, local(1))];
+    assert_eq!(shared(["a", "a"], apart.clone()).1, apart);
+}
+
+#[test]
 fn what_most_branches_leave_in_a_local_stands_before_them() {
     let local_is = |value| assign(Var::Local(0), value);
     let rest = |list| [list, vec![assign(Y, local(0))]].concat();

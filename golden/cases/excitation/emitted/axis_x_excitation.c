@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
  * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    cf9fe6b23c042cd39ed7ca2d8c90c98b
+ * checksum    67c2896c3c10a4fcc83665679c4bcd44
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_excitation.h"
@@ -160,10 +160,10 @@ void axis_x_excitation_step(
             state->period = 0u;
             state->complete = false;
             state->reversed = false;
-            const bool forward_next = inputs->v_motor > 0.0;
+            const bool forward_2 = inputs->v_motor > 0.0;
             const bool backward = inputs->v_motor < 0.0;
-            if (forward_next || backward) {
-                state->forward = forward_next;
+            if (forward_2 || backward) {
+                state->forward = forward_2;
                 state->register_value = ones;
                 state->active = true;
             } else {
@@ -203,16 +203,16 @@ void axis_x_excitation_step(
             } else {
                 state->cycle = 1u;
                 const uint32_t register_value = state->register_value;
-                const uint32_t last_next = register_value % 2u;
-                const uint32_t sum = last_next + ((register_value / 2u) % 2u);
+                const uint32_t last_2 = register_value % 2u;
+                const uint32_t sum = last_2 + ((register_value / 2u) % 2u);
                 const uint32_t next = sum % 2u;
-                uint32_t register_next;
+                uint32_t register_2;
                 if (next > 0u) {
-                    register_next = state->register_value / 2u + front;
+                    register_2 = state->register_value / 2u + front;
                 } else {
-                    register_next = state->register_value / 2u;
+                    register_2 = state->register_value / 2u;
                 }
-                state->register_value = register_next;
+                state->register_value = register_2;
                 if (state->clock < ones) {
                     state->clock = state->clock + 1u;
                 } else {

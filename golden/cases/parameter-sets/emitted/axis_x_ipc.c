@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   79a6cccd75798707a99a90583abc8028
- * checksum    eff70901c2357881178966cc50a806f3
+ * checksum    88eda2206a914dcae590bfdf0dbbed59
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -216,13 +216,13 @@ static void axis_x_ipc_any_cycle(
                     state->check_forming_second = empty_second;
                     state->check_forming_first = empty_first;
                     state->check_turn = 0u;
-                    uint32_t turn_last;
+                    uint32_t turn_3;
                     if (is_copied) {
-                        turn_last = 0u;
+                        turn_3 = 0u;
                     } else {
-                        turn_last = state->turn;
+                        turn_3 = state->turn;
                     }
-                    state->turn = turn_last;
+                    state->turn = turn_3;
                     const uint32_t set_id = state->offered_set;
                     state->check_set_id = set_id;
                     if (inputs->params->structure != structure || state->offered_set == 0u) {
@@ -234,20 +234,20 @@ static void axis_x_ipc_any_cycle(
                     if (is_copied) {
                         state->check_picked_number = state->picked_number;
                     } else {
-                        const uint32_t turn_then = state->check_turn;
-                        if (turn_then == 0u) {
+                        const uint32_t turn_4 = state->check_turn;
+                        if (turn_4 == 0u) {
                             state->check_picked_number = inputs->params->limit;
-                        } else if (turn_then == 1u) {
+                        } else if (turn_4 == 1u) {
                             state->check_picked_number = inputs->params->lower_limit;
-                        } else if (turn_then == 2u) {
+                        } else if (turn_4 == 2u) {
                             state->check_picked_number = inputs->params->sum_limit;
-                        } else if (turn_then == 3u) {
+                        } else if (turn_4 == 3u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                        } else if (turn_then == 4u) {
+                        } else if (turn_4 == 4u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                        } else if (turn_then == 5u) {
+                        } else if (turn_4 == 5u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                        } else if (turn_then == 6u) {
+                        } else if (turn_4 == 6u) {
                             state->check_picked_number = inputs->params->stage0_gain;
                         } else {
                             /* no action */
@@ -303,13 +303,13 @@ static void axis_x_ipc_any_cycle(
                             }
                         }
                         if (check_is_in_order) {
-                            const float check_number_next = state->check_picked_number;
+                            const float check_number_2 = state->check_picked_number;
                             const bool check_is_limit = state->check_turn < 3u;
                             float check_scaled;
                             if (check_is_limit) {
-                                check_scaled = check_number_next * limit_scale;
+                                check_scaled = check_number_2 * limit_scale;
                             } else {
-                                check_scaled = check_number_next;
+                                check_scaled = check_number_2;
                             }
                             float check_forming_rest;
                             if (state->check_forming_pieces == 0u) {
@@ -351,7 +351,7 @@ static void axis_x_ipc_any_cycle(
                             bool check_is_done;
                             if (check_forming_is_last) {
                                 state->check_two_before = state->check_before;
-                                state->check_before = check_number_next;
+                                state->check_before = check_number_2;
                                 state->check_turn = state->check_turn + 1u;
                                 check_is_done = state->check_turn >= 7u;
                             } else {
@@ -377,13 +377,13 @@ static void axis_x_ipc_any_cycle(
                         } else {
                             refused = AXIS_X_IPC_ERROR_SET_UNSOUND;
                         }
-                        uint32_t turn_after;
+                        uint32_t turn_5;
                         if (is_copied) {
-                            turn_after = state->check_turn;
+                            turn_5 = state->check_turn;
                         } else {
-                            turn_after = state->turn;
+                            turn_5 = state->turn;
                         }
-                        state->turn = turn_after;
+                        state->turn = turn_5;
                     } else {
                         if (is_copied) {
                             state->copied_set = 0u;
@@ -507,74 +507,72 @@ static void axis_x_ipc_any_cycle(
         ipc_runs = false;
         ipc_reason = AXIS_X_IPC_ERROR_MODE;
     }
-    bool ipc_limited_next;
+    bool ipc_limited_2;
     float ipc_v_add;
     float ipc_v_add_calculated;
     bool ipc_fault;
     uint32_t error_id_so_far;
     if (ipc_runs) {
         const uint32_t ipc_fade = state->ipc_fade;
-        const float ipc_source_v_motor_change_next = inputs->v_motor - state->ipc_source_v_motor_before;
+        const float ipc_source_v_motor_change_2 = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
-        const float ipc_source_v_motor_next = ipc_source_v_motor_change_next + axis_x_ipc_least_change;
+        const float ipc_source_v_motor_2 = ipc_source_v_motor_change_2 + axis_x_ipc_least_change;
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a_next = state->now_stage0_filter0_bandpass0_a;
-        const float ipc_stage0_filter0_section0_b_next = state->now_stage0_filter0_bandpass0_b;
-        const float ipc_stage0_filter0_section0_c_next = state->now_stage0_filter0_bandpass0_c;
-        const float ipc_stage0_filter0_section0_left_next =
-            state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_next;
-        const float ipc_stage0_filter0_section0_u_next =
-            ipc_stage0_filter0_section0_a_next * ipc_stage0_filter0_section0_left_next
-                - ipc_stage0_filter0_section0_b_next * state->ipc_stage0_filter0_section0_s1;
-        const float ipc_stage0_filter0_section0_next_next =
-            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u_next;
-        const float ipc_stage0_filter0_section0_y_next =
-            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next_next;
-        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_next;
+        const float ipc_stage0_filter0_section0_a_2 = state->now_stage0_filter0_bandpass0_a;
+        const float ipc_stage0_filter0_section0_b_2 = state->now_stage0_filter0_bandpass0_b;
+        const float ipc_stage0_filter0_section0_c_2 = state->now_stage0_filter0_bandpass0_c;
+        const float ipc_stage0_filter0_section0_left_2 = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_2;
+        const float ipc_stage0_filter0_section0_u_2 =
+            ipc_stage0_filter0_section0_a_2 * ipc_stage0_filter0_section0_left_2
+                - ipc_stage0_filter0_section0_b_2 * state->ipc_stage0_filter0_section0_s1;
+        const float ipc_stage0_filter0_section0_next_2 =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_u_2;
+        const float ipc_stage0_filter0_section0_y_2 =
+            state->ipc_stage0_filter0_section0_s1 + ipc_stage0_filter0_section0_next_2;
+        state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_2;
         state->ipc_stage0_filter0_section0_p =
-            ipc_stage0_filter0_section0_left_next
-                - ipc_stage0_filter0_section0_c_next * ipc_stage0_filter0_section0_y_next;
-        const float ipc_v_stage0_next = state->now_stage0_gain * ipc_stage0_filter0_section0_y_next;
-        const float ipc_upper_next = state->now_limit;
-        float ipc_v_limited_next;
-        if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= ipc_upper_next) {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= axis_x_ipc_ipc_rest) {
-                ipc_v_limited_next = 0.0f;
+            ipc_stage0_filter0_section0_left_2 - ipc_stage0_filter0_section0_c_2 * ipc_stage0_filter0_section0_y_2;
+        const float ipc_v_stage0_2 = state->now_stage0_gain * ipc_stage0_filter0_section0_y_2;
+        const float ipc_upper_2 = state->now_limit;
+        float ipc_v_limited_2;
+        if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= ipc_upper_2) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= axis_x_ipc_ipc_rest) {
+                ipc_v_limited_2 = 0.0f;
             } else {
-                ipc_v_limited_next = ipc_v_stage0_next;
+                ipc_v_limited_2 = ipc_v_stage0_2;
             }
-            ipc_limited_next = false;
+            ipc_limited_2 = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_next) <= state->now_sum_limit) {
-                if (ipc_v_stage0_next > 0.0f) {
-                    ipc_v_limited_next = ipc_upper_next;
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->now_sum_limit) {
+                if (ipc_v_stage0_2 > 0.0f) {
+                    ipc_v_limited_2 = ipc_upper_2;
                 } else {
-                    ipc_v_limited_next = state->now_lower_limit;
+                    ipc_v_limited_2 = state->now_lower_limit;
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
                  * the block restarts */
                 state->ipc_fade = axis_x_ipc_ipc_fade_cycles + 1u;
-                ipc_v_limited_next = 0.0f;
+                ipc_v_limited_2 = 0.0f;
             }
-            ipc_limited_next = true;
+            ipc_limited_2 = true;
         }
         if (ipc_fade < axis_x_ipc_ipc_fade_cycles) {
             if (ipc_fade > 0u) {
-                ipc_v_add = ipc_v_limited_next * ((float)ipc_fade * ipc_fade_step);
+                ipc_v_add = ipc_v_limited_2 * ((float)ipc_fade * ipc_fade_step);
             } else {
                 ipc_v_add = 0.0f;
             }
             if (mode == AXIS_X_IPC_MODE_OFF) {
                 ipc_v_add_calculated = 0.0f;
             } else {
-                ipc_v_add_calculated = ipc_v_limited_next;
+                ipc_v_add_calculated = ipc_v_limited_2;
             }
         } else {
-            ipc_v_add = ipc_v_limited_next;
-            ipc_v_add_calculated = ipc_v_limited_next;
+            ipc_v_add = ipc_v_limited_2;
+            ipc_v_add_calculated = ipc_v_limited_2;
         }
         ipc_fault = false;
         error_id_so_far = AXIS_X_IPC_ERROR_NONE;
@@ -582,14 +580,14 @@ static void axis_x_ipc_any_cycle(
         ipc_fault = ipc_reason != AXIS_X_IPC_ERROR_NONE;
         ipc_v_add = 0.0f;
         ipc_v_add_calculated = 0.0f;
-        ipc_limited_next = false;
+        ipc_limited_2 = false;
         error_id_so_far = ipc_reason;
     }
     if (axis_x_ipc_magnitude(ipc_v_add) <= axis_x_ipc_ipc_limit
             && axis_x_ipc_magnitude(ipc_v_add_calculated) <= axis_x_ipc_ipc_limit) {
         outputs->v_add = ipc_v_add;
         outputs->v_add_calculated = ipc_v_add_calculated;
-        outputs->limited = ipc_limited_next;
+        outputs->limited = ipc_limited_2;
     } else {
         /* a number in use was corrupted: the next cycle reports the fault, then the block takes the offered
          * set over again */
@@ -598,10 +596,10 @@ static void axis_x_ipc_any_cycle(
         outputs->v_add_calculated = 0.0f;
         outputs->limited = true;
     }
-    const uint32_t set_id_next = state->set_id;
-    outputs->active_set = set_id_next;
+    const uint32_t set_id_2 = state->set_id;
+    outputs->active_set = set_id_2;
     if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
-        outputs->fault = set_id_next == 0u;
+        outputs->fault = set_id_2 == 0u;
         outputs->error_id = refused;
     } else {
         outputs->error_id = error_id_so_far;
@@ -634,20 +632,20 @@ void axis_x_ipc_step(
             /* no action */
         }
         if (state->set_id != 0u) {
-            const uint32_t turn_next = state->turn;
-            if (turn_next == 0u) {
+            const uint32_t turn_2 = state->turn;
+            if (turn_2 == 0u) {
                 state->picked_copy_number = state->copy_limit;
-            } else if (turn_next == 1u) {
+            } else if (turn_2 == 1u) {
                 state->picked_copy_number = state->copy_lower_limit;
-            } else if (turn_next == 2u) {
+            } else if (turn_2 == 2u) {
                 state->picked_copy_number = state->copy_sum_limit;
-            } else if (turn_next == 3u) {
+            } else if (turn_2 == 3u) {
                 state->picked_copy_number = state->copy_stage0_filter0_bandpass0_a;
-            } else if (turn_next == 4u) {
+            } else if (turn_2 == 4u) {
                 state->picked_copy_number = state->copy_stage0_filter0_bandpass0_b;
-            } else if (turn_next == 5u) {
+            } else if (turn_2 == 5u) {
                 state->picked_copy_number = state->copy_stage0_filter0_bandpass0_c;
-            } else if (turn_next == 6u) {
+            } else if (turn_2 == 6u) {
                 state->picked_copy_number = state->copy_stage0_gain;
             } else {
                 /* no action */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   24a2a1235abb161f461438a5ff3858f2
- * checksum    114670119dafb5eb0222dd4b3a52827d
+ * structure   8460acc2bc66c2cc00537a7873a212df
+ * checksum    3adaba43aba7809b4ad6bf43176a88a8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -324,13 +324,13 @@ static void axis_s_spindle_axis_any_cycle(
     if (state->spindle_queued > 4u) {
         state->spindle_queued = 0u;
     }
-    int32_t spindle_control_next;
+    int32_t spindle_cycle_control;
     bool spindle_begins;
     if (spindle_is_control) {
-        spindle_control_next = state->spindle_control;
+        spindle_cycle_control = state->spindle_control;
         spindle_begins = false;
     } else {
-        spindle_control_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        spindle_cycle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
         spindle_begins = true;
     }
     bool spindle_forgets;
@@ -452,87 +452,86 @@ static void axis_s_spindle_axis_any_cycle(
     } else {
         spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     }
-    int32_t spindle_control_last;
-    bool spindle_forgets_next;
-    bool spindle_begins_next;
+    int32_t spindle_cycle_control_2;
+    bool spindle_forgets_2;
+    bool spindle_begins_2;
     if (inputs->reset) {
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             state->spindle_returns = false;
             if (inputs->drive_on) {
                 const bool spindle_is_moving = state->spindle_is_moving;
-                if (spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving) {
-                    spindle_control_last = spindle_control_next;
-                    spindle_forgets_next = true;
+                if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving) {
+                    spindle_cycle_control_2 = spindle_cycle_control;
+                    spindle_forgets_2 = true;
                 } else {
-                    spindle_control_last = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                    spindle_forgets_next = spindle_forgets;
+                    spindle_cycle_control_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    spindle_forgets_2 = spindle_forgets;
                 }
-                spindle_begins_next = true;
+                spindle_begins_2 = true;
             } else {
-                spindle_control_last = spindle_control_next;
-                spindle_begins_next = spindle_begins;
-                spindle_forgets_next = spindle_forgets;
+                spindle_cycle_control_2 = spindle_cycle_control;
+                spindle_begins_2 = spindle_begins;
+                spindle_forgets_2 = spindle_forgets;
             }
         } else {
-            if (spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                    || spindle_control_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                    || spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
                 state->spindle_returns = true;
             }
-            spindle_control_last = spindle_control_next;
-            spindle_begins_next = spindle_begins;
-            spindle_forgets_next = spindle_forgets;
+            spindle_cycle_control_2 = spindle_cycle_control;
+            spindle_begins_2 = spindle_begins;
+            spindle_forgets_2 = spindle_forgets;
         }
     } else {
-        spindle_control_last = spindle_control_next;
-        spindle_begins_next = spindle_begins;
-        spindle_forgets_next = spindle_forgets;
+        spindle_cycle_control_2 = spindle_cycle_control;
+        spindle_begins_2 = spindle_begins;
+        spindle_forgets_2 = spindle_forgets;
     }
     const bool spindle_is_wrong =
         inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
     if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
-    int32_t spindle_control_then;
-    bool spindle_begins_last;
-    bool spindle_forgets_last;
+    int32_t spindle_cycle_control_3;
+    bool spindle_begins_3;
+    bool spindle_forgets_3;
     if (inputs->drive_on) {
-        spindle_control_then = spindle_control_last;
-        spindle_begins_last = spindle_begins_next;
-        spindle_forgets_last = spindle_forgets_next;
+        spindle_cycle_control_3 = spindle_cycle_control_2;
+        spindle_begins_3 = spindle_begins_2;
+        spindle_forgets_3 = spindle_forgets_2;
     } else {
         state->spindle_takes_over = false;
         state->spindle_returns = false;
-        if (spindle_control_last != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
-            spindle_forgets_last = true;
+        if (spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
+            spindle_forgets_3 = true;
         } else {
-            spindle_forgets_last = spindle_forgets_next;
+            spindle_forgets_3 = spindle_forgets_2;
         }
         state->spindle_is_moving = false;
-        spindle_control_then = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        spindle_begins_last = true;
+        spindle_cycle_control_3 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+        spindle_begins_3 = true;
     }
-    outputs->spindle_state = spindle_control_then;
-    state->spindle_control_copy = spindle_control_then;
-    state->spindle_control = spindle_control_then;
+    outputs->spindle_state = spindle_cycle_control_3;
+    state->spindle_control_copy = spindle_cycle_control_3;
+    state->spindle_control = spindle_cycle_control_3;
     if (inputs->reset || !inputs->drive_on) {
         state->spindle_queued = 0u;
     }
-    if (spindle_begins_last) {
+    if (spindle_begins_3) {
         state->spindle_cycles = 0u;
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
     }
-    const bool spindle_is_moving_next = state->spindle_is_moving;
-    const bool spindle_begins_then =
-        spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving_next;
-    const bool spindle_is_sound_next = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_is_moving_2 = state->spindle_is_moving;
+    const bool spindle_begins_4 =
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving_2;
+    const bool spindle_is_sound_2 = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_seized =
-        inputs->drive_on && !spindle_is_sound_next && spindle_begins_then && state->spindle_cycles == 0u;
-    const bool spindle_follows =
-        spindle_begins_then && (!inputs->drive_on || spindle_is_sound_next || spindle_is_seized);
+        inputs->drive_on && !spindle_is_sound_2 && spindle_begins_4 && state->spindle_cycles == 0u;
+    const bool spindle_follows = spindle_begins_4 && (!inputs->drive_on || spindle_is_sound_2 || spindle_is_seized);
     const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-    if (spindle_forgets_last || (spindle_follows && !spindle_is_known)) {
+    if (spindle_forgets_3 || (spindle_follows && !spindle_is_known)) {
         state->spindle_seen_samples = 0u;
         state->spindle_seen_slow = 0u;
     }
@@ -662,30 +661,30 @@ static void axis_s_spindle_axis_any_cycle(
         spindle_holds_back = false;
         spindle_v_turning = 0.0;
     }
-    uint32_t spindle_sample_error_last;
+    uint32_t spindle_sample_error_3;
     bool spindle_brakes;
-    bool spindle_advances_next;
+    bool spindle_advances_2;
     bool spindle_resynchronises;
-    int32_t spindle_next_next;
+    int32_t spindle_next_2;
     if (spindle_is_seized) {
         state->spindle_is_moving = true;
-        spindle_sample_error_last = spindle_sample_error;
+        spindle_sample_error_3 = spindle_sample_error;
         spindle_brakes = false;
-        spindle_advances_next = false;
+        spindle_advances_2 = false;
         spindle_resynchronises = false;
-        spindle_next_next = spindle_control_then;
-    } else if (inputs->drive_on && spindle_is_sound_next) {
-        if (spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                && spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+        spindle_next_2 = spindle_cycle_control_3;
+    } else if (inputs->drive_on && spindle_is_sound_2) {
+        if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                && spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
             state->spindle_cycles = state->spindle_cycles + 1u;
         }
         uint32_t spindle_lacking;
         bool spindle_advances;
-        uint32_t spindle_sample_error_next;
-        if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-            const bool spindle_needs_position = spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+        uint32_t spindle_sample_error_2;
+        if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            const bool spindle_needs_position = spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
             bool spindle_leads;
             if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
                 spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
@@ -721,12 +720,12 @@ static void axis_s_spindle_axis_any_cycle(
                 }
                 spindle_lacking = 0u;
             }
-            const bool spindle_is_changing = spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+            const bool spindle_is_changing = spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
             if (spindle_leads) {
                 state->spindle_missing = 0u;
                 state->spindle_takes_over = false;
                 state->spindle_v = inputs->v_interpolator;
-                if (spindle_control_then != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
                     state->spindle_x = inputs->x_command;
                     spindle_advances = false;
                 } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
@@ -738,48 +737,48 @@ static void axis_s_spindle_axis_any_cycle(
                 const bool spindle_is_reached =
                     inputs->v_interpolator >= spindle_v_velocity_control_on
                         || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
+                if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
                     if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
                         /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
                     } else {
-                        spindle_next_next = spindle_control_then;
+                        spindle_next_2 = spindle_cycle_control_3;
                     }
                 } else if (spindle_is_changing) {
                     /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
                 } else if (state->spindle_returns
                         || (state->spindle_queued > 0u
                             && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                             || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
                     /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
                     state->spindle_returns = false;
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                 } else {
-                    spindle_next_next = spindle_control_then;
+                    spindle_next_2 = spindle_cycle_control_3;
                 }
             } else {
                 spindle_advances = false;
-                spindle_next_next = spindle_control_then;
+                spindle_next_2 = spindle_cycle_control_3;
             }
-            spindle_sample_error_next = spindle_sample_error;
+            spindle_sample_error_2 = spindle_sample_error;
             spindle_brakes = false;
             spindle_resynchronises = false;
         } else {
-            if (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+            if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
                 bool spindle_is_slow;
                 if (spindle_is_known) {
                     const double spindle_v_before = state->spindle_v;
-                    double spindle_v_magnitude_next;
+                    double spindle_v_magnitude_2;
                     if (spindle_v_before < 0.0) {
-                        spindle_v_magnitude_next = -spindle_v_before;
+                        spindle_v_magnitude_2 = -spindle_v_before;
                     } else {
-                        spindle_v_magnitude_next = spindle_v_before;
+                        spindle_v_magnitude_2 = spindle_v_before;
                     }
                     spindle_is_slow =
                         axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
                             && axis_s_spindle_axis_magnitude(inputs->v_actual)
-                            <= spindle_v_magnitude_next + spindle_window;
+                            <= spindle_v_magnitude_2 + spindle_window;
                 } else {
                     spindle_is_slow = false;
                 }
@@ -793,36 +792,36 @@ static void axis_s_spindle_axis_any_cycle(
                     spindle_is_settled
                         && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
                 if (!spindle_is_known) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+                    spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
                 } else if (spindle_is_settled && !spindle_can_leave) {
-                    spindle_sample_error_next = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                    spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
                 } else {
-                    spindle_sample_error_next = spindle_sample_error;
+                    spindle_sample_error_2 = spindle_sample_error;
                 }
                 if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
                     state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
                     spindle_brakes = false;
                     spindle_advances = false;
                     spindle_resynchronises = false;
-                    spindle_next_next = spindle_control_then;
+                    spindle_next_2 = spindle_cycle_control_3;
                 } else {
                     if (spindle_can_leave) {
                         /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
                         spindle_resynchronises = true;
-                        spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
                     } else {
                         spindle_resynchronises = false;
-                        spindle_next_next = spindle_control_then;
+                        spindle_next_2 = spindle_cycle_control_3;
                     }
                     spindle_brakes = true;
                     spindle_advances = true;
                 }
             } else {
-                uint32_t spindle_time_next;
+                uint32_t spindle_time_2;
                 if (state->spindle_is_moving) {
-                    spindle_time_next = spindle_mode_cycles;
+                    spindle_time_2 = spindle_mode_cycles;
                 } else {
-                    spindle_time_next = spindle_start_cycles;
+                    spindle_time_2 = spindle_start_cycles;
                 }
                 bool spindle_completes;
                 int32_t spindle_next;
@@ -835,12 +834,12 @@ static void axis_s_spindle_axis_any_cycle(
                     }
                     spindle_completes = true;
                     spindle_resynchronises = false;
-                    spindle_next = spindle_control_then;
+                    spindle_next = spindle_cycle_control_3;
                 } else {
-                    const bool spindle_is_known_next =
+                    const bool spindle_is_known_2 =
                         state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                    const bool spindle_is_slow_next = spindle_is_known_next && state->spindle_seen_slow >= 3u;
-                    if (spindle_is_known_next
+                    const bool spindle_is_slow_2 = spindle_is_known_2 && state->spindle_seen_slow >= 3u;
+                    if (spindle_is_known_2
                             && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
                         /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
                         state->spindle_is_moving = true;
@@ -848,31 +847,31 @@ static void axis_s_spindle_axis_any_cycle(
                         spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                         spindle_completes = false;
                     } else {
-                        if (spindle_is_slow_next && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                        if (spindle_is_slow_2 && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
                             /* TO_POSITION: the spindle turns slowly, and goes on doing so */
                             spindle_resynchronises = true;
                             spindle_completes = false;
                         } else {
                             spindle_resynchronises = false;
-                            spindle_completes = spindle_is_slow_next;
+                            spindle_completes = spindle_is_slow_2;
                         }
-                        spindle_next = spindle_control_then;
+                        spindle_next = spindle_cycle_control_3;
                     }
                     spindle_advances = false;
                 }
                 if (spindle_completes) {
                     state->spindle_takes_over = true;
                     /* TO_POSITION -> POSITION: the drive displays position control */
-                    spindle_next_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                 } else {
-                    if (state->spindle_cycles > spindle_time_next
+                    if (state->spindle_cycles > spindle_time_2
                             && spindle_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
                             && !spindle_resynchronises) {
                         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
                     }
-                    spindle_next_next = spindle_next;
+                    spindle_next_2 = spindle_next;
                 }
-                spindle_sample_error_next = spindle_sample_error;
+                spindle_sample_error_2 = spindle_sample_error;
                 spindle_brakes = false;
             }
             spindle_lacking = 0u;
@@ -882,21 +881,21 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_takes_over = true;
             if (state->spindle_missing > 3u) {
                 state->spindle_lasting_error = spindle_lacking;
-                spindle_advances_next = spindle_advances;
+                spindle_advances_2 = spindle_advances;
             } else {
-                spindle_advances_next = true;
+                spindle_advances_2 = true;
             }
-            spindle_sample_error_last = spindle_lacking;
+            spindle_sample_error_3 = spindle_lacking;
         } else {
-            spindle_sample_error_last = spindle_sample_error_next;
-            spindle_advances_next = spindle_advances;
+            spindle_sample_error_3 = spindle_sample_error_2;
+            spindle_advances_2 = spindle_advances;
         }
     } else {
-        spindle_sample_error_last = spindle_sample_error;
+        spindle_sample_error_3 = spindle_sample_error;
         spindle_brakes = false;
-        spindle_advances_next = false;
+        spindle_advances_2 = false;
         spindle_resynchronises = false;
-        spindle_next_next = spindle_control_then;
+        spindle_next_2 = spindle_cycle_control_3;
     }
     const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_stopped = spindle_has_failed && inputs->drive_on && !spindle_is_seized;
@@ -948,102 +947,101 @@ static void axis_s_spindle_axis_any_cycle(
             /* no action */
         }
     }
-    if (spindle_is_stopped || spindle_advances_next) {
+    if (spindle_is_stopped || spindle_advances_2) {
         state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
     }
     if (spindle_resynchronises) {
         state->spindle_is_moving = true;
-        double spindle_time_last;
+        double spindle_time_3;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-            int32_t spindle_percentage_next;
+            int32_t spindle_percentage_2;
             if (inputs->feedforward_percentage < 100) {
-                spindle_percentage_next = inputs->feedforward_percentage;
+                spindle_percentage_2 = inputs->feedforward_percentage;
             } else {
-                spindle_percentage_next = 100;
+                spindle_percentage_2 = 100;
             }
-            spindle_time_last = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_next);
+            spindle_time_3 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
         } else {
-            spindle_time_last = spindle_lead_time;
+            spindle_time_3 = spindle_lead_time;
         }
-        const double spindle_way_next = state->spindle_v * spindle_time_last;
-        double spindle_ahead_next;
-        if (axis_s_spindle_axis_magnitude(spindle_way_next) <= lead_limit) {
-            spindle_ahead_next = inputs->x_actual + spindle_way_next;
-        } else {
-            /* reached only if the block's memory was corrupted */
-            spindle_ahead_next = inputs->x_actual;
-        }
-        double spindle_within_turn_next;
-        if (spindle_ahead_next >= 0.0 && spindle_ahead_next < axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_next = spindle_ahead_next;
-        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_next) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_next = (int32_t)(spindle_ahead_next * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_next =
-                spindle_ahead_next - (double)spindle_turns_next * axis_s_spindle_axis_full_turn;
-            double spindle_above_next;
-            if (spindle_rest_next < 0.0) {
-                spindle_above_next = spindle_rest_next + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above_next = spindle_rest_next;
-            }
-            if (spindle_above_next >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_next = spindle_above_next - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn_next = spindle_above_next;
-            }
+        const double spindle_way_2 = state->spindle_v * spindle_time_3;
+        double spindle_ahead_2;
+        if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
+            spindle_ahead_2 = inputs->x_actual + spindle_way_2;
         } else {
             /* reached only if the block's memory was corrupted */
-            spindle_within_turn_next = 0.0;
+            spindle_ahead_2 = inputs->x_actual;
         }
-        state->spindle_x_start = spindle_within_turn_next;
+        double spindle_within_turn_2;
+        if (spindle_ahead_2 >= 0.0 && spindle_ahead_2 < axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_2 = spindle_ahead_2;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
+            double spindle_above_2;
+            if (spindle_rest_2 < 0.0) {
+                spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_above_2 = spindle_rest_2;
+            }
+            if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_within_turn_2 = spindle_above_2;
+            }
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_within_turn_2 = 0.0;
+        }
+        state->spindle_x_start = spindle_within_turn_2;
     }
-    if (spindle_resynchronises || spindle_next_next != state->spindle_control) {
-        state->spindle_control = spindle_next_next;
-        state->spindle_control_copy = spindle_next_next;
+    if (spindle_resynchronises || spindle_next_2 != state->spindle_control) {
+        state->spindle_control = spindle_next_2;
+        state->spindle_control_copy = spindle_next_2;
         state->spindle_cycles = 0u;
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
     }
     const double spindle_angle = state->spindle_x;
-    double spindle_within_turn_last;
+    double spindle_within_turn_3;
     if (spindle_angle >= 0.0 && spindle_angle < axis_s_spindle_axis_full_turn) {
-        spindle_within_turn_last = spindle_angle;
+        spindle_within_turn_3 = spindle_angle;
     } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-        const int32_t spindle_turns_last = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-        const double spindle_rest_last = spindle_angle - (double)spindle_turns_last * axis_s_spindle_axis_full_turn;
-        double spindle_above_last;
-        if (spindle_rest_last < 0.0) {
-            spindle_above_last = spindle_rest_last + axis_s_spindle_axis_full_turn;
+        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
+        double spindle_above_3;
+        if (spindle_rest_3 < 0.0) {
+            spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
         } else {
-            spindle_above_last = spindle_rest_last;
+            spindle_above_3 = spindle_rest_3;
         }
-        if (spindle_above_last >= axis_s_spindle_axis_full_turn) {
-            spindle_within_turn_last = spindle_above_last - axis_s_spindle_axis_full_turn;
+        if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
         } else {
-            spindle_within_turn_last = spindle_above_last;
+            spindle_within_turn_3 = spindle_above_3;
         }
     } else {
         /* reached only if the block's memory was corrupted */
-        spindle_within_turn_last = 0.0;
+        spindle_within_turn_3 = 0.0;
     }
-    state->spindle_x = spindle_within_turn_last;
-    const double spindle_x_spindle_next = state->spindle_x;
-    outputs->x_spindle = spindle_x_spindle_next;
-    const double spindle_v_spindle_last = state->spindle_v;
-    outputs->v_spindle = spindle_v_spindle_last;
+    state->spindle_x = spindle_within_turn_3;
+    const double spindle_x_spindle_2 = state->spindle_x;
+    outputs->x_spindle = spindle_x_spindle_2;
+    const double spindle_v_spindle_3 = state->spindle_v;
+    outputs->v_spindle = spindle_v_spindle_3;
     const uint32_t spindle_lasting = state->spindle_lasting_error;
     uint32_t spindle_error_now;
     if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = spindle_lasting;
-    } else if (spindle_sample_error_last != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        spindle_error_now = spindle_sample_error_last;
+    } else if (spindle_sample_error_3 != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_sample_error_3;
     } else {
         spindle_error_now = spindle_request_error;
     }
     const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_loop_closed =
-        spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
-            && spindle_sample_error_last == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
+            && spindle_sample_error_3 == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     outputs->loop_closed = spindle_loop_closed;
     if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
             || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
@@ -1100,13 +1098,13 @@ static void axis_s_spindle_axis_any_cycle(
             state->spindle_request2_speed = state->spindle_request3_speed;
             state->spindle_request2_position = state->spindle_request3_position;
             state->spindle_queued = state->spindle_queued - 1u;
-            uint32_t spindle_jobs_next;
+            uint32_t spindle_jobs_2;
             if (state->spindle_jobs < 4294967295u) {
-                spindle_jobs_next = state->spindle_jobs + 1u;
+                spindle_jobs_2 = state->spindle_jobs + 1u;
             } else {
-                spindle_jobs_next = 0u;
+                spindle_jobs_2 = 0u;
             }
-            state->spindle_jobs = spindle_jobs_next;
+            state->spindle_jobs = spindle_jobs_2;
         }
     } else {
         /* no action */
@@ -1135,50 +1133,50 @@ static void axis_s_spindle_axis_any_cycle(
             && inputs->drive_on;
     const bool follows =
         is_led
-            && (spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_control_then == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
+            && (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
     if (follows) {
-        const double lag_last = spindle_x_spindle_next - inputs->x_actual;
-        bool gives_up_next;
-        double lag_then;
-        if (axis_s_spindle_axis_magnitude(lag_last) <= axis_s_spindle_axis_lag_limit) {
-            gives_up_next = false;
-            lag_then = lag_last;
+        const double lag_3 = spindle_x_spindle_2 - inputs->x_actual;
+        bool gives_up_2;
+        double lag_4;
+        if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit) {
+            gives_up_2 = false;
+            lag_4 = lag_3;
         } else {
-            if (axis_s_spindle_axis_magnitude(lag_last) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns_next = axis_s_spindle_axis_nearest(lag_last * axis_s_spindle_axis_per_turn);
-                lag_then = lag_last - (double)whole_turns_next * axis_s_spindle_axis_full_turn;
+            if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_3 * axis_s_spindle_axis_per_turn);
+                lag_4 = lag_3 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
-                lag_then = 0.0;
+                lag_4 = 0.0;
             }
-            gives_up_next = !(axis_s_spindle_axis_magnitude(lag_then) <= axis_s_spindle_axis_lag_limit);
+            gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_lag_limit);
         }
-        const double axis_inputs_x_actual_next = spindle_x_spindle_next - lag_then;
-        double axis_feedforward_v_feedforward_next;
+        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_4;
+        double axis_feedforward_v_feedforward_2;
         bool axis_feedforward_fault;
         uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_v_spindle_last) <= axis_s_spindle_axis_sample_limit) {
-            double axis_feedforward_gain_now_next;
+        if (axis_s_spindle_axis_magnitude(spindle_v_spindle_3) <= axis_s_spindle_axis_sample_limit) {
+            double axis_feedforward_gain_now_2;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
-                    axis_feedforward_gain_now_next = axis_s_spindle_axis_axis_feedforward_weight;
+                    axis_feedforward_gain_now_2 = axis_s_spindle_axis_axis_feedforward_weight;
                 } else {
-                    axis_feedforward_gain_now_next =
+                    axis_feedforward_gain_now_2 =
                         axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
                 }
             } else {
-                axis_feedforward_gain_now_next = 0.0;
+                axis_feedforward_gain_now_2 = 0.0;
             }
-            axis_feedforward_v_feedforward_next = axis_feedforward_gain_now_next * spindle_v_spindle_last;
+            axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_v_spindle_3;
             axis_feedforward_fault = false;
             axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
-            axis_feedforward_v_feedforward_next = 0.0;
+            axis_feedforward_v_feedforward_2 = 0.0;
             axis_feedforward_fault = true;
             axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
         }
-        outputs->v_feedforward = axis_feedforward_v_feedforward_next;
+        outputs->v_feedforward = axis_feedforward_v_feedforward_2;
         uint32_t axis_error_id;
         bool axis_fault;
         if (axis_feedforward_fault) {
@@ -1188,10 +1186,10 @@ static void axis_s_spindle_axis_any_cycle(
             axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             axis_fault = false;
         }
-        const double axis_lag_next = spindle_x_spindle_next - axis_inputs_x_actual_next;
-        const double axis_v_lag_next = axis_s_spindle_axis_axis_position_control_kv * axis_lag_next;
-        const double axis_v_controller_next = axis_v_lag_next + axis_feedforward_v_feedforward_next;
-        outputs->v_command = axis_v_controller_next;
+        const double axis_lag_2 = spindle_x_spindle_2 - axis_inputs_x_actual_2;
+        const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
+        const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
+        outputs->v_command = axis_v_controller_2;
         bool axis_ipc_runs;
         uint32_t axis_ipc_reason;
         if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
@@ -1248,7 +1246,7 @@ static void axis_s_spindle_axis_any_cycle(
             axis_ipc_runs = false;
             axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
         }
-        bool axis_limited_next;
+        bool axis_limited_2;
         double axis_ipc_v_add;
         bool axis_ipc_fault;
         uint32_t axis_ipc_error_id;
@@ -1257,29 +1255,29 @@ static void axis_s_spindle_axis_any_cycle(
             /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
             /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
              * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-            const double axis_ipc_stage0_filter0_section0_t_next =
+            const double axis_ipc_stage0_filter0_section0_t_2 =
                 axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double axis_ipc_stage0_filter0_section0_y_next =
-                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_next;
+            const double axis_ipc_stage0_filter0_section0_y_2 =
+                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_2;
             state->axis_ipc_stage0_filter0_section0_s1 =
                 state->axis_ipc_stage0_filter0_section0_s2
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_next;
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_2;
             state->axis_ipc_stage0_filter0_section0_s2 =
-                axis_ipc_stage0_filter0_section0_t_next + axis_s_spindle_axis_anti_denormal
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_next;
-            const double axis_ipc_v_stage0_next =
-                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_next;
+                axis_ipc_stage0_filter0_section0_t_2 + axis_s_spindle_axis_anti_denormal
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_2;
+            const double axis_ipc_v_stage0_2 =
+                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_2;
             double axis_ipc_v_limited;
-            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_limit) {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_rest) {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_limit) {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_rest) {
                     axis_ipc_v_limited = 0.0;
                 } else {
-                    axis_ipc_v_limited = axis_ipc_v_stage0_next;
+                    axis_ipc_v_limited = axis_ipc_v_stage0_2;
                 }
-                axis_limited_next = false;
+                axis_limited_2 = false;
             } else {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_next) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                    if (axis_ipc_v_stage0_next > 0.0) {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                    if (axis_ipc_v_stage0_2 > 0.0) {
                         axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
                     } else {
                         axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
@@ -1290,7 +1288,7 @@ static void axis_s_spindle_axis_any_cycle(
                     state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
                     axis_ipc_v_limited = 0.0;
                 }
-                axis_limited_next = true;
+                axis_limited_2 = true;
             }
             if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
                 if (axis_ipc_fade > 0u) {
@@ -1313,56 +1311,56 @@ static void axis_s_spindle_axis_any_cycle(
             axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
             axis_ipc_v_add = 0.0;
             outputs->v_add_calculated = 0.0;
-            axis_limited_next = false;
+            axis_limited_2 = false;
             axis_ipc_error_id = axis_ipc_reason;
         }
         outputs->v_add = axis_ipc_v_add;
-        uint32_t axis_error_id_next;
-        bool axis_fault_next;
+        uint32_t axis_error_id_2;
+        bool axis_fault_2;
         if (axis_ipc_fault) {
-            axis_error_id_next = axis_ipc_error_id;
-            axis_fault_next = true;
+            axis_error_id_2 = axis_ipc_error_id;
+            axis_fault_2 = true;
         } else {
-            axis_error_id_next = axis_error_id;
-            axis_fault_next = axis_fault;
+            axis_error_id_2 = axis_error_id;
+            axis_fault_2 = axis_fault;
         }
-        const double axis_position_control_v_drive_next = axis_v_controller_next + axis_ipc_v_add;
-        const double axis_position_control_increments_next =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_next;
-        bool axis_position_control_limited_next;
-        if (axis_s_spindle_axis_magnitude(axis_position_control_increments_next)
+        const double axis_position_control_v_drive_2 = axis_v_controller_2 + axis_ipc_v_add;
+        const double axis_position_control_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_2;
+        bool axis_position_control_limited_2;
+        if (axis_s_spindle_axis_magnitude(axis_position_control_increments_2)
                 <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_next);
-            axis_position_control_limited_next = false;
-        } else if (axis_position_control_increments_next > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_2);
+            axis_position_control_limited_2 = false;
+        } else if (axis_position_control_increments_2 > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited_next = true;
-        } else if (axis_position_control_increments_next < 0.0) {
-            axis_position_control_limited_next =
-                axis_position_control_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
+            axis_position_control_limited_2 = true;
+        } else if (axis_position_control_increments_2 < 0.0) {
+            axis_position_control_limited_2 =
+                axis_position_control_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
             outputs->manipulated_variable = 0;
-            axis_position_control_limited_next = true;
+            axis_position_control_limited_2 = true;
         }
-        outputs->limited = axis_position_control_limited_next || axis_limited_next;
-        if (gives_up_next) {
+        outputs->limited = axis_position_control_limited_2 || axis_limited_2;
+        if (gives_up_2) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            double spindle_v_magnitude_last;
+            double spindle_v_magnitude_3;
             if (state->spindle_v < 0.0) {
-                spindle_v_magnitude_last = -state->spindle_v;
+                spindle_v_magnitude_3 = -state->spindle_v;
             } else {
-                spindle_v_magnitude_last = state->spindle_v;
+                spindle_v_magnitude_3 = state->spindle_v;
             }
-            if (axis_s_spindle_axis_magnitude(axis_v_controller_next) <= spindle_v_magnitude_last) {
-                state->spindle_v = axis_v_controller_next;
+            if (axis_s_spindle_axis_magnitude(axis_v_controller_2) <= spindle_v_magnitude_3) {
+                state->spindle_v = axis_v_controller_2;
             }
         }
         uint32_t error_now;
-        if (axis_fault_next) {
-            error_now = axis_error_id_next;
+        if (axis_fault_2) {
+            error_now = axis_error_id_2;
         } else {
             error_now = spindle_error_now;
         }
@@ -1374,19 +1372,19 @@ static void axis_s_spindle_axis_any_cycle(
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
-        outputs->v_command = spindle_v_spindle_last;
+        outputs->v_command = spindle_v_spindle_3;
         state->axis_ipc_preset = false;
         state->axis_ipc_fade = 0u;
-        const double open_increments_next =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_last;
-        if (axis_s_spindle_axis_magnitude(open_increments_next) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_next);
+        const double open_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_3;
+        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
             outputs->limited = false;
-        } else if (open_increments_next > 0.0) {
+        } else if (open_increments_2 > 0.0) {
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
             outputs->limited = true;
-        } else if (open_increments_next < 0.0) {
-            outputs->limited = open_increments_next < axis_s_spindle_axis_manipulated_range_lower_limit;
+        } else if (open_increments_2 < 0.0) {
+            outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
             outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
         } else {
             /* reached only by NaN, which samples in range never produce: the output is 0 */
@@ -1438,21 +1436,21 @@ void axis_s_spindle_axis_step(
         outputs->job_number = state->spindle_jobs;
         const double lag = spindle_x_spindle - inputs->x_actual;
         bool gives_up;
-        double lag_next;
+        double lag_2;
         if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_lag_limit) {
             gives_up = false;
-            lag_next = lag;
+            lag_2 = lag;
         } else {
             if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
                 const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
-                lag_next = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
+                lag_2 = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
-                lag_next = 0.0;
+                lag_2 = 0.0;
             }
-            gives_up = !(axis_s_spindle_axis_magnitude(lag_next) <= axis_s_spindle_axis_lag_limit);
+            gives_up = !(axis_s_spindle_axis_magnitude(lag_2) <= axis_s_spindle_axis_lag_limit);
         }
-        const double axis_inputs_x_actual = spindle_x_spindle - lag_next;
+        const double axis_inputs_x_actual = spindle_x_spindle - lag_2;
         double axis_feedforward_gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -1569,9 +1567,9 @@ void axis_s_spindle_axis_step(
         state->spindle_x = inputs->x_actual;
         state->spindle_v = inputs->v_interpolator;
         outputs->x_spindle = state->spindle_x;
-        const double spindle_v_spindle_next = state->spindle_v;
-        outputs->v_spindle = spindle_v_spindle_next;
-        outputs->v_command = spindle_v_spindle_next;
+        const double spindle_v_spindle_2 = state->spindle_v;
+        outputs->v_spindle = spindle_v_spindle_2;
+        outputs->v_command = spindle_v_spindle_2;
         outputs->job = state->spindle_present_kind;
         outputs->job_speed = state->spindle_present_speed;
         outputs->job_position = state->spindle_present_position;
@@ -1579,7 +1577,7 @@ void axis_s_spindle_axis_step(
         state->axis_ipc_preset = false;
         state->axis_ipc_fade = 0u;
         const double open_increments =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_next;
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_2;
         if (axis_s_spindle_axis_magnitude(open_increments) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments);
             outputs->limited = false;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   24a2a1235abb161f461438a5ff3858f2
- * checksum    8cb0989e1e2ff67b33ddead8cdd2efb2
+ * structure   8460acc2bc66c2cc00537a7873a212df
+ * checksum    50500aec5e3d96a5671df4fe464b2a55
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -32,10 +32,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x24a2a123u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x5abb161fu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x461438a5u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xff3858f2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x8460acc2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xbc66c2ccu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x00537a78u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x73a212dfu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
