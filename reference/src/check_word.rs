@@ -114,14 +114,14 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
     let second = forming.second % 46_337i32 * 17_389i32;
     forming.first = (first + part) % 46_337i32;
     forming.second = (second + part) % 46_337i32;
-    let is_last = forming.pieces >= last_piece::<R>();
-    if is_last {
+    let is_complete = forming.pieces >= last_piece::<R>();
+    if is_complete {
         forming.pieces = 0u32;
         forming.left_over = forming.left_over + forming.rest;
     } else {
         forming.pieces += 1u32;
     }
-    is_last
+    is_complete
 }
 
 /// Whether the word is the number of the set, and no number has digits that it does not cover.

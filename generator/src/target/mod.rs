@@ -59,7 +59,7 @@ pub const TARGETS: [Target; 6] = [
     target("st", legalise::WITH_DIGITS, st::called, st::plain, |_| Vec::new()),
     target("twincat", legalise::WITH_TASK, st::twincat::called, st::twincat::files, st::twincat::shared),
     target("codesys", legalise::WITH_ENABLE, st::codesys::called, st::codesys::files, st::codesys::shared),
-    target("scl", legalise::WITH_ENABLE, st::scl_called, st::scl, st::scl_shared),
+    target("scl", legalise::WITH_NAMES, st::scl_called, st::scl, st::scl_shared),
 ];
 
 /// A target without runners.

@@ -164,7 +164,8 @@ fn zeros(code: &str) -> Vec<(String, bool)> {
         };
         Some((target.split_whitespace().last()?.trim_start_matches('#').to_ascii_lowercase(), negative))
     };
-    assignments.filter_map(of).collect()
+    // The type of a declaration is not the target of an assignment.
+    assignments.filter_map(of).filter(|(target, _)| !["real", "lreal"].contains(&&**target)).collect()
 }
 
 /// The zeros of SCL are those of TwinCAT, sign by sign; a sign never stands before a zero.

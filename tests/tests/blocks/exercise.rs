@@ -46,5 +46,8 @@ fn a_short_exercise_says_what_it_has_not_reached() {
     assert!(!reached.is_full());
     assert!(reached.to_string().ends_with("1 of 3 events of parameter sets"), "{reached}");
     let missing: Vec<String> = reached.missing().collect();
-    assert_eq!(missing.last().unwrap(), "not among the events of parameter sets: a set taken over, another set taken over");
+    assert_eq!(
+        missing.last().unwrap(),
+        "not among the events of parameter sets: a set taken over, another set taken over"
+    );
 }

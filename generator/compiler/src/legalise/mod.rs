@@ -45,27 +45,34 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("rounded", nearest::run),
     ("bounded", bound::run_digits),
     ("negated", negation::run),
-    ("named", operands::run),
+    ("named", operands::run_single),
     ("single", single::run),
     ("chosen", choose::run),
     ("shared", share::run),
 ];
 
 /// The passes for its dialects with declared constants, with the signals of PLCopen around the block.
-pub const WITH_ENABLE: &[Stage] = &[
-    ("enabled", enable::run),
-    ("settled", settle::run),
-    (presumed::NAME, presumed::run),
-    ("started", start::run),
-    ("read", stored::run),
-    ("rounded", nearest::run),
-    ("bounded", bound::run),
-    ("negated", negation::run),
-    ("named", operands::run),
-    ("single", single::run),
-    ("chosen", choose::run),
-    ("shared", share::run),
-];
+pub const WITH_ENABLE: &[Stage] = &with_enable(("named", operands::run_single));
+
+/// The passes for SCL: digits need not be LREAL, so numbers have names.
+pub const WITH_NAMES: &[Stage] = &with_enable(("all named", operands::run));
+
+const fn with_enable(named: Stage) -> [Stage; 12] {
+    [
+        ("enabled", enable::run),
+        ("settled", settle::run),
+        (presumed::NAME, presumed::run),
+        ("started", start::run),
+        ("read", stored::run),
+        ("rounded", nearest::run),
+        ("bounded", bound::run),
+        ("negated", negation::run),
+        named,
+        ("single", single::run),
+        ("chosen", choose::run),
+        ("shared", share::run),
+    ]
+}
 
 /// The passes for TwinCAT: its runtime counts the cycles of a task.
 pub const WITH_TASK: &[Stage] = &{

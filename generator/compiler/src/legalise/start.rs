@@ -29,9 +29,9 @@ fn is_clear(statement: &Statement, constants: &[Constant]) -> bool {
     use Literal::{Bool, F32, F64, I32, U32};
     match statement {
         Statement::Note(_) => true,
-        Statement::Assign { value, .. } => {
-            value.known(constants).is_some_and(|value| [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(&value))
-        }
+        Statement::Assign { value, .. } => value
+            .known(constants)
+            .is_some_and(|value| [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(&value)),
         _ => false,
     }
 }

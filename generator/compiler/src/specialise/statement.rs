@@ -261,7 +261,8 @@ impl Specialiser<'_> {
         let context = &*self.frame().context;
         let is_signal = || self.program.inputs.iter().chain(&self.program.outputs).any(|signal| signal.path == field);
         let is_kept = || {
-            let mut above = self.program.state.iter().filter_map(|kept| kept.path.strip_suffix(field)?.strip_suffix('.'));
+            let mut above =
+                self.program.state.iter().filter_map(|kept| kept.path.strip_suffix(field)?.strip_suffix('.'));
             above.any(|above| above == context)
         };
         let is_taken = match root {

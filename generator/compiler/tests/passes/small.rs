@@ -384,7 +384,11 @@ fn a_number_next_to_a_real_gets_a_name() {
     let names: Vec<_> = named.constants[own..].iter().map(|constant| (&*constant.path, constant.value)).collect();
     assert_eq!(names, [("real_0p5", Literal::F32(0.5)), ("real_zero", Literal::F32(0.0))]);
     let [half, zero] = [own, own + 1].map(|constant| sum(Expr::Var(Var::Constant(constant))));
-    assert_eq!(named.step, [half.clone(), zero, half, assign(S, single(0.125))], "a number that is assigned alone stays");
+    assert_eq!(
+        named.step,
+        [half.clone(), zero, half, assign(S, single(0.125))],
+        "a number that is assigned alone stays"
+    );
 }
 
 #[test]

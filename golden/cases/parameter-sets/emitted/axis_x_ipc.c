@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   79a6cccd75798707a99a90583abc8028
- * checksum    88eda2206a914dcae590bfdf0dbbed59
+ * structure   615c36c979ede42c976a4abc7a9482ed
+ * checksum    4004673ef0a18078ad9142bd65241175
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -340,8 +340,8 @@ static void axis_x_ipc_any_cycle(
                                 ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
                             state->check_forming_second =
                                 ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
-                            const bool check_forming_is_last = state->check_forming_pieces >= last_piece;
-                            if (check_forming_is_last) {
+                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                            if (check_forming_is_complete) {
                                 state->check_forming_pieces = 0u;
                                 state->check_forming_left_over =
                                     state->check_forming_left_over + state->check_forming_rest;
@@ -349,7 +349,7 @@ static void axis_x_ipc_any_cycle(
                                 state->check_forming_pieces = state->check_forming_pieces + 1u;
                             }
                             bool check_is_done;
-                            if (check_forming_is_last) {
+                            if (check_forming_is_complete) {
                                 state->check_two_before = state->check_before;
                                 state->check_before = check_number_2;
                                 state->check_turn = state->check_turn + 1u;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   79a6cccd75798707a99a90583abc8028
- * checksum    c789eb77a2d4c163c9492e2f579fa7e1
+ * structure   615c36c979ede42c976a4abc7a9482ed
+ * checksum    24c345d174d1d8f80607d4bc024db21c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x79a6cccdu
-#define AXIS_X_IPC_STRUCTURE_1 0x75798707u
-#define AXIS_X_IPC_STRUCTURE_2 0xa99a9058u
-#define AXIS_X_IPC_STRUCTURE_3 0x3abc8028u
+#define AXIS_X_IPC_STRUCTURE_0 0x615c36c9u
+#define AXIS_X_IPC_STRUCTURE_1 0x79ede42cu
+#define AXIS_X_IPC_STRUCTURE_2 0x976a4abcu
+#define AXIS_X_IPC_STRUCTURE_3 0x7a9482edu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
