@@ -1,6 +1,4 @@
 //! The numbers of a parameter set: the limits and the numbers of the stages. They are copied, and picked one by one.
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
-
 use super::signals::STAGES;
 use super::{Coeffs, watch};
 use crate::stage;
@@ -90,10 +88,8 @@ pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>, n
     if turn == 2u32 {
         picked.number = numbers.sum_limit;
     }
-    if structure.watch.active {
-        if turn == 3u32 {
-            picked.number = numbers.watch.quiet;
-        }
+    if structure.watch.active && turn == 3u32 {
+        picked.number = numbers.watch.quiet;
     }
     let mut at = limits(structure);
     for i in 0..STAGES {
@@ -116,10 +112,8 @@ pub fn pick_offered<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coef
     if turn == 2u32 {
         picked.number = numbers.sum_limit;
     }
-    if structure.watch.active {
-        if turn == 3u32 {
-            picked.number = numbers.watch.quiet;
-        }
+    if structure.watch.active && turn == 3u32 {
+        picked.number = numbers.watch.quiet;
     }
     let mut at = limits(structure);
     for i in 0..STAGES {
@@ -143,10 +137,8 @@ pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<
     if turn == 2u32 {
         picked.role = role_sum_limit();
     }
-    if structure.watch.active {
-        if turn == 3u32 {
-            picked.role = role_quiet();
-        }
+    if structure.watch.active && turn == 3u32 {
+        picked.role = role_quiet();
     }
     let mut at = limits(structure);
     for i in 0..STAGES {

@@ -213,9 +213,8 @@ impl Set {
         let mut checked = Checking::new(self.set_id);
         match checked.begin(self, of) {
             0 => loop {
-                match checked.piece(&self.numbers, of, false) {
-                    Some(why) => return why,
-                    None => {}
+                if let Some(why) = checked.piece(&self.numbers, of, false) {
+                    return why;
                 }
             },
             why => why,
