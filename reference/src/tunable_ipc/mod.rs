@@ -90,15 +90,18 @@ pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, acting_set: u32, tripp
     fade > 0u32 && (acting_set == 0u32 || coeffs.ipc.watch.active && tripped)
 }
 
-/// Whether the offered set was refused a short time ago. A corrupted state can neither extend the pause nor produce an id that
-/// is not a refusal.
+/// Whether the offered set is the one that was refused last. A corrupted state cannot produce an id that is not a refusal.
 #[portable]
-pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
-    state.pause > 0u32
-        && state.pause <= coeffs.ipc.fade_cycles
-        && state.offered_set == state.refused_set
+pub fn is_refused<R: Real>(state: &State<R>) -> bool {
+    state.offered_set == state.refused_set
         && state.refused >= error_set_structure()
         && state.refused <= error_set_damaged()
+}
+
+/// Whether the offered set was refused a short time ago. A corrupted state cannot extend the pause.
+#[portable]
+pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    state.pause > 0u32 && state.pause <= coeffs.ipc.fade_cycles && is_refused(state)
 }
 
 /// Takes the numbers of the offered set, twice. No set is in use until they have been checked.
@@ -147,10 +150,13 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
             state.turn = if is_copied { state.check.turn } else { state.turn };
         } else if is_copied {
             use_copied(state);
-        } else if state.ipc.fade == 0u32 {
-            copy_offered(state, coeffs, params);
         } else {
-            state.acting_set = 0u32;
+            state.refused = error_none();
+            if state.ipc.fade == 0u32 {
+                copy_offered(state, coeffs, params);
+            } else {
+                state.acting_set = 0u32;
+            }
         }
     }
     refused
@@ -176,6 +182,10 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
             state.acting_set = state.set_id;
             state.copied_set = 0u32;
             state.check.set_id = 0u32;
+        } else {
+            // It is checked again, and is refused until it has passed.
+            let stays_refused = is_refused(state);
+            refused = if stays_refused { state.refused } else { error_none() };
         }
     }
     refused

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   615c36c979ede42c976a4abc7a9482ed
- * checksum    4004673ef0a18078ad9142bd65241175
+ * structure   6563fc84abb0d9a0c33c92bd80f112fc
+ * checksum    f570b826bc9d2aa7c667c7f718a9db9c
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -183,7 +183,7 @@ static void axis_x_ipc_any_cycle(
 
     state->offered_set = inputs->params->set_id;
     int32_t mode;
-    uint32_t refused;
+    uint32_t refused_2;
     if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
         state->set_id = 0u;
         state->acting_set = 0u;
@@ -191,25 +191,27 @@ static void axis_x_ipc_any_cycle(
         state->pause = 0u;
         state->check_set_id = 0u;
         mode = inputs->mode;
-        refused = AXIS_X_IPC_ERROR_NONE;
+        refused_2 = AXIS_X_IPC_ERROR_NONE;
     } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
         const bool must_wait =
-            state->pause > 0u && state->pause <= axis_x_ipc_ipc_fade_cycles && state->offered_set == state->refused_set
-                && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+            state->pause > 0u && state->pause <= axis_x_ipc_ipc_fade_cycles
+                && state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
         if (state->offered_set == state->set_id && state->set_id != 0u) {
             state->acting_set = state->set_id;
             state->check_set_id = 0u;
-            refused = AXIS_X_IPC_ERROR_NONE;
+            refused_2 = AXIS_X_IPC_ERROR_NONE;
         } else if (must_wait) {
             state->pause = state->pause - 1u;
-            refused = state->refused;
+            refused_2 = state->refused;
         } else {
             const uint32_t fade = state->ipc_fade;
             const uint32_t acting_set = state->acting_set;
             if (fade > 0u && acting_set == 0u) {
-                refused = AXIS_X_IPC_ERROR_NONE;
+                refused_2 = AXIS_X_IPC_ERROR_NONE;
             } else {
                 const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+                uint32_t refused;
                 if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
                     state->check_forming_left_over = 0.0f;
                     state->check_forming_pieces = 0u;
@@ -390,29 +392,32 @@ static void axis_x_ipc_any_cycle(
                             state->turn = 0u;
                             state->set_id = state->offered_set;
                             state->acting_set = state->offered_set;
-                        } else if (state->ipc_fade == 0u) {
-                            state->now_limit = inputs->params->limit;
-                            state->now_lower_limit = inputs->params->lower_limit;
-                            state->now_sum_limit = inputs->params->sum_limit;
-                            state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                            state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                            state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                            state->now_stage0_gain = inputs->params->stage0_gain;
-                            state->copy_limit = state->now_limit;
-                            state->copy_lower_limit = state->now_lower_limit;
-                            state->copy_sum_limit = state->now_sum_limit;
-                            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-                            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-                            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-                            state->copy_stage0_gain = state->now_stage0_gain;
-                            state->copied_set = state->offered_set;
-                            state->check_set_id = 0u;
-                            state->set_id = 0u;
-                            state->acting_set = 0u;
-                            state->turn = 0u;
-                            state->ipc_preset = false;
                         } else {
-                            state->acting_set = 0u;
+                            state->refused = AXIS_X_IPC_ERROR_NONE;
+                            if (state->ipc_fade == 0u) {
+                                state->now_limit = inputs->params->limit;
+                                state->now_lower_limit = inputs->params->lower_limit;
+                                state->now_sum_limit = inputs->params->sum_limit;
+                                state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
+                                state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
+                                state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
+                                state->now_stage0_gain = inputs->params->stage0_gain;
+                                state->copy_limit = state->now_limit;
+                                state->copy_lower_limit = state->now_lower_limit;
+                                state->copy_sum_limit = state->now_sum_limit;
+                                state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+                                state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+                                state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+                                state->copy_stage0_gain = state->now_stage0_gain;
+                                state->copied_set = state->offered_set;
+                                state->check_set_id = 0u;
+                                state->set_id = 0u;
+                                state->acting_set = 0u;
+                                state->turn = 0u;
+                                state->ipc_preset = false;
+                            } else {
+                                state->acting_set = 0u;
+                            }
                         }
                         refused = AXIS_X_IPC_ERROR_NONE;
                     }
@@ -424,6 +429,16 @@ static void axis_x_ipc_any_cycle(
                     state->acting_set = state->set_id;
                     state->copied_set = 0u;
                     state->check_set_id = 0u;
+                    refused_2 = refused;
+                } else {
+                    const bool stays_refused =
+                        state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                            && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+                    if (stays_refused) {
+                        refused_2 = state->refused;
+                    } else {
+                        refused_2 = AXIS_X_IPC_ERROR_NONE;
+                    }
                 }
             }
         }
@@ -439,7 +454,7 @@ static void axis_x_ipc_any_cycle(
     } else {
         state->set_id = state->acting_set;
         mode = inputs->mode;
-        refused = AXIS_X_IPC_ERROR_NONE;
+        refused_2 = AXIS_X_IPC_ERROR_NONE;
     }
     bool ipc_runs;
     uint32_t ipc_reason;
@@ -598,9 +613,9 @@ static void axis_x_ipc_any_cycle(
     }
     const uint32_t set_id_2 = state->set_id;
     outputs->active_set = set_id_2;
-    if (refused != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
+    if (refused_2 != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
         outputs->fault = set_id_2 == 0u;
-        outputs->error_id = refused;
+        outputs->error_id = refused_2;
     } else {
         outputs->error_id = error_id_so_far;
         outputs->fault = ipc_fault;

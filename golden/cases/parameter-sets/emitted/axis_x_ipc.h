@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   615c36c979ede42c976a4abc7a9482ed
- * checksum    24c345d174d1d8f80607d4bc024db21c
+ * structure   6563fc84abb0d9a0c33c92bd80f112fc
+ * checksum    43ba7d8ff76d72a82a93397624368024
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x615c36c9u
-#define AXIS_X_IPC_STRUCTURE_1 0x79ede42cu
-#define AXIS_X_IPC_STRUCTURE_2 0x976a4abcu
-#define AXIS_X_IPC_STRUCTURE_3 0x7a9482edu
+#define AXIS_X_IPC_STRUCTURE_0 0x6563fc84u
+#define AXIS_X_IPC_STRUCTURE_1 0xabb0d9a0u
+#define AXIS_X_IPC_STRUCTURE_2 0xc33c92bdu
+#define AXIS_X_IPC_STRUCTURE_3 0x80f112fcu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

@@ -120,7 +120,8 @@ impl<'d> Alone<'d> {
     /// What the block does with the set that is offered; why it is refused.
     fn look_at(&mut self, offered: &Rc<Set>) -> u32 {
         if self.ipc.is_disturbed() {
-            (self.in_use, self.leaves, self.refused, self.checking, self.copied) = (0, false, None, None, None);
+            (self.in_use, self.leaves, self.checking, self.copied) = (0, false, None, None);
+            self.refused.iter_mut().for_each(|refused| refused.left = 0);
             return 0;
         }
         if self.in_use != 0 && offered.set_id == self.in_use {
@@ -139,7 +140,9 @@ impl<'d> Alone<'d> {
             self.refused = Some(Refused { set: offered.set_id, why, left: self.ipc.fade_cycles() });
             (self.leaves, self.checking, self.copied) = (false, None, None);
         }
-        why
+        // While it is checked again it stays refused.
+        let same = self.refused.filter(|refused| refused.set == offered.set_id);
+        same.map_or(why, |refused| refused.why)
     }
 
     /// The next step towards the use of a set: a piece of its check, the fade, the copy, a piece of the check of the copy; why it is refused.
@@ -160,7 +163,10 @@ impl<'d> Alone<'d> {
         if let Some(copied) = copied {
             self.ipc.take(&self.of.filters[copied.of], copied.limits(structure));
             (self.in_use, self.leaves, self.copied) = (offered.set_id, false, None);
-        } else if self.ipc.is_open() {
+            return 0;
+        }
+        self.refused = None;
+        if self.ipc.is_open() {
             self.leaves = true;
         } else {
             self.ipc.stop();
