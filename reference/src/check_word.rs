@@ -127,7 +127,8 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
 /// Whether the word is the number of the set, and no number has digits that it does not cover.
 #[portable]
 pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
-    let first = from_u32::<R>(set_id / 46_337u32) - from_i32::<R>(forming.first) - R::ONE;
+    let quotient = set_id / 46_337u32;
+    let first = from_u32::<R>(quotient) - from_i32::<R>(forming.first) - R::ONE;
     let second = from_u32::<R>(set_id % 46_337u32) - from_i32::<R>(forming.second);
     in_range(first, R::ZERO) && in_range(second, R::ZERO) && in_range(forming.left_over, R::ZERO)
 }

@@ -117,7 +117,10 @@ fn a_self_test_finds_planted_faults() {
         (FUSED, |block, which| block.contracted(Some(which)), few),
     ];
     for (name, plant, part) in plants {
-        let counts: Vec<(bool, Count)> = in_both_real_types()
+        // The self-test of an excitation never starts it: it holds the button from its first sample on.
+        let mut cases = in_both_real_types();
+        cases.retain(|case| case.block.program.block != "excitation");
+        let counts: Vec<(bool, Count)> = cases
             .par_iter()
             .enumerate()
             .map(|(turn, case)| (case.block.program.block == "spindle", count(case, turn, name, (plant, part))))

@@ -2,9 +2,9 @@
 
 use super::noise::Noise;
 use compiler::legalise::{AxisProgram, RealInput};
-use compiler::program::{Program, Variable};
+use compiler::program::{Program, Type, Variable};
 use compiler::{leaf, leaves};
-use portable::{Block, Literal, Real};
+use portable::{Block, Literal, Real, RealKind};
 use reference::signal::sample_limit;
 use std::ops::Range;
 
@@ -31,6 +31,8 @@ pub(crate) struct Exercise {
     /// numbers that are out of range, or huge
     pub(crate) beyond: Literal,
     pub(super) huge: [Literal; 2],
+    /// number of cycles until the parameter set is in use; 0 for a block without
+    pub(super) wait: usize,
     /// number of cycles until the block acts in full
     pub(super) start: usize,
     /// the compared outputs and parts of the state
@@ -102,6 +104,14 @@ impl Exercise {
         });
         let [quiet, loud] = wanted.ranges;
         let huge = sample_limit::<R>() * R::lit(0.125);
+        let is_number = |input: &&usize| {
+            let input = &program.inputs[**input];
+            input.ty == Type::Real && program.in_set(input).is_some()
+        };
+        let numbers = signals.iter().filter(is_number).count();
+        // Each number is checked in pieces, one in a cycle, before and after all are copied.
+        let pieces = if R::KIND == RealKind::F32 { 3 } else { 4 };
+        let wait = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };
         Self {
             drill: drill.collect(),
             switches: signals.iter().copied().filter(is_switch).map(|input| (input, others(usual[input]))).collect(),
@@ -112,7 +122,8 @@ impl Exercise {
             not_a_number: leaf(R::lit(f64::NAN)),
             beyond: leaf(sample_limit::<R>() + sample_limit::<R>()),
             huge: [leaf(huge), leaf(-huge)],
-            start: wanted.start,
+            wait,
+            start: wanted.start + wait,
             outputs: for_axis.outputs.clone(),
             state: kept(&for_axis.program, state_paths),
             usual,

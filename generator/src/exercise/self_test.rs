@@ -32,7 +32,7 @@ impl SelfTest {
     pub(crate) fn record(exercise: &Exercise, run: &mut dyn Run) -> Self {
         let bad: Vec<_> =
             (BAD_SAMPLE_DISTANCE..).step_by(BAD_SAMPLE_DISTANCE).zip(exercise.reals.iter().copied()).collect();
-        let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + QUIET_SAMPLES;
+        let loud_from = BAD_SAMPLE_DISTANCE * bad.len() + exercise.wait + QUIET_SAMPLES;
         let (mut noise, mut outputs, mut digest) = (Noise::default(), Vec::new(), 0);
         let mut sample = |sample: usize| {
             let mut inputs: Vec<Literal> = exercise.usual_at(sample);

@@ -7,7 +7,7 @@ use portable::Literal;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init = std::mem::take(&mut program.init);
-    init.retain(|statement| !is_clear(statement, &program.constants));
+    init.retain(|statement| !is_clear(statement, &program.constants, &program.state));
     if init.is_empty() {
         return Ok(program);
     }
@@ -24,14 +24,26 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Whether a statement assigns the value that a variable already has.
-fn is_clear(statement: &Statement, constants: &[Constant]) -> bool {
-    use Literal::{Bool, F32, F64, I32, U32};
+/// Whether a statement assigns the 0 or FALSE that a part of the state already has.
+fn is_clear(statement: &Statement, constants: &[Constant], state: &[Variable]) -> bool {
     match statement {
         Statement::Note(_) => true,
-        Statement::Assign { value, .. } => value
-            .known(constants)
-            .is_some_and(|value| [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(&value)),
+        Statement::Assign { target: Var::State(part), value } => {
+            let value = value.known(constants);
+            value.is_some_and(is_cleared) && is_cleared(state[*part].start)
+        }
         _ => false,
+    }
+}
+
+/// Whether cleared memory is this value: 0, not -0.
+fn is_cleared(value: Literal) -> bool {
+    match value {
+        Literal::Bool(value) => !value,
+        Literal::I32(value) => value == 0,
+        Literal::U32(value) => value == 0,
+        Literal::F64(value) => value.to_bits() == 0,
+        Literal::F32(value) => value.to_bits() == 0,
+        Literal::Usize(_) | Literal::Variant(_) => false,
     }
 }

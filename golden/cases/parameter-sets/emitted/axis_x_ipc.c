@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   6563fc84abb0d9a0c33c92bd80f112fc
- * checksum    f570b826bc9d2aa7c667c7f718a9db9c
+ * structure   473612b284e0c220d84f29df94f30947
+ * checksum    1e30b3d6e9dbd5f10198e2d5acbcc8d6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -361,8 +361,9 @@ static void axis_x_ipc_any_cycle(
                             }
                             if (check_is_done) {
                                 const uint32_t check_set_id = state->check_set_id;
+                                const uint32_t check_quotient = check_set_id / 46337u;
                                 const float check_first =
-                                    (float)(check_set_id / 46337u) - (float)state->check_forming_first - 1.0f;
+                                    (float)check_quotient - (float)state->check_forming_first - 1.0f;
                                 const float check_second =
                                     (float)(check_set_id % 46337u) - (float)state->check_forming_second;
                                 const bool check_is_word =

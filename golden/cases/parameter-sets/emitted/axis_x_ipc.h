@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   6563fc84abb0d9a0c33c92bd80f112fc
- * checksum    43ba7d8ff76d72a82a93397624368024
+ * structure   473612b284e0c220d84f29df94f30947
+ * checksum    7f1966f2356ab27df5812d63d40180ae
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x6563fc84u
-#define AXIS_X_IPC_STRUCTURE_1 0xabb0d9a0u
-#define AXIS_X_IPC_STRUCTURE_2 0xc33c92bdu
-#define AXIS_X_IPC_STRUCTURE_3 0x80f112fcu
+#define AXIS_X_IPC_STRUCTURE_0 0x473612b2u
+#define AXIS_X_IPC_STRUCTURE_1 0x84e0c220u
+#define AXIS_X_IPC_STRUCTURE_2 0xd84f29dfu
+#define AXIS_X_IPC_STRUCTURE_3 0x94f30947u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
