@@ -104,11 +104,9 @@ impl Exercise {
         });
         let [quiet, loud] = wanted.ranges;
         let huge = sample_limit::<R>() * R::lit(0.125);
-        let is_number = |input: &&usize| {
-            let input = &program.inputs[**input];
-            input.ty == Type::Real && program.in_set(input).is_some()
-        };
-        let numbers = signals.iter().filter(is_number).count();
+        let own = &for_axis.program;
+        let is_number = |input: &&Variable| input.ty == Type::Real && own.in_set(input).is_some();
+        let numbers = own.inputs.iter().filter(is_number).count();
         // Each number is checked in pieces, one in a cycle, before and after all are copied.
         let pieces = if R::KIND == RealKind::F32 { 3 } else { 4 };
         let wait = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };

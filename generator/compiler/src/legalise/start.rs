@@ -1,14 +1,13 @@
-//! Moves the assignments of `init` into the first cycle, except those of 0 and FALSE: every target clears the memory of an
-//! instance, but not every one applies initial values.
+//! Moves the assignments of `init` into the first cycle: every target clears the memory of an instance to 0 and FALSE, but not
+//! every one applies initial values. An `init` that assigns only 0 and FALSE is dropped.
 
 use crate::pass::Defect;
-use crate::program::{Constant, Expr, Program, Statement, Type, Var, Variable};
+use crate::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::Literal;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut init = std::mem::take(&mut program.init);
-    init.retain(|statement| !is_clear(statement, &program.constants, &program.state));
-    if init.is_empty() {
+    if init.iter().all(is_clear) {
         return Ok(program);
     }
     let started = Var::State(program.state.len());
@@ -24,26 +23,14 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     Ok(program)
 }
 
-/// Whether a statement assigns the 0 or FALSE that a part of the state already has.
-fn is_clear(statement: &Statement, constants: &[Constant], state: &[Variable]) -> bool {
+/// Whether a statement assigns the value that a variable already has.
+fn is_clear(statement: &Statement) -> bool {
     match statement {
         Statement::Note(_) => true,
-        Statement::Assign { target: Var::State(part), value } => {
-            let value = value.known(constants);
-            value.is_some_and(is_cleared) && is_cleared(state[*part].start)
+        Statement::Assign { value: Expr::Literal(value), .. } => {
+            use Literal::{Bool, F32, F64, I32, U32};
+            [Bool(false), I32(0), U32(0), F64(0.0), F32(0.0)].contains(value)
         }
         _ => false,
-    }
-}
-
-/// Whether cleared memory is this value: 0, not -0.
-fn is_cleared(value: Literal) -> bool {
-    match value {
-        Literal::Bool(value) => !value,
-        Literal::I32(value) => value == 0,
-        Literal::U32(value) => value == 0,
-        Literal::F64(value) => value.to_bits() == 0,
-        Literal::F32(value) => value.to_bits() == 0,
-        Literal::Usize(_) | Literal::Variant(_) => false,
     }
 }

@@ -391,15 +391,6 @@ fn a_number_next_to_a_real_gets_a_name() {
     );
 }
 
-#[test]
-fn start_values_of_0_are_there_already() {
-    let init = vec![assign(S, real(0.0)), assign(Y, real(7.0))];
-    let moved = legal("started", Program { init, ..program(0, vec![assign(Y, X)]) });
-    let Statement::If { then, .. } = &moved.step[0] else { panic!("{:?}", moved.step) };
-    let started = Var::State(moved.state.len() - 1);
-    assert_eq!(then, &[assign(Y, real(7.0)), assign(started, Expr::Literal(Literal::Bool(true)))]);
-}
-
 /// A program with locals of these paths.
 fn with_locals<const N: usize>(paths: [&str; N], step: Vec<Statement>) -> Program {
     let local = |path: &str| Local { path: path.to_owned(), ty: Some(Type::Real) };

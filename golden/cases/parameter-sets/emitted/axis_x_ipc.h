@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   473612b284e0c220d84f29df94f30947
- * checksum    7f1966f2356ab27df5812d63d40180ae
+ * checksum    51e9dafc0e228a4652c5fe357a03077f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -202,7 +202,7 @@ void axis_x_ipc_step(
     axis_x_ipc_outputs *outputs);
 
 /* Defined in axis_x_ipc_self_test.c; a build that does not call it can omit that file.
- * Runs 35 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
+ * Runs 81 samples and compares outputs and state with the bits of the reference. Returns 0 if all bits are equal,
  * otherwise the number of the first sample that differs; 1 also if the build fuses a product with a sum or treats
  * constants as single precision. Call it once at start-up on the machine, and compile both files with the same options.
  * It also detects a build that reorders floating-point operations or treats a NaN as a number. */
