@@ -68,7 +68,7 @@ fn judge_in<R: Real>(old: &Designed, new: &Designed) -> Judgement {
         (true, false) => Some(Refusal::NoSetsAfter),
         (true, true) => refusal::<R>(old, new),
     };
-    let mut left = differences(&beside(old), &beside(new));
+    let mut left = differences(&apart_from_set(old), &apart_from_set(new));
     left.extend(other_blocks(old, new));
     // No change may stay unreported: the old block with the new numbers must equal the new block, apart from the reported
     // changes.
@@ -141,7 +141,7 @@ fn parts(stage: &Stage) -> String {
 }
 
 /// The properties of a block besides its structure and the numbers of a set.
-fn beside(of: &Designed) -> Effects {
+fn apart_from_set(of: &Designed) -> Effects {
     let ipc = &of.axis.ipc;
     vec![
         ("starts".to_owned(), Effect::Words(ipc.enable.name().to_owned())),

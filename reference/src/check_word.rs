@@ -64,7 +64,7 @@ pub fn limit_scale<R: Real>() -> R {
     R::lit(9.536_743_164_062_5e-7)
 }
 
-/// The last piece of a number, counted from 0.
+/// the last piece of a number, counted from 0
 #[portable]
 pub fn last_piece<R: Real>() -> u32 {
     if is_single::<R>() { 2u32 } else { 3u32 }

@@ -96,7 +96,6 @@ pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKi
         (Intrinsic::Truncate, [Literal::F32(x)], _) => Literal::I32(portable::truncate(*x)),
         (Intrinsic::Nearest, [Literal::F64(x)], _) => Literal::I32(portable::nearest(*x)),
         (Intrinsic::Nearest, [Literal::F32(x)], _) => Literal::I32(portable::nearest(*x)),
-        (Intrinsic::Stored, [x], _) => *x,
         _ => panic!("arithmetic: {intrinsic:?} of {operands:?}"),
     }
 }

@@ -4,7 +4,8 @@ use super::noise::Noise;
 use compiler::legalise::{AxisProgram, RealInput};
 use compiler::program::{Program, Type, Variable};
 use compiler::{leaf, leaves};
-use portable::{Block, Literal, Real, RealKind};
+use portable::{Block, Literal, Real};
+use reference::check_word::last_piece;
 use reference::signal::sample_limit;
 use std::ops::Range;
 
@@ -108,7 +109,7 @@ impl Exercise {
         let is_number = |input: &&Variable| input.ty == Type::Real && own.in_set(input).is_some();
         let numbers = own.inputs.iter().filter(is_number).count();
         // Each number is checked in pieces, one in a cycle, before and after all are copied.
-        let pieces = if R::KIND == RealKind::F32 { 3 } else { 4 };
+        let pieces = last_piece::<R>() as usize + 1;
         let wait = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };
         Self {
             drill: drill.collect(),

@@ -46,13 +46,6 @@ pub fn nearest<R: Real>(x: R) -> i32 {
     truncate(if x >= R::ZERO { x + nearly_half() } else { x - nearly_half() })
 }
 
-/// A part of the state, read from memory. The compiler must not use a register that another statement has filled, nor keep such
-/// a register.
-#[must_use]
-pub fn stored<R: Real>(x: R) -> R {
-    x
-}
-
 /// The largest number below 1/2. Added before a number is truncated it rounds every number rightly, which 1/2 does not:
 /// 1/2 and the number below it make 1.
 #[must_use]
@@ -133,4 +126,3 @@ intrinsic!(from_u32, FromU32, (value: u32) -> R);
 intrinsic!(from_i32, FromI32, (value: i32) -> R);
 intrinsic!(truncate, Truncate, (x: R) -> i32);
 intrinsic!(nearest, Nearest, (x: R) -> i32);
-intrinsic!(stored, Stored, (x: R) -> R);

@@ -46,8 +46,6 @@ pub enum Intrinsic {
     Truncate,
     /// [`crate::nearest`]
     Nearest,
-    /// [`crate::stored`]
-    Stored,
 }
 
 /// A parameter.

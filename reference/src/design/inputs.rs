@@ -86,14 +86,10 @@ pub fn check<R: Real>(finding: &mut Finding, structure: &Coeffs<R>, inputs: &Inp
     let mut wrong = Wrong::Nothing;
     let mut filter = 0u32;
     for k in 0..FILTERS {
-        if structure.filter[k].kind != Type::NoFilter {
-            if wrong == Wrong::Nothing {
-                wrong = check_filter(inputs.filter[k].f0, inputs.filter[k].q_factor, cycle_time_ns, lowest);
-            }
-            if wrong == Wrong::Nothing {
-                filter += 1u32;
-            }
-        } else if wrong == Wrong::Nothing {
+        if structure.filter[k].kind != Type::NoFilter && wrong == Wrong::Nothing {
+            wrong = check_filter(inputs.filter[k].f0, inputs.filter[k].q_factor, cycle_time_ns, lowest);
+        }
+        if wrong == Wrong::Nothing {
             filter += 1u32;
         }
     }

@@ -1,4 +1,6 @@
 //! The numbers of a parameter set: the limits and the numbers of the stages. They are copied, and picked one by one.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
 use super::signals::STAGES;
 use super::{Coeffs, watch};
 use crate::stage;
@@ -49,11 +51,7 @@ pub fn read<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, offered: &
     if structure.watch.active {
         numbers.watch.quiet = offered.watch.quiet;
     }
-    for i in 0..STAGES {
-        if structure.stage[i].mode != stage::Mode::NotActive {
-            stage::take(&mut numbers.stage[i], &structure.stage[i], &offered.stage[i]);
-        }
-    }
+    take_stages(&mut numbers.stage, structure, &offered.stage);
 }
 
 /// Copies other numbers.
@@ -63,9 +61,19 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
     if structure.watch.active {
         numbers.watch.quiet = others.watch.quiet;
     }
+    take_stages(&mut numbers.stage, structure, &others.stage);
+}
+
+/// Copies the numbers of other stages.
+#[portable]
+pub fn take_stages<R: Real>(
+    numbers: &mut [stage::Numbers<R>; STAGES],
+    structure: &Coeffs<R>,
+    others: &[stage::Numbers<R>; STAGES],
+) {
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {
-            stage::take(&mut numbers.stage[i], &structure.stage[i], &others.stage[i]);
+            stage::take(&mut numbers[i], &structure.stage[i], &others[i]);
         }
     }
 }
@@ -74,6 +82,23 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
 #[portable]
 pub fn limits<R: Real>(structure: &Coeffs<R>) -> u32 {
     if structure.watch.active { 4u32 } else { 3u32 }
+}
+
+/// Picks the number of the stages whose turn it is. Returns the turn after the last one.
+#[portable]
+pub fn pick_in_stages<R: Real>(
+    picked: &mut Picked<R>,
+    turn: u32,
+    structure: &Coeffs<R>,
+    numbers: &[stage::Numbers<R>; STAGES],
+) -> u32 {
+    let mut at = limits(structure);
+    for i in 0..STAGES {
+        if structure.stage[i].mode != stage::Mode::NotActive {
+            at = stage::pick(picked, turn, at, &structure.stage[i], &numbers[i]);
+        }
+    }
+    at
 }
 
 /// Picks the number in use whose turn it is. Returns the turn after the last one.
@@ -91,13 +116,7 @@ pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>, n
     if structure.watch.active && turn == 3u32 {
         picked.number = numbers.watch.quiet;
     }
-    let mut at = limits(structure);
-    for i in 0..STAGES {
-        if structure.stage[i].mode != stage::Mode::NotActive {
-            at = stage::pick(picked, turn, at, &structure.stage[i], &numbers.stage[i]);
-        }
-    }
-    at
+    pick_in_stages(picked, turn, structure, &numbers.stage)
 }
 
 /// Picks the number of an offered set whose turn it is. Returns the turn after the last one.
@@ -115,13 +134,7 @@ pub fn pick_offered<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coef
     if structure.watch.active && turn == 3u32 {
         picked.number = numbers.watch.quiet;
     }
-    let mut at = limits(structure);
-    for i in 0..STAGES {
-        if structure.stage[i].mode != stage::Mode::NotActive {
-            at = stage::pick(picked, turn, at, &structure.stage[i], &numbers.stage[i]);
-        }
-    }
-    at
+    pick_in_stages(picked, turn, structure, &numbers.stage)
 }
 
 /// Finds what the number is whose turn it is.

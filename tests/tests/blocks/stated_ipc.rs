@@ -162,7 +162,8 @@ fn a_set_is_taken_over_with_fresh_sections() {
     }
 }
 
-/// "If its numbers change after their check, the copy is refused": no set is in use, v_add is 0, and the id is 8 until it is repaired.
+/// "If its numbers change after their check, the copy is refused": no set is in use, v_add is 0, and the id is 8 until it is
+/// repaired.
 #[test]
 fn a_set_that_is_damaged_while_the_block_fades_out_is_never_in_use() {
     let mut block = axis("all", "");

@@ -1,5 +1,5 @@
-//! The block `ipc` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted, through every
-//! engine; what is never taken over; how far the output may step.
+//! The block `ipc` whose numbers come from parameter sets: sets that are offered at any moment, whole, torn and corrupted,
+//! through every engine; what is never taken over; how far the output may step.
 #![expect(
     clippy::cast_possible_truncation,
     clippy::cast_possible_wrap,
@@ -144,8 +144,9 @@ fn value(values: &[Literal], shape: &Shape, name: &str) -> f64 {
     }
 }
 
-/// Where the set in use changes nothing is added, in that cycle and in the one before; only whole sets are ever in use; all of them are
-/// at some time, and refusals of every kind; the output steps by no more than its own motion and a step of the fade.
+/// Where the set in use changes nothing is added, in that cycle and in the one before; only whole sets are ever in use; all
+/// of them are at some time, and refusals of every kind; the output steps by no more than its own motion and a step of the
+/// fade.
 fn takes_over_at_rest(inputs: &Samples, outputs: &Samples, bench: &Bench) {
     let ids: Vec<Literal> = bench.sets.iter().map(|set| set[1].1).collect();
     let fade_cycles = f64::from(bench.designed.ipc.fade_cycles);
@@ -230,8 +231,9 @@ fn no_corrupted_set_is_taken_over() {
 /// Cycles after which any set of these structures is in use: it is checked twice, and no number has more than four pieces.
 const TAKEN_OVER: usize = 600;
 
-/// The block with constants, which an independent model is held against, gives the bits that the block gives whose set has these numbers: the
-/// one that it was generated with, or one that another block was generated with. Both are OFF until the set is in use.
+/// The block with constants, which an independent model is held against, gives the bits that the block gives whose set has
+/// these numbers: the one that it was generated with, or one that another block was generated with. Both are OFF until the
+/// set is in use.
 #[test]
 fn a_set_is_the_block_with_its_constants() {
     let runs: usize = (0..STRUCTURES)

@@ -16,7 +16,6 @@ mod settle;
 mod share;
 mod single;
 mod start;
-mod stored;
 mod task;
 mod whole;
 
@@ -41,7 +40,6 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
     (presumed::NAME, presumed::run),
     ("started", start::run),
-    ("read", stored::run),
     ("rounded", nearest::run),
     ("bounded", bound::run_digits),
     ("negated", negation::run),
@@ -57,13 +55,12 @@ pub const WITH_ENABLE: &[Stage] = &with_enable(("named", operands::run_single));
 /// The passes for SCL: digits need not be LREAL, so numbers have names.
 pub const WITH_NAMES: &[Stage] = &with_enable(("all named", operands::run));
 
-const fn with_enable(named: Stage) -> [Stage; 12] {
+const fn with_enable(named: Stage) -> [Stage; 11] {
     [
         ("enabled", enable::run),
         ("settled", settle::run),
         (presumed::NAME, presumed::run),
         ("started", start::run),
-        ("read", stored::run),
         ("rounded", nearest::run),
         ("bounded", bound::run),
         ("negated", negation::run),

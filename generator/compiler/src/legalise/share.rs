@@ -9,7 +9,8 @@
 
 use super::presumed::leave_out;
 use crate::pass::Defect;
-use crate::program::{Expr, Program, Statement, Var, rename};
+use crate::pass::prune::retain;
+use crate::program::{Expr, Origin, Program, Statement, Var, rename};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let copies = copies(&program);
@@ -140,18 +141,12 @@ fn drop_unused(program: &mut Program) {
             }
         });
     });
-    let mut places = Vec::with_capacity(is_used.len());
-    let mut kept = 0;
-    for used in &is_used {
-        places.push(kept);
-        kept += usize::from(*used);
-    }
+    let mut places = vec![usize::MAX; is_used.len()];
+    retain(&mut program.locals, &is_used, &mut places, |_| Origin::Function);
     let renamed = |var| match var {
         Var::Local(local) => Var::Local(places[local]),
         var => var,
     };
     rename(&mut program.step, &renamed);
     rename(&mut program.init, &renamed);
-    let mut used = is_used.iter();
-    program.locals.retain(|_| used.next() == Some(&true));
 }

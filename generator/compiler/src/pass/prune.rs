@@ -77,7 +77,7 @@ fn number_afresh(mut program: Program) -> Program {
 }
 
 /// Keeps the mentioned items, in the order of their origin; `new` gets the position of each.
-fn retain<T>(items: &mut Vec<T>, mentioned: &[bool], new: &mut [usize], origin: impl Fn(&T) -> Origin) {
+pub(crate) fn retain<T>(items: &mut Vec<T>, mentioned: &[bool], new: &mut [usize], origin: impl Fn(&T) -> Origin) {
     let all = std::mem::take(items).into_iter().enumerate();
     let mut kept: Vec<(usize, T)> = all.filter(|(old, _)| mentioned[*old]).collect();
     kept.sort_by_key(|(_, item)| origin(item));

@@ -129,8 +129,6 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Sign, "(float){0}", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Sign, "(int32_t){0}", [Primary; 2]),
-            (Intrinsic::Stored, RealKind::F64) => (Sign, "*(const volatile double *)&{0}", [Primary; 2]),
-            (Intrinsic::Stored, RealKind::F32) => (Sign, "*(const volatile float *)&{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => (Primary, "{block}_nearest({0})", [Any; 2]),
         },
         _ => return None,

@@ -110,7 +110,6 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
             // More would need `unsafe` code.
-            (Intrinsic::Stored, _) => (Primary, "{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => (Primary, "nearest({0})", [Any; 2]),
         },
         _ => return None,

@@ -161,7 +161,7 @@ impl Type {
     pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
-            Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Stored => Self::Real,
+            Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
             Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
         }
     }

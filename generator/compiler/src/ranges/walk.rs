@@ -179,7 +179,6 @@ impl<'p> Walk<'p> {
     fn intrinsic(&self, intrinsic: Intrinsic, operands: &[Expr]) -> Value {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Value::Bool([true; 2]),
-            Intrinsic::Stored => self.value(&operands[0]),
             Intrinsic::FromU32 | Intrinsic::FromI32 => {
                 let Whole { low, high, .. } = self.whole(&operands[0]);
                 Value::Real(Interval::numbers(real_of(low, self.program.real), real_of(high, self.program.real)))

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   473612b284e0c220d84f29df94f30947
- * checksum    1e30b3d6e9dbd5f10198e2d5acbcc8d6
+ * checksum    8ac1ac5495ac518dd4ff947ac2e3a72f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -179,7 +179,7 @@ static void axis_x_ipc_any_cycle(
     static const float largest_piece = 2147483500.0f;
     /* 2^31: scales the remainder of a number before its next integer for the check word is taken */
     static const float next_cut = 2147483600.0f;
-    static const uint32_t last_piece = 2u; /* The last piece of a number, counted from 0. */
+    static const uint32_t last_piece = 2u; /* the last piece of a number, counted from 0 */
 
     state->offered_set = inputs->params->set_id;
     int32_t mode;

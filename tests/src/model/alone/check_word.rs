@@ -1,5 +1,5 @@
-//! The check word of a parameter set (docs/parameter-sets.md, "The check word") in whole numbers: every real is the integer that it is in
-//! units of its last piece. No rule about a number is here.
+//! The check word of a parameter set (docs/parameter-sets.md, "The check word") in whole numbers: every real is the integer
+//! that it is in units of its last piece. No rule about a number is here.
 
 /// The places of the two polynomials, and their modulus.
 const PLACES: [i64; 2] = [31_337, 17_389];
@@ -33,8 +33,8 @@ fn pieces(real: f64, single: bool) -> (Vec<i64>, bool) {
     ((0..count).map(piece).collect(), is_left_over)
 }
 
-/// The word of these reals in a set of that structure; `None` if something of them is left over, which no word covers. Remainders have the sign
-/// of what is divided.
+/// The word of these reals in a set of that structure; `None` if something of them is left over, which no word covers.
+/// Remainders have the sign of what is divided.
 #[must_use]
 pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) -> Option<u32> {
     let structure = i64::from(structure);

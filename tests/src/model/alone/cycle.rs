@@ -145,7 +145,8 @@ impl<'d> Alone<'d> {
         same.map_or(why, |refused| refused.why)
     }
 
-    /// The next step towards the use of a set: a piece of its check, the fade, the copy, a piece of the check of the copy; why it is refused.
+    /// The next step towards the use of a set: a piece of its check, the fade, the copy, a piece of the check of the copy;
+    /// why it is refused.
     fn go_on(&mut self, offered: &Rc<Set>) -> u32 {
         let structure = &self.of.structure;
         let copied = self.copied.clone().filter(|copied| copied.set_id == offered.set_id && self.in_use == 0);

@@ -1,5 +1,5 @@
-//! A parameter set as docs/parameter-sets.md describes it: its numbers by their names, what refuses it. Nothing that changes from cycle to
-//! cycle.
+//! A parameter set as docs/parameter-sets.md describes it: its numbers by their names, what refuses it. Nothing that changes
+//! from cycle to cycle.
 
 use super::check_word::word;
 use crate::model::history::narrowed;
@@ -62,9 +62,9 @@ impl Section {
         }
     }
 
-    /// Whether the poles lie inside the unit circle. z^2 + a1 z + a2 has them there where |a2| < 1 and the polynomial is above 0 at 1 and at -1.
-    /// A section by the trapezoidal rule, u = A p - B s, s' = s + u, p' = p - C (s + s'), has a1 = B + AC - 2 and a2 = 1 - B + AC: the polynomial is
-    /// 2 AC at 1 and 4 - 2 B at -1, and 1 - a2 is B - AC.
+    /// Whether the poles lie inside the unit circle. z^2 + a1 z + a2 has them there where |a2| < 1 and the polynomial is
+    /// above 0 at 1 and at -1. A section by the trapezoidal rule, u = A p - B s, s' = s + u, p' = p - C (s + s'), has a1 = B
+    /// + AC - 2 and a2 = 1 - B + AC: the polynomial is 2 AC at 1 and 4 - 2 B at -1, and 1 - a2 is B - AC.
     fn is_stable(self, numbers: &[f64], single: bool) -> bool {
         let biquad = |a1: f64, a2: f64| a2.abs() < 1.0 && 1.0 + a1 + a2 > 0.0 && 1.0 - a1 + a2 > 0.0;
         // Products are rounded: this form is that of single precision.
@@ -173,7 +173,8 @@ impl Structure {
         &self.gains
     }
 
-    /// Where a number of each section stands that decides where its poles are, and values with which they do not lie inside the unit circle.
+    /// Where a number of each section stands that decides where its poles are, and values with which they do not lie inside
+    /// the unit circle.
     #[must_use]
     pub fn poles(&self) -> Vec<(usize, &'static [f64])> {
         let of = |(kind, at): &(Section, usize)| match (kind, self.single) {
@@ -254,7 +255,8 @@ impl Checking {
         self.pieces == of.names.len() * of.pieces()
     }
 
-    /// The next piece of these numbers. The id for which the set is refused, or 0 after the last piece. `was_checked`: only the word is formed.
+    /// The next piece of these numbers. The id for which the set is refused, or 0 after the last piece. `was_checked`: only
+    /// the word is formed.
     pub fn piece(&mut self, numbers: &[f64], of: &Structure, was_checked: bool) -> Option<u32> {
         let (at, piece) = (self.pieces / of.pieces(), self.pieces % of.pieces());
         if !was_checked && !of.is_sound(at, &self.seen, numbers[at]) {

@@ -95,7 +95,6 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromI32, RealKind::F32) => (Primary, "DINT_TO_REAL({0})", [Any; 2]),
             // The only conversion to an integer on which implementations agree.
             (Intrinsic::Truncate, _) => (Primary, "TRUNC({0})", [Any; 2]),
-            (Intrinsic::Stored, _) => (Primary, "{0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => panic!("st: a legalising pass spells out the rounding"),
         },
         _ => return None,
