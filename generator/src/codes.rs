@@ -336,6 +336,11 @@ codes! {
         "The excitation rises in 0.1 s within the first period, which is not measured. A period lasts (2^bits - 1) clock \
          cycles. Write more bits, or a longer clock.";
 
+    LOWEST_F0 = "AX348", "no lowest f0 for the design on the controller, or one above an f0 of the set",
+        "With tunable = \"parameters\" the controller designs sets for any f0 from lowest_f0 on. The fade lasts at least one period \
+         of lowest_f0, and the watch counts in its periods: both are part of the code of the block, so no set changes them. Write \
+         the lowest f0 that anybody may type, at or below every f0 of the set. A lower one makes the fade longer.";
+
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
          and puts out 0. Give a stage the mode DIRECT, INDIRECT or SET_POINT (P-AXIS-00753), or enable OFF.";

@@ -35,6 +35,9 @@ const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling 
 /// For an input that the position controller adds.
 const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
 const PART: &str = "Check the connection: the signal is an output of another block.";
+/// For an input of the design of a set.
+const REFUSED: &str = "The design ends without a set: designed is FALSE and set_id is 0. wrong_stage and wrong_filter name the input. The set in use \
+                       goes on.";
 /// For a request to a spindle.
 const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";
 /// For an error of a spindle that stays.
@@ -117,6 +120,12 @@ static ROWS: &[Row] = rows! {
     error_only_velocity: LOST, "M19, G74 and S[PUTAX] need a drive with position control.";
     error_reversal: "Not a fault. v_excite fades out; the id stays until the next start. Nothing starts while the motor stands still.",
         "Move in one direction, 2.5 times the amplitude or faster, from before the start until `done`. Then press the button again.";
+    error_f0: REFUSED, "Type a centre frequency above 0 up to 500 Hz, with f0 times the cycle time at most 0.45.";
+    error_low_f0: REFUSED, "Type a higher centre frequency, or generate the axis with a smaller lowest_f0.";
+    error_q_factor: REFUSED, "Type a quality factor from 1 to 10.";
+    error_damping: REFUSED, "Type a damping ratio above 0 and below 1.";
+    error_weight: REFUSED, "Type a weight above 0 up to 7. To switch a stage off takes another block.";
+    error_limit: REFUSED, "Type a limit from 0 to that of the block, P-AXIS-00757 times P-AXIS-00212 of the set it was generated from.";
     error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
 };
 

@@ -58,7 +58,10 @@ fn keys(axis: &Axis) -> Vec<String> {
         Numbers::Weights(of) => {
             Some(format!("tunable: the weights and the limit; the limit starts at {} of it", of.limit))
         }
-        Numbers::Sets => Some("tunable: all numbers, by parameter sets".to_owned()),
+        Numbers::Sets { lowest_f0: None } => Some("tunable: all numbers, by parameter sets".to_owned()),
+        Numbers::Sets { lowest_f0: Some(f0) } => {
+            Some(format!("tunable: all parameters, by parameter sets of the block set_design, f0 from {f0} Hz"))
+        }
     };
     let watch = axis.ipc.watch.then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
     tunable.into_iter().chain(watch).collect()

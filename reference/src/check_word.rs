@@ -16,7 +16,7 @@
 //! sets, is missed with a probability of 1 in 2e9. 46337 is the largest prime whose square fits in an `i32`. A word is never 0.
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, from_u32, in_range, note, portable, truncate};
+use portable::{Real, from_i32, from_u32, in_range, note, portable, truncate, unsigned};
 
 /// A check word that is being formed, a piece at a time.
 #[portable]
@@ -134,7 +134,9 @@ pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
 }
 
 /// The word as the number of a set.
-#[must_use]
+#[portable]
 pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
-    46_337 + forming.first.unsigned_abs() * 46_337 + forming.second.unsigned_abs()
+    let first = positive(forming.first % 46_337i32);
+    let second = positive(forming.second % 46_337i32);
+    unsigned(46_337i32 + first * 46_337i32 + second)
 }

@@ -25,6 +25,7 @@ pub mod position_control;
 pub mod precision;
 pub mod process_data;
 pub mod section;
+pub mod set_design;
 pub mod signal;
 pub mod spindle;
 pub mod spindle_axis;

@@ -247,6 +247,42 @@ pub fn error_reversal() -> u32 {
     51u32
 }
 
+/// error_id: set design: a centre frequency is not above 0, above 500 Hz, or f0 Ts is above 0.45; there is no set
+#[portable]
+pub fn error_f0() -> u32 {
+    61u32
+}
+
+/// error_id: set design: a centre frequency is below the lowest one that the block was generated for; there is no set
+#[portable]
+pub fn error_low_f0() -> u32 {
+    62u32
+}
+
+/// error_id: set design: a quality factor is not from 1 to 10; there is no set
+#[portable]
+pub fn error_q_factor() -> u32 {
+    63u32
+}
+
+/// error_id: set design: a damping ratio is not above 0 and below 1; there is no set
+#[portable]
+pub fn error_damping() -> u32 {
+    64u32
+}
+
+/// error_id: set design: a weight is not above 0 and up to 7; there is no set
+#[portable]
+pub fn error_weight() -> u32 {
+    65u32
+}
+
+/// error_id: set design: the limit is below 0, or above that of the block that takes the set; there is no set
+#[portable]
+pub fn error_limit() -> u32 {
+    66u32
+}
+
 /// error_id: improved position control is enabled on a gantry slave, the error 70600 of the controller
 #[portable]
 pub fn error_gantry_slave() -> u32 {

@@ -3,6 +3,9 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+{%- if let Some(header) = header_of_set %}
+#include "{{ header }}"
+{%- endif %}
 
 #ifdef __cplusplus
 extern "C" {

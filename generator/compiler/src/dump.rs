@@ -139,6 +139,7 @@ impl<'p> Dump<'p> {
             Expr::Intrinsic(intrinsic, operands) => {
                 let name = match intrinsic {
                     Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
+                    Intrinsic::Unsigned => "unsigned",
                     other => &format!("{other:?}").to_lowercase(),
                 };
                 self.put([Text(name), Text("("), Listed(operands), Text(")")]);

@@ -28,6 +28,8 @@ fn a_name_is_given_once() {
         usual_first: false,
         fractions: &[],
         set: None,
+        made: None,
+        typed: false,
         real: RealKind::F64,
         inputs: Vec::new(),
         outputs: Vec::new(),

@@ -42,7 +42,17 @@ impl Ipc {
 
     /// Whether all numbers come from parameter sets.
     pub fn takes_sets(&self) -> bool {
-        self.numbers == Numbers::Sets
+        matches!(self.numbers, Numbers::Sets { .. })
+    }
+
+    /// The lowest centre frequency of the sets that the controller designs [Hz]; `None` if it designs none.
+    pub fn lowest_f0(&self) -> Option<f64> {
+        if let Numbers::Sets { lowest_f0 } = self.numbers { lowest_f0 } else { None }
+    }
+
+    /// The centre frequencies of all active filters [Hz].
+    pub(crate) fn filter_f0s(&self) -> impl Iterator<Item = f64> {
+        self.stage.iter().flatten().flat_map(|stage| &stage.filter).filter_map(Filter::f0)
     }
 
     pub(crate) fn is_active(&self) -> bool {
@@ -54,11 +64,10 @@ impl Ipc {
         limit::limit(self.v_add_max_fact, self.v_max)
     }
 
-    /// Time of the whole fade [s]: the key `fade`, at least one period of the lowest f0 of all active filters. It is not rounded
-    /// up to whole cycles.
+    /// Time of the whole fade [s]: the key `fade`, at least one period of the key `lowest_f0`, or else of the lowest f0 of all
+    /// active filters. It is not rounded up to whole cycles.
     pub fn fade_time(&self) -> f64 {
-        let filters = self.stage.iter().flatten().flat_map(|stage| &stage.filter);
-        let lowest = filters.filter_map(Filter::f0).min_by(f64::total_cmp);
+        let lowest = self.lowest_f0().or_else(|| self.filter_f0s().min_by(f64::total_cmp));
         lowest.map_or(self.fade, |f0| self.fade.larger(1.0 / f0))
     }
 }
@@ -71,7 +80,10 @@ pub enum Numbers {
     /// from the parameters; the caller tunes which part of the weights and of the limit acts
     Weights(Tuning),
     /// from parameter sets
-    Sets,
+    Sets {
+        /// lowest centre frequency of the sets that the controller designs [Hz]; `None` if it designs none
+        lowest_f0: Option<f64>,
+    },
 }
 
 /// Inputs for tuning, each a fraction from 0 to 1 of the parameter: their start values.

@@ -4,6 +4,7 @@
 use super::feedforward::design as feedforward;
 use super::ipc::{design as ipc, sets, stage::StageDesign};
 use super::position_control::design as position_control;
+use super::set_design::design as set_design;
 use super::spindle::design as spindle;
 use crate::axis::Axis;
 use reference::ipc::STAGES;
@@ -17,6 +18,8 @@ pub struct Designed {
     pub ipc: reference::ipc::Coeffs<f64>,
     /// the structure id and the set number of its parameters; 0 if it takes no sets
     pub sets: [u32; 2],
+    /// all 0 if the controller designs no sets
+    pub set_design: reference::set_design::Coeffs<f64>,
     /// all 0 without feedforward
     pub feedforward: reference::feedforward::Coeffs<f64>,
     /// all 0 without position control
@@ -39,6 +42,7 @@ impl From<Axis> for Designed {
         let position_control = position_control::coefficients(&axis);
         let spindle = spindle::coefficients(&axis);
         let sets = if axis.ipc.takes_sets() { sets::sets(&axis, &ipc) } else { [0; 2] };
-        Self { axis, stage, ipc, sets, feedforward, position_control, spindle }
+        let set_design = set_design::coefficients(&axis, &stage, sets, &ipc);
+        Self { axis, stage, ipc, sets, set_design, feedforward, position_control, spindle }
     }
 }

@@ -20,6 +20,7 @@ pub(crate) mod ipc;
 mod kind;
 pub(crate) mod position_control;
 mod products;
+pub(crate) mod set_design;
 pub(crate) mod spindle;
 mod spindle_axis;
 
@@ -36,8 +37,9 @@ use compiler::pass::Defect;
 use portable::Block as Reference;
 
 /// All blocks, in the order in which an axis needs them.
-pub(crate) const BLOCKS: [&dyn BlockKind; 7] = [
+pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
     &reference::ipc::Ipc,
+    &reference::set_design::SetDesign,
     &reference::feedforward::Feedforward,
     &reference::position_control::PositionControl,
     &reference::spindle::Spindle,

@@ -86,13 +86,13 @@ impl Works {
     fn of(program: &Program, state_paths: &[String]) -> Self {
         let output = |path: &str| program.outputs.iter().position(|output| output.path == path);
         let found = match program.switch.as_ref().map(|switch| &switch.off) {
-            Some(Off::Mode(_, Some(fades)) | Off::Fade(Some(fades))) => {
+            Some(Off::Mode(_, Some(fades)) | Off::Fade(Some(fades)) | Off::Execute(Some(fades))) => {
                 state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
             }
             Some(Off::Brake(Brake { velocity, state, resting })) => {
                 output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
             }
-            Some(Off::Mode(_, None) | Off::Fade(None) | Off::False) | None => None,
+            Some(Off::Mode(_, None) | Off::Fade(None) | Off::Execute(None) | Off::False) | None => None,
         };
         found.unwrap_or(Self::Never)
     }

@@ -138,9 +138,11 @@ table! {
     Fade: AXIS_KEY("fade", kind: Kind::Duration { from: 0, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
     /// bad samples in a row in whose place improved position control takes the last good one; 0: the first one is a fault
     RideThrough: AXIS_KEY("ride_through", kind: integer(0, 10), default: &["0"])
-    /// what the caller may tune while improved position control acts: nothing; each stage's weight and the limit; or all numbers, which
-    /// come from parameter sets
+    /// what the caller may tune while improved position control acts: nothing; each stage's weight and the limit; all numbers, which
+    /// come from parameter sets; or the parameters, from which the block `set_design` makes such sets
     Tunable: AXIS_KEY("tunable", kind: Kind::Word(Tunable::WORDS), default: &["nothing"])
+    /// lowest centre frequency that the block `set_design` accepts: the fade lasts at least one period of it
+    LowestF0: AXIS_KEY("lowest_f0", kind: Kind::Real { from: 0.0, to: 500.0, open: [true, false] }, unit: "Hz")
     /// start of the input tuning_limit: the part of the limit (P-AXIS-00757) that holds
     TuningLimit: AXIS_KEY("tuning_limit", kind: FRACTION, default: &["1"])
     /// whether improved position control watches its loop, fades out where it becomes unstable, and says so: output `tripped`

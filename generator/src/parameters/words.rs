@@ -44,7 +44,7 @@ words! {
     ListEncoding { Utf8 "utf-8", Latin1 "latin-1", Utf16LittleEnd "utf-16le", Utf16BigEnd "utf-16be" }
     LineEnd { Lf "LF", CrLf "CRLF" }
     /// What the caller may tune while a block acts.
-    Tunable { Nothing "nothing", Weights "weights", All "all" }
+    Tunable { Nothing "nothing", Weights "weights", All "all", Parameters "parameters" }
     /// What a measured response is from; it is to the velocity of the motor.
     ResponseFrom { Velocity "v_cmd" | "velocity", Current "current" }
     RealType { F64 "f64" | "LREAL", F32 "f32" | "REAL" }

@@ -70,8 +70,9 @@ impl Outline<'_> {
         members.into_iter().zip(inputs).filter(|(_, input)| is_wanted(input)).map(|(member, _)| member).collect()
     }
 
-    /// The outputs; the comment of the error id lists the ids that can occur.
-    pub(super) fn outputs(&self) -> Vec<Member> {
+    /// The outputs; the comment of the error id lists the ids that can occur. A parameter set is one output of the type `made`, with
+    /// its start value, and comes last.
+    pub(super) fn outputs(&self, made: [String; 2]) -> Vec<Member> {
         let program = &*self.block.program;
         let mut members = self.members(&program.outputs, &self.printer.names().outputs);
         for (member, output) in members.iter_mut().zip(&program.outputs) {
@@ -83,6 +84,14 @@ impl Outline<'_> {
             };
             member.doc.push_str(&ids);
         }
+        let is_part = |output: &Variable| program.in_made(output).is_some();
+        let mut outputs = program.outputs.iter();
+        members.retain(|_| !outputs.next().is_some_and(is_part));
+        members.extend(program.made.filter(|_| program.outputs.iter().any(is_part)).map(|name| {
+            let [ty, value] = made;
+            let doc = "the parameter set; its set_id is 0 unless it is complete".to_owned();
+            Member { ty: ty.into(), name: name.to_owned(), doc, value }
+        }));
         members
     }
 

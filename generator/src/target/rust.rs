@@ -2,11 +2,12 @@
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{BlockIdentity, File, TargetBlock, block_name, rendered};
+use crate::blocks::IPC;
 use crate::exercise::{Exercise, Noise, SelfTest};
 use askama::Template;
 use compiler::interp::Machine;
 use compiler::print::rust::LANGUAGE;
-use compiler::print::{Appearance, Printer, comment};
+use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::{Intrinsic, Literal, RealKind};
 
@@ -104,7 +105,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         bits,
         inputs,
         set,
-        outputs: outline.outputs(),
+        outputs: outline.outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
         state,
         constants,
         any_cycle: printer.body(program.apart(), 1),
@@ -118,7 +119,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
         scales: exercise.scales.map(LANGUAGE.literal),
         part: (LANGUAGE.literal)(exercise.part),
-        watched: [watched("outputs", &program.outputs, &names.outputs), watched("state", &program.state, &names.state)]
+        watched: [watched("outputs", &program.outputs, &signals(program, &LANGUAGE)[1]), watched("state", &program.state, &names.state)]
             .concat(),
     };
     vec![rendered(&file, "", &template)]

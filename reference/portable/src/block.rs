@@ -21,6 +21,8 @@ pub enum Off {
     False,
     /// false: the block fades out; the part of the state that is true until it has
     Fade(&'static str),
+    /// false: nothing new begins; the part of the state that is true until what began has ended
+    Execute(&'static str),
     /// true: the block brakes
     Brake(Brake),
 }
@@ -55,6 +57,10 @@ pub trait Block<R: Real> {
     const FRACTIONS: &'static [&'static str] = &[];
     /// The struct among the inputs that is a parameter set: it stays until another one is offered.
     const SET: Option<&'static str> = None;
+    /// The struct among the outputs that is a parameter set for another block, which checks it.
+    const MADE: Option<&'static str> = None;
+    /// Whether its real inputs are numbers that somebody types, not samples of a signal: a self-test keeps them.
+    const TYPED: bool = false;
     /// `init(state)`: before the first cycle.
     const INIT: Fn;
     /// `step(state, coeffs, inputs, outputs)`: one cycle.

@@ -32,6 +32,12 @@ pub fn from_i32<R: Real>(value: i32) -> R {
     R::from_i32(value)
 }
 
+/// The integer without a sign. It is asked only from 0 on: some runtimes stop at a negative one.
+#[must_use]
+pub fn unsigned(value: i32) -> u32 {
+    value.cast_unsigned()
+}
+
 /// The whole part of `x`: towards 0. It is asked only for -2^31 < x < 2^31, beyond which languages disagree, and stands
 /// alone right of `let`: Structured Text takes the type of the result from the variable that gets it.
 #[must_use]
@@ -124,5 +130,6 @@ intrinsic!(in_range, InRange, (x: R, limit: R) -> bool);
 intrinsic!(within, Within, (x: R, limit: R) -> bool);
 intrinsic!(from_u32, FromU32, (value: u32) -> R);
 intrinsic!(from_i32, FromI32, (value: i32) -> R);
+intrinsic!(unsigned, Unsigned, (value: i32) -> u32);
 intrinsic!(truncate, Truncate, (x: R) -> i32);
 intrinsic!(nearest, Nearest, (x: R) -> i32);

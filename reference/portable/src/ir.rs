@@ -42,6 +42,8 @@ pub enum Intrinsic {
     FromU32,
     /// [`crate::from_i32`]
     FromI32,
+    /// [`crate::unsigned`]
+    Unsigned,
     /// [`crate::truncate`]
     Truncate,
     /// [`crate::nearest`]

@@ -18,7 +18,7 @@ mod real;
 pub use block::{Block, Brake, Enable, Off};
 pub use extreme::{Extreme, peak};
 pub use intrinsic::{
-    from_i32, from_u32, in_range, nearest, nearly_half, note, overlaid, truncate, with_numbers, within,
+    from_i32, from_u32, in_range, nearest, nearly_half, note, overlaid, truncate, unsigned, with_numbers, within,
 };
 pub use ir::{
     Argument, Arm, Binary, Body, CodeBlock, Expr, Fn, Intrinsic, Mode, Param, Place, Projection, Statement, Unary,

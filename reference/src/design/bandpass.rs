@@ -2,7 +2,7 @@
 
 use super::band::Band;
 use super::poles::{Prototype, has_pair, pair_omega, pair_sigma, real_poles, real_sigma};
-use super::sections::Shapes;
+use super::sections::{Shape, Shapes};
 use super::square_root::square_root;
 use crate::filter::MAX_ORDER;
 use portable::{Real, portable};
@@ -12,28 +12,48 @@ use portable::{Real, portable};
 /// The low-pass prototype is transformed by s_LP = (s^2 + Omega0^2) / (B s). With q = Omega0 / B
 ///
 /// - a real pole sigma gives one section g = Omega0, k = sigma / q, c = 1;
-/// - a pair sigma, omega gives two sections: [`pair`].
+/// - a pair sigma, omega gives two sections: [`Pair`].
 ///
 /// Sections are in the order of rising quality factor, equal ones with the lower centre first: the real pole has the largest
 /// k in every prototype of order 3. |H| = 1 and phase 0 at the centre hold for each order; each section has |H| = 1 there, so
 /// that no overall gain is needed.
 #[portable]
 pub fn sections<R: Real>(shapes: &mut Shapes<R>, prototype: Prototype, order: usize, band: &Band<R>) {
-    let q = band.omega0 / band.bandwidth;
     let real = real_poles(prototype, order);
     for i in 0..MAX_ORDER {
         if i < real {
-            shapes.section[i].g = band.omega0;
-            shapes.section[i].k = real_sigma::<R>(prototype, order) / q;
-            shapes.section[i].c = R::ONE;
+            real_section(&mut shapes.section[i], real_sigma::<R>(prototype, order), band);
         }
     }
     if has_pair(prototype, order) {
-        pair(shapes, real, pair_sigma(prototype, order), pair_omega(prototype, order), q, band.omega0);
+        let mut of = Pair::<R>::default();
+        of.sigma = pair_sigma(prototype, order);
+        of.omega = pair_omega(prototype, order);
+        root(&mut of, 0u32, band);
+        root(&mut of, 1u32, band);
+        root(&mut of, 2u32, band);
+        root(&mut of, 3u32, band);
+        root(&mut of, 4u32, band);
+        lower_section(&mut shapes.section[real], &of, band);
+        upper_section(&mut shapes.section[real + 1], &of, band);
     }
 }
 
-/// The two sections of a pair sigma, omega, from `at`: g = Omega0 / W and g = Omega0 W with k = 1 / Qs and the same c, where
+/// The section of a real pole.
+#[portable]
+pub fn real_section<R: Real>(shape: &mut Shape<R>, sigma: R, band: &Band<R>) {
+    shape.g = band.omega0;
+    shape.k = sigma / quality(band);
+    shape.c = R::ONE;
+}
+
+/// q = Omega0 / B
+#[portable]
+pub fn quality<R: Real>(band: &Band<R>) -> R {
+    band.omega0 / band.bandwidth
+}
+
+/// A pair of poles s = -sigma +- j omega, whose sections need five square roots, one after the other:
 ///
 /// ```text
 /// e  = (sigma^2 + omega^2) / q^2          G  = sqrt((4 + e)^2 - 16 sigma^2 / q^2)
@@ -42,26 +62,86 @@ pub fn sections<R: Real>(shapes: &mut Shapes<R>, prototype: Prototype, order: us
 /// W  = sqrt(1 + m) + sqrt(m)              c  = sqrt(1 + 4 Qs^2 m)
 /// ```
 ///
-/// This form is free of the cancellation in W + 1/W = sqrt((4 + e + G) / 2): m = (W - 1/W)^2 / 4 is small in a narrow band.
+/// The sections are g = Omega0 / W and g = Omega0 W, with k = 1 / Qs and the same c. This form is free of the cancellation in
+/// W + 1/W = sqrt((4 + e + G) / 2): m = (W - 1/W)^2 / 4 is small in a narrow band.
 #[portable]
-pub fn pair<R: Real>(shapes: &mut Shapes<R>, at: usize, sigma: R, omega: R, q: R, omega0: R) {
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pair<R> {
+    /// sigma of the pair
+    pub sigma: R,
+    /// omega of the pair
+    pub omega: R,
+    /// G
+    pub root: R,
+    /// Qs
+    pub quality: R,
+    /// m
+    pub m: R,
+    /// W
+    pub w: R,
+    /// c
+    pub c: R,
+}
+
+/// e = (sigma^2 + omega^2) / q^2
+#[portable]
+pub fn spread<R: Real>(of: &Pair<R>, qq: R) -> R {
+    (of.sigma * of.sigma + of.omega * of.omega) / qq
+}
+
+/// m, which only rounding makes negative.
+#[portable]
+pub fn distance<R: Real>(of: &Pair<R>, qq: R) -> R {
+    let e = spread(of, qq);
+    let sum = e * (of.root + R::lit(4.0)) + R::lit(8.0) * (of.omega - of.sigma) * (of.omega + of.sigma) / qq + e * e;
+    let m = sum / (R::lit(8.0) * (of.root + R::lit(4.0)));
+    if m < R::ZERO { R::ZERO } else { m }
+}
+
+/// Takes the square root whose turn it is, from 0 to 4.
+#[portable]
+pub fn root<R: Real>(of: &mut Pair<R>, turn: u32, band: &Band<R>) {
+    let q = quality(band);
     let qq = q * q;
-    let e = (sigma * sigma + omega * omega) / qq;
-    let root = square_root((R::lit(4.0) + e) * (R::lit(4.0) + e) - R::lit(16.0) * sigma * sigma / qq);
-    let quality = square_root((R::lit(4.0) + e + root) / R::lit(2.0)) * q / (R::lit(2.0) * sigma);
-    let sum = e * (root + R::lit(4.0)) + R::lit(8.0) * (omega - sigma) * (omega + sigma) / qq + e * e;
-    let mut m = sum / (R::lit(8.0) * (root + R::lit(4.0)));
-    if m < R::ZERO {
-        // by rounding only
-        m = R::ZERO;
+    let e = spread(of, qq);
+    let mut x = R::ONE + R::lit(4.0) * of.quality * of.quality * of.m;
+    if turn == 0u32 {
+        x = (R::lit(4.0) + e) * (R::lit(4.0) + e) - R::lit(16.0) * of.sigma * of.sigma / qq;
+    } else if turn == 1u32 {
+        x = (R::lit(4.0) + e + of.root) / R::lit(2.0);
+    } else if turn == 2u32 {
+        x = R::ONE + of.m;
+    } else if turn == 3u32 {
+        x = of.m;
     }
-    let w = square_root(R::ONE + m) + square_root(m);
-    let k = R::ONE / quality;
-    let c = square_root(R::ONE + R::lit(4.0) * quality * quality * m);
-    shapes.section[at].g = omega0 / w;
-    shapes.section[at].k = k;
-    shapes.section[at].c = c;
-    shapes.section[at + 1].g = omega0 * w;
-    shapes.section[at + 1].k = k;
-    shapes.section[at + 1].c = c;
+    let y = square_root(x);
+    if turn == 0u32 {
+        of.root = y;
+    } else if turn == 1u32 {
+        of.quality = y * q / (R::lit(2.0) * of.sigma);
+        let m = distance(of, qq);
+        of.m = m;
+    } else if turn == 2u32 {
+        of.w = y;
+    } else if turn == 3u32 {
+        of.w = of.w + y;
+    } else {
+        of.c = y;
+    }
+}
+
+/// The section with the lower centre.
+#[portable]
+pub fn lower_section<R: Real>(shape: &mut Shape<R>, of: &Pair<R>, band: &Band<R>) {
+    shape.g = band.omega0 / of.w;
+    shape.k = R::ONE / of.quality;
+    shape.c = of.c;
+}
+
+/// The section with the upper centre.
+#[portable]
+pub fn upper_section<R: Real>(shape: &mut Shape<R>, of: &Pair<R>, band: &Band<R>) {
+    shape.g = band.omega0 * of.w;
+    shape.k = R::ONE / of.quality;
+    shape.c = of.c;
 }

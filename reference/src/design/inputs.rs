@@ -43,6 +43,8 @@ pub enum Wrong {
     Damping,
     /// weight
     Weight,
+    /// limit of v_add
+    Limit,
 }
 
 /// The first input outside its range.

@@ -64,6 +64,19 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
     take_stages(&mut numbers.stage, structure, &others.stage);
 }
 
+/// Shows the numbers as a parameter set; those that the structure does not have are 0.
+#[portable]
+pub fn show<R: Real>(params: &mut Params<R>, structure: &Coeffs<R>, numbers: &Numbers<R>) {
+    let none = Numbers::<R>::default();
+    params.watch = none.watch;
+    params.stage = none.stage;
+    copy!(params = numbers: limit, lower_limit, sum_limit);
+    if structure.watch.active {
+        params.watch.quiet = numbers.watch.quiet;
+    }
+    take_stages(&mut params.stage, structure, &numbers.stage);
+}
+
 /// Copies the numbers of other stages.
 #[portable]
 pub fn take_stages<R: Real>(

@@ -55,6 +55,12 @@ pub struct State<R> {
     pub before: R,
 }
 
+/// Smallest span from which growth counts, of a limit of v_add.
+#[portable]
+pub fn quiet<R: Real>(limit: R) -> R {
+    limit / R::lit(50.0)
+}
+
 /// a block counts as growing above this multiple of the previous block's span
 #[portable]
 pub fn growth<R: Real>() -> R {

@@ -17,7 +17,7 @@
 //! cycles, when another task has finished writing it. Until the first set is taken over v_add is 0, and a refused set is a
 //! fault.
 
-mod check;
+pub mod check;
 mod signals;
 
 pub use check::{numbers_of, params, refusal, seal};

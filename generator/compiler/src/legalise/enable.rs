@@ -62,11 +62,11 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         Off::Brake(brake) => {
             Some(output(brake.velocity).zip(output(brake.state)).ok_or_else(|| missing(brake.velocity))?)
         }
-        Off::Mode(..) | Off::False | Off::Fade(_) => None,
+        Off::Mode(..) | Off::False | Off::Fade(_) | Off::Execute(_) => None,
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
     let works = match &switch.off {
-        Off::Mode(_, fades) | Off::Fade(fades) => fades.map(Expr::Var),
+        Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades) => fades.map(Expr::Var),
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
@@ -197,6 +197,11 @@ fn docs(off: &Off) -> [&'static str; 3] {
             "FALSE: acts as hold_to_run FALSE, v_excite fades out; TRUE: the input hold_to_run applies",
             "TRUE: add v_excite; the block is enabled or still fades out, and has no fault in this cycle",
             "TRUE: keep calling the block; it is enabled or still fades out",
+        ],
+        Off::Execute(_) => [
+            "FALSE: acts as execute FALSE, no design begins, an active one goes on; TRUE: the input execute applies",
+            "TRUE: enabled or still designing, and no input was refused; params is a set only while designed is TRUE",
+            "TRUE: keep calling the block; it is enabled or still designs",
         ],
         Off::Brake(_) => [
             "FALSE: acts as reset TRUE, the spindle brakes to standstill under position control; TRUE: the input reset applies",

@@ -70,7 +70,7 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
         Expr::Intrinsic(intrinsic, operands) => {
             let takes = match intrinsic {
                 Intrinsic::FromU32 => Type::U32,
-                Intrinsic::FromI32 => Type::I32,
+                Intrinsic::FromI32 | Intrinsic::Unsigned => Type::I32,
                 _ => Type::Real,
             };
             for operand in operands {

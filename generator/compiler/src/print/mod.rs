@@ -17,7 +17,7 @@ use names::Names;
 pub use names::identifier;
 
 use crate::program::values::{self, Signal};
-use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable};
+use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable, part_of};
 use language::{Declaration, Level};
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
@@ -52,32 +52,36 @@ pub type Scope = Table<String>;
 /// The texts that a caller writes for the inputs and for the outputs of a program.
 pub fn signals(program: &Program, language: &Language) -> [Vec<String>; 2] {
     let mut names = Names::new(language);
-    let mut inputs = inputs(program, language, &mut names);
-    put_inside(&mut inputs, program, ".");
-    [inputs, members(&program.outputs, language, &mut names)]
+    let mut inputs = grouped(&program.inputs, program.set, language, &mut names);
+    put_inside(&mut inputs, &program.inputs, program.set, ".");
+    let mut outputs = grouped(&program.outputs, program.made, language, &mut names);
+    put_inside(&mut outputs, &program.outputs, program.made, ".");
+    [inputs, outputs]
 }
 
 /// Puts the name of the parameter set before the names of its parts.
-fn put_inside(inputs: &mut [String], program: &Program, inside: &str) {
-    let Some(set) = program.set else { return };
-    for (name, _) in inputs.iter_mut().zip(&program.inputs).filter(|(_, input)| program.in_set(input).is_some()) {
-        name.insert_str(0, &format!("{set}{inside}"));
+fn put_inside(names: &mut [String], variables: &[Variable], set: Option<&str>, inside: &str) {
+    for (name, variable) in names.iter_mut().zip(variables) {
+        if let Some(set) = set.filter(|set| part_of(Some(set), variable).is_some()) {
+            name.insert_str(0, &format!("{set}{inside}"));
+        }
     }
 }
 
-/// The names of the inputs. A parameter set is one input with its own names inside.
-fn inputs(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
-    let is_outside = |input: &&Variable| program.in_set(input).is_none();
-    let mut outside = members(program.inputs.iter().filter(is_outside), language, names).into_iter();
-    if program.has_set() && !language.has_structs {
-        program.set.map(|set| names.take(set));
+/// The names of inputs or outputs. A parameter set is one of them, with its own names inside.
+fn grouped(variables: &[Variable], set: Option<&str>, language: &Language, names: &mut Names) -> Vec<String> {
+    let in_set = |variable: &Variable| part_of(set, variable).map(str::to_owned);
+    let is_outside = |variable: &&Variable| in_set(variable).is_none();
+    let mut outside = members(variables.iter().filter(is_outside), language, names).into_iter();
+    if variables.iter().any(|variable| in_set(variable).is_some()) && !language.has_structs {
+        set.map(|set| names.take(set));
     }
     let mut inside = Names::new(language);
-    let name = |input| match program.in_set(input) {
-        Some(path) => inside.take(path),
-        None => outside.next().expect("print: each input has its name"),
+    let name = |variable| match in_set(variable) {
+        Some(path) => inside.take(&path),
+        None => outside.next().expect("print: each signal has its name"),
     };
-    program.inputs.iter().map(name).collect()
+    variables.iter().map(name).collect()
 }
 
 /// The names of variables that the caller sees: in one scope with all others, or in a struct.
@@ -110,8 +114,8 @@ impl<'p> Printer<'p> {
             if is_capital { name.to_ascii_uppercase() } else { name }
         };
         let mut scope = Scope {
-            inputs: inputs(program, language, &mut names),
-            outputs: members(&program.outputs, language, &mut names),
+            inputs: grouped(&program.inputs, program.set, language, &mut names),
+            outputs: grouped(&program.outputs, program.made, language, &mut names),
             state: members(&program.state, language, &mut names),
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: Vec::new(),
@@ -120,7 +124,8 @@ impl<'p> Printer<'p> {
         scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let names = scope;
         let mut texts = names.clone();
-        put_inside(&mut texts.inputs, program, language.inside);
+        put_inside(&mut texts.inputs, &program.inputs, program.set, language.inside);
+        put_inside(&mut texts.outputs, &program.outputs, program.made, ".");
         let Scope { inputs, outputs, state, constants, locals } = &mut texts;
         for (before, list) in language.before.into_iter().zip([inputs, outputs, state, constants, locals]) {
             list.iter_mut().for_each(|name| name.insert_str(0, before));

@@ -27,6 +27,10 @@ pub struct Program {
     pub fractions: &'static [&'static str],
     /// the beginning of the paths of inputs that are a parameter set, which stays until another one is offered
     pub set: Option<&'static str>,
+    /// the beginning of the paths of outputs that are a parameter set for another block, which checks it
+    pub made: Option<&'static str>,
+    /// whether its real inputs are numbers that somebody types, not samples of a signal
+    pub typed: bool,
     /// the type of [`Type::Real`]
     pub real: RealKind,
     /// written by the caller
@@ -63,6 +67,8 @@ pub enum Off {
     False,
     /// FALSE, and the part of the state that is TRUE until the block has faded out
     Fade(Option<Var>),
+    /// FALSE: nothing new begins; the part of the state that is TRUE until what began has ended
+    Execute(Option<Var>),
     /// TRUE: the block brakes
     Brake(Brake),
 }
@@ -72,7 +78,7 @@ impl Off {
     pub fn value(&self) -> Literal {
         match self {
             Self::Mode(off, _) => off.value,
-            Self::False | Self::Fade(_) => Literal::Bool(false),
+            Self::False | Self::Fade(_) | Self::Execute(_) => Literal::Bool(false),
             Self::Brake(_) => Literal::Bool(true),
         }
     }
@@ -162,6 +168,7 @@ impl Type {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
             Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
+            Intrinsic::Unsigned => Self::U32,
             Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
         }
     }
@@ -220,6 +227,11 @@ pub enum Expr {
     Intrinsic(Intrinsic, Vec<Expr>),
 }
 
+/// The path of a signal within a parameter set; `None` if it is not part of one.
+pub(crate) fn part_of<'v>(set: Option<&str>, signal: &'v Variable) -> Option<&'v str> {
+    signal.path.strip_prefix(set?)?.strip_prefix('.')
+}
+
 impl Program {
     /// The type of a variable; `None` for a local before the typing pass.
     pub(crate) fn ty(&self, var: Var) -> Option<Type> {
@@ -251,7 +263,12 @@ impl Program {
 
     /// The path of an input within the parameter set; `None` if it is not part of one.
     pub fn in_set<'v>(&self, input: &'v Variable) -> Option<&'v str> {
-        input.path.strip_prefix(self.set?)?.strip_prefix('.')
+        part_of(self.set, input)
+    }
+
+    /// The path of an output within the parameter set that it makes; `None` if it is not part of one.
+    pub fn in_made<'v>(&self, output: &'v Variable) -> Option<&'v str> {
+        part_of(self.made, output)
     }
 
     /// Whether it has a parameter set.

@@ -30,6 +30,8 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         usual_first: B::is_usual_first(coeffs),
         fractions: B::FRACTIONS,
         set: B::SET,
+        made: B::MADE,
+        typed: B::TYPED,
         real: R::KIND,
         inputs: Vec::new(),
         outputs: Vec::new(),
@@ -133,6 +135,9 @@ impl Specialiser<'_> {
             portable::Off::False => return Switch { input, off: Off::False },
             portable::Off::Fade(fades) => {
                 return Switch { input, off: Off::Fade(find(&self.program.state, fades).map(Var::State)) };
+            }
+            portable::Off::Execute(works) => {
+                return Switch { input, off: Off::Execute(find(&self.program.state, works).map(Var::State)) };
             }
             portable::Off::Brake(brake) => return Switch { input, off: Off::Brake(brake) },
             portable::Off::Mode(off, fades) => (off, fades),

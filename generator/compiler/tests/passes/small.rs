@@ -15,6 +15,8 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         usual_first: false,
         fractions: &[],
         set: None,
+        made: None,
+        typed: false,
         real: RealKind::F64,
         inputs: vec![variable("x", Type::Real, Literal::F64(0.0)), variable("on", Type::Bool, Literal::Bool(false))],
         outputs: vec![variable("y", Type::Real, Literal::F64(0.0))],

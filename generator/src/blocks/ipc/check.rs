@@ -29,7 +29,8 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
     let stage = [first?, second?, third?].map(Presence::present);
     // What never acts needs no sets.
     let needs_sets = is_active && master(e).is_none();
-    let numbers = numbers.map(|numbers| if numbers == Numbers::Sets && !needs_sets { Numbers::Fixed } else { numbers });
+    let takes_sets = |numbers: &Numbers| matches!(numbers, Numbers::Sets { .. });
+    let numbers = numbers.map(|numbers| if takes_sets(&numbers) && !needs_sets { Numbers::Fixed } else { numbers });
     let (v_add_max_fact, v_max, ride_through) = (v_add_max_fact?, v_max?, ride_through?);
     let ipc = Ipc {
         enable: enable?,
@@ -42,6 +43,7 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
         delay_cycles,
         stage,
     };
+    above_lowest(e, &ipc)?;
     fade_cycles(e, &ipc, cycle_time)?;
     Some(ipc)
 }
@@ -50,13 +52,41 @@ pub(crate) fn check(e: &mut Effective<'_>, cycle_time: Option<u32>, real: Option
 fn numbers(e: &mut Effective<'_>) -> Option<Numbers> {
     match e.word::<Tunable>(key(Name::Tunable))? {
         Tunable::Nothing => Some(Numbers::Fixed),
-        Tunable::All => Some(Numbers::Sets),
+        Tunable::All => Some(Numbers::Sets { lowest_f0: None }),
+        Tunable::Parameters => Some(Numbers::Sets { lowest_f0: Some(lowest_f0(e)?) }),
         Tunable::Weights => {
             let limit = e.real(key(Name::TuningLimit));
             let [first, second, third] = [0, 1, 2].map(|i| e.real((Name::TuningWeight, [i, 0])));
             Some(Numbers::Weights(Tuning { limit: limit?, weight: [first?, second?, third?] }))
         }
     }
+}
+
+/// The lowest centre frequency that the controller may design. It is never taken from the filters: then a set with other
+/// frequencies would have another structure.
+fn lowest_f0(e: &mut Effective<'_>) -> Option<f64> {
+    let (key, of) = (key(Name::LowestF0), key(Name::Tunable));
+    if e.given(key).is_some() {
+        return e.real(key);
+    }
+    let found = "`tunable` is \"parameters\", and `lowest_f0` is missing".to_owned();
+    let allowed = "the lowest f0 that anybody may type [Hz]: the fade lasts at least one period of it".to_owned();
+    e.refuse(codes::LOWEST_F0, of, found, [Some(allowed), Some("lowest_f0 = 10".to_owned())]);
+    None
+}
+
+/// No filter may be below the lowest centre frequency.
+fn above_lowest(e: &mut Effective<'_>, ipc: &Ipc) -> Option<()> {
+    let (Some(least), Some(place)) = (ipc.lowest_f0(), lowest(ipc)) else { return Some(()) };
+    let f0 = e.real(place)?;
+    if f0 >= least {
+        return Some(());
+    }
+    let found = format!("{} is {} Hz, and `lowest_f0` is {} Hz", e.title(place), real_text(f0), real_text(least));
+    let instead = format!("lowest_f0 = {}", real_text(f0));
+    let allowed = "every f0 of the set at lowest_f0 or above".to_owned();
+    e.refuse(codes::LOWEST_F0, place, found, [Some(allowed), Some(instead)]);
+    None
 }
 
 /// Whether the loop is watched. The digest of the parameters covers the key only if it is, so that other blocks keep their

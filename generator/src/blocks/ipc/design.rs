@@ -61,7 +61,7 @@ const FEWEST_BLOCKS: f64 = 3.0;
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers, at most 2^24")]
 fn watch(axis: &Axis) -> watch::Coeffs<f64> {
     let (ipc, limit) = (&axis.ipc, axis.ipc.limit());
-    let lowest = ipc.stage.iter().flatten().map(Stage::f0).min_by(f64::total_cmp);
+    let lowest = ipc.lowest_f0().or_else(|| ipc.stage.iter().flatten().map(Stage::f0).min_by(f64::total_cmp));
     let acts = limit > 0.0 && axis.control.master.is_none();
     let Some(f0) = lowest.filter(|_| ipc.watch && acts) else { return watch::Coeffs::default() };
     // A quotient that differs from a whole number only by its rounding is that number.
@@ -69,7 +69,7 @@ fn watch(axis: &Axis) -> watch::Coeffs<f64> {
     let block = whole((BLOCK_PERIODS / f0).larger(SHORTEST_BLOCK) / axis.cycle_time()).larger(FEWEST_CYCLES);
     let blocks = whole(ALARM_TIME / (block * axis.cycle_time())).larger(FEWEST_BLOCKS);
     let (block_cycles, alarm) = (block as u32, 2 * blocks as u32);
-    watch::Coeffs { active: true, block_cycles, alarm, quiet: limit / 50.0 }
+    watch::Coeffs { active: true, block_cycles, alarm, quiet: watch::quiet(limit) }
 }
 
 /// The part of v_max below which a sum counts as 0, as a power of 2.

@@ -47,7 +47,7 @@ fn set(structure: u32, axis: &Axis, ipc: &IpcCoeffs<f64>) -> u32 {
 }
 
 /// The coefficients of the block that takes sets.
-pub(super) fn with(structure: u32, set_id: u32, ipc: &IpcCoeffs<f64>) -> Coeffs<f64> {
+pub(in crate::blocks) fn with(structure: u32, set_id: u32, ipc: &IpcCoeffs<f64>) -> Coeffs<f64> {
     let [empty_first, empty_second] = empty(structure);
     Coeffs { structure, empty_first, empty_second, set_id, ipc: *ipc }
 }

@@ -25,6 +25,10 @@ pub(crate) struct StageDesign {
     /// all its sections, in the order of their execution
     pub section: Vec<Section>,
     pub coeffs: stage::Coeffs<f64>,
+    /// what its numbers are designed from
+    pub inputs: Inputs<f64>,
+    /// prototypes of its filters
+    pub prototypes: [Prototype; FILTERS],
 }
 
 /// A second-order section.
@@ -104,6 +108,8 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         filter: [None; FILTERS],
         section: Vec::with_capacity(1 + FILTERS * filter::MAX_ORDER),
         coeffs: with(structure, &numbers),
+        inputs,
+        prototypes,
     };
     design.section.extend(damping.map(|damping| simulated_oscillation(index, damping, &numbers.oscillation)));
     for (k, prototype) in prototypes.into_iter().enumerate() {

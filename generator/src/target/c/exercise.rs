@@ -6,7 +6,7 @@ use crate::target::TargetBlock;
 use crate::target::outline::COMMENT_WIDTH;
 use askama::Template;
 use compiler::legalise::RealInput;
-use compiler::print::{Printer, c::LANGUAGE};
+use compiler::print::{Printer, c::LANGUAGE, signals};
 use compiler::program::{Type, Variable};
 use portable::RealKind;
 
@@ -62,6 +62,7 @@ pub(super) fn of<'p>(
         variables.iter().zip(names).map(|(variable, member)| fold(owner, of, variable, member)).collect()
     };
     let names = printer.names();
+    let [_, outputs] = signals(program, &LANGUAGE);
     let name = |position| block.input(&names.inputs, position);
     let [quiet, loud, _] = exercise.scales.map(LANGUAGE.literal);
     CExercise {
@@ -74,7 +75,7 @@ pub(super) fn of<'p>(
         is_scaled: exercise.reals.iter().any(|real| !real.is_fraction),
         usual: block.usual(&names.inputs, LANGUAGE.literal),
         counter: exercise.counter().map(name),
-        folded: [folded("outputs", &program.outputs, &names.outputs), folded("state", &program.state, &names.state)]
+        folded: [folded("outputs", &program.outputs, &outputs), folded("state", &program.state, &names.state)]
             .concat(),
         expected: in_lines(expected),
         owner: owner.to_owned(),

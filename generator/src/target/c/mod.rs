@@ -7,6 +7,7 @@ pub(super) mod runner;
 
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{BlockIdentity, File, TargetBlock, rendered};
+use crate::blocks::IPC;
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
@@ -38,6 +39,8 @@ struct CHeader<'a> {
     enumerations: Vec<Group>,
     block: &'a CBlock,
     self_test: &'a SelfTest,
+    /// the header with the type of the parameter set that the block makes
+    header_of_set: Option<String>,
 }
 
 #[derive(Template)]
@@ -107,6 +110,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         enumerations: header::enumerations(outline),
         block: text,
         self_test,
+        header_of_set: program.made.map(|_| format!("{}.h", names::prefix(axis, IPC))),
     };
     let source_body = CSource {
         header: &header,
@@ -153,7 +157,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         prefix: prefix.to_owned(),
         inputs: outline.inputs(),
         set: outline.set(),
-        outputs: outline.outputs(),
+        outputs: outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]),
         state: outline.state(),
         shared,
         constants,

@@ -1,6 +1,7 @@
 //! A block in the notation of a dialect, and the comment at the top of its file.
 
 use super::dialect::Dialect;
+use crate::blocks::IPC;
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use crate::target::{BlockIdentity, TargetBlock, block_name};
 use askama::Template;
@@ -81,6 +82,11 @@ impl Listing {
     }
 }
 
+/// The type of the parameter sets that another block of an axis makes for its block `ipc`.
+pub(super) fn made(axis: &BlockIdentity, dialect: &Dialect) -> String {
+    format!("{0}{1}{0}", dialect.quote, set_name(&axis.name, IPC))
+}
+
 /// The name of the function block of a block of an axis.
 pub(super) fn name(axis: &str, block: &str, dialect: &Dialect) -> String {
     format!("{}{}", dialect.prefix, block_name(axis, block))
@@ -98,7 +104,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
             .program
             .has_set()
             .then(|| SetType { name: set_name(&axis.name, block.program.block), parts: outline.set() }),
-        outputs: outline.outputs(),
+        outputs: outline.outputs([made(axis, dialect), String::new()]),
         state: outline.state(),
         locals: outline.locals(),
         inline,

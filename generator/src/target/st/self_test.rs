@@ -85,7 +85,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
     let variable = |ty: Type, name: String, doc: &str| member(language.ty(ty, axis.real).into(), name, doc);
     let is_signal = |(input, _): &(&Variable, &String)| program.in_set(input).is_none();
     let of_inputs = program.inputs.iter().zip(inputs).filter(is_signal);
-    let of_outputs = program.outputs.iter().zip(outputs);
+    let of_outputs = program.outputs.iter().zip(outputs).filter(|(output, _)| program.in_made(output).is_none());
     let mut state = vec![
         member(format!("{0}{tested}{0}", dialect.quote).into(), "block".to_owned(), "the block under test"),
         variable(Type::I32, "sample".to_owned(), "number of the sample"),
@@ -104,6 +104,10 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
     state.extend(
         of_outputs.map(|(output, name)| variable(output.ty, format!("expected_{name}"), "output of the reference")),
     );
+    if let Some(made) = program.made {
+        let (ty, name) = (listing::made(axis, dialect), format!("expected_{made}"));
+        state.push(member(ty.into(), name, "parameter set of the reference"));
+    }
     if program.has_set() {
         let name = set_name(&axis.name, program.block);
         state.push(member(format!("{0}{name}{0}", dialect.quote).into(), SET.to_owned(), "the parameter set"));

@@ -93,7 +93,8 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32, RealKind::F32) => (Primary, "UDINT_TO_REAL({0})", [Any; 2]),
             (Intrinsic::FromI32, RealKind::F64) => (Primary, "DINT_TO_LREAL({0})", [Any; 2]),
             (Intrinsic::FromI32, RealKind::F32) => (Primary, "DINT_TO_REAL({0})", [Any; 2]),
-            // The only conversion to an integer on which implementations agree.
+            (Intrinsic::Unsigned, _) => (Primary, "DINT_TO_UDINT({0})", [Any; 2]),
+            // The only conversion of a real on which implementations agree.
             (Intrinsic::Truncate, _) => (Primary, "TRUNC({0})", [Any; 2]),
             (Intrinsic::Nearest, _) => panic!("st: a legalising pass spells out the rounding"),
         },

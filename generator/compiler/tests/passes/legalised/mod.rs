@@ -37,6 +37,8 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         usual_first: false,
         fractions: &[],
         set: None,
+        made: None,
+        typed: false,
         real: RealKind::F64,
         inputs: vec![
             variable("x", Type::Real, Literal::F64(0.0)),

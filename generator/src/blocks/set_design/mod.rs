@@ -1,0 +1,62 @@
+//! The block `set_design`: parameter sets designed on the controller.
+
+pub(crate) mod design;
+
+use super::effects::{Effect, Effects, of_part};
+use super::ipc::notes::{cycle_time, note};
+use super::ipc::sets::shown;
+use super::{BlockKind, Design, Drill, Summary};
+use crate::axis::Axis;
+use crate::blocks::designed::Designed;
+use crate::number::digits;
+use portable::Literal;
+use reference::set_design::{Coeffs, SetDesign};
+
+impl Design for SetDesign {
+    fn design(designed: &Designed) -> Coeffs<f64> {
+        designed.set_design
+    }
+}
+
+impl BlockKind for SetDesign {
+    fn is_asked_for(&self, axis: &Axis) -> bool {
+        axis.ipc.lowest_f0().is_some()
+    }
+
+    fn short_name(&self) -> &'static str {
+        "sd"
+    }
+
+    fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
+        let axis = &designed.axis;
+        let Some(lowest) = axis.ipc.lowest_f0() else { return Vec::new() };
+        let limit = format!("largest limit of a set: {}", digits(axis.ipc.limit()));
+        vec![
+            note("lowest_f0", format!("key lowest_f0: {} Hz", digits(lowest))),
+            note("v_max", "largest velocity of the axis, P-AXIS-00212".to_owned()),
+            note("set.structure", format!("makes parameter sets of the set structure {}", shown(designed.sets[0]))),
+            note("set.ipc.cycle_time_ns", cycle_time(axis)),
+            note("set.ipc.limit", limit),
+        ]
+    }
+
+    /// Its inputs are typed: they are no signals, and no noise is put on them.
+    fn ranges(&self, _: &Designed) -> [f64; 2] {
+        [1.0; 2]
+    }
+
+    /// The button is pressed; while the set is designed nothing changes.
+    fn drill(&self, _: &Designed) -> Vec<Drill> {
+        vec![Drill { input: "execute", value: Literal::Bool(false), samples: 0..2 }]
+    }
+
+    fn summary(&self, designed: &Designed) -> Summary {
+        let line = format!("set_design: makes parameter sets of the set structure {}", shown(designed.sets[0]));
+        Summary { lines: vec![line], ..Summary::default() }
+    }
+
+    fn effects(&self, designed: &Designed) -> Effects {
+        let lowest = designed.axis.ipc.lowest_f0();
+        of_part("set_design", [("lowest f0", lowest.map(|f0| Effect::Number(f0, " Hz")))])
+    }
+}

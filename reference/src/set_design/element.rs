@@ -1,0 +1,216 @@
+//! The elements of a block, one for each filter: the inputs of the element whose turn it is, and the place of its numbers.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
+use super::signals::Inputs;
+use super::{Coeffs, State};
+use crate::design::bandpass::Pair;
+use crate::design::poles::{has_pair, pair_omega, pair_sigma, real_poles, real_sigma};
+use crate::filter::{MAX_ORDER, Type};
+use crate::ipc::STAGES;
+use crate::stage::{self, FILTERS, Mode};
+use portable::{Real, portable};
+
+/// An element: its place, its inputs as they were read, and its structure.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Element<R> {
+    /// number of its stage
+    pub stage: u32,
+    /// number of its filter in the stage
+    pub filter: u32,
+    /// centre frequency [Hz]
+    pub f0: R,
+    /// quality factor
+    pub q_factor: R,
+    /// damping ratio of the simulated oscillation
+    pub damping: R,
+    /// weight of the stage
+    pub weight: R,
+    /// its filter is an all-pass
+    pub is_allpass: bool,
+    /// its stage has a simulated oscillation
+    pub is_simulated: bool,
+    /// that oscillation has its centre
+    pub has_oscillation: bool,
+    /// it is the first element of its stage
+    pub is_first: bool,
+    /// it is the last element of its stage
+    pub is_last: bool,
+    /// it has a pair of poles
+    pub has_pair: bool,
+    /// number of sections of real poles
+    pub real: u32,
+    /// number of its last section, from 0
+    pub last: u32,
+    /// sigma of its real poles
+    pub sigma: R,
+    /// its pair of poles
+    pub pair: Pair<R>,
+}
+
+/// Whether filter `k` is the first band-pass of a stage with a simulated oscillation.
+#[portable]
+pub fn is_centre_of_oscillation<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
+    structure.mode != Mode::Direct
+        && structure.filter[k].kind == Type::Bandpass
+        && !stage::is_behind_bandpass(structure, k)
+}
+
+/// Whether no filter comes before filter `k`.
+#[portable]
+pub fn is_first<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
+    let mut first = true;
+    for before in 0..FILTERS {
+        first = first && (before >= k || structure.filter[before].kind == Type::NoFilter);
+    }
+    first
+}
+
+/// Whether no filter comes after filter `k`.
+#[portable]
+pub fn is_last<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
+    let mut last = true;
+    for after in 0..FILTERS {
+        last = last && (after <= k || structure.filter[after].kind == Type::NoFilter);
+    }
+    last
+}
+
+/// Reads filter `k` of stage `i`.
+#[portable]
+pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, i: usize, k: usize) {
+    let prototype = coeffs.prototype[i].filter[k];
+    of.f0 = inputs.stage[i].filter[k].f0;
+    of.q_factor = inputs.stage[i].filter[k].q_factor;
+    of.weight = inputs.stage[i].weight;
+    of.is_simulated = coeffs.set.ipc.stage[i].mode != Mode::Direct;
+    if coeffs.set.ipc.stage[i].mode != Mode::Direct {
+        of.damping = inputs.stage[i].damping;
+    }
+    of.is_allpass = coeffs.set.ipc.stage[i].filter[k].kind == Type::Allpass;
+    of.has_oscillation = is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
+    of.is_first = is_first(&coeffs.set.ipc.stage[i], k);
+    of.is_last = is_last(&coeffs.set.ipc.stage[i], k);
+    of.has_pair = false;
+    of.real = 0u32;
+    of.last = 0u32;
+    if coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass {
+        let order = coeffs.set.ipc.stage[i].filter[k].order;
+        of.last = count(order) - 1u32;
+        of.real = count(real_poles(prototype, order));
+        of.sigma = real_sigma(prototype, order);
+        if has_pair(prototype, order) {
+            of.has_pair = true;
+            of.pair.sigma = pair_sigma(prototype, order);
+            of.pair.omega = pair_omega(prototype, order);
+        }
+    }
+}
+
+/// A number of sections as a number at run time.
+#[portable]
+pub fn count(sections: usize) -> u32 {
+    let mut count = 0u32;
+    for i in 0..MAX_ORDER {
+        if i < sections {
+            count += 1u32;
+        }
+    }
+    count
+}
+
+/// Reads the element whose turn it is.
+#[portable]
+pub fn pick<R: Real>(of: &mut Element<R>, turn: u32, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
+    let mut at = 0u32;
+    let mut of_stage = 0u32;
+    for i in 0..STAGES {
+        let mut of_filter = 0u32;
+        for k in 0..FILTERS {
+            if is_element(coeffs, i, k) {
+                if turn == at {
+                    of.stage = of_stage;
+                    of.filter = of_filter;
+                    read(of, coeffs, inputs, i, k);
+                }
+                at += 1u32;
+            }
+            of_filter += 1u32;
+        }
+        of_stage += 1u32;
+    }
+}
+
+/// Whether filter `k` of stage `i` exists.
+#[portable]
+pub fn is_element<R: Real>(coeffs: &Coeffs<R>, i: usize, k: usize) -> bool {
+    coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].filter[k].kind != Type::NoFilter
+}
+
+/// The number of elements.
+#[portable]
+pub fn elements<R: Real>(coeffs: &Coeffs<R>) -> u32 {
+    let mut elements = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if is_element(coeffs, i, k) {
+                elements += 1u32;
+            }
+        }
+    }
+    elements
+}
+
+/// Whether an element has a pair of poles.
+#[portable]
+pub fn has_pairs<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            found = found
+                || is_element(coeffs, i, k)
+                    && coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass
+                    && has_pair(coeffs.prototype[i].filter[k], coeffs.set.ipc.stage[i].filter[k].order);
+        }
+    }
+    found
+}
+
+/// Whether an element is a filter of this type.
+#[portable]
+pub fn has_type<R: Real>(coeffs: &Coeffs<R>, kind: Type) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            found = found || is_element(coeffs, i, k) && coeffs.set.ipc.stage[i].filter[k].kind == kind;
+        }
+    }
+    found
+}
+
+/// Whether a stage has a simulated oscillation.
+#[portable]
+pub fn simulates<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found
+            || coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].mode != Mode::Direct;
+    }
+    found
+}
+
+/// Writes the gain of the stage of the element whose turn it is.
+#[portable]
+pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
+    let mut at = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if is_element(coeffs, i, k) {
+                if is_last(&coeffs.set.ipc.stage[i], k) && state.turn == at {
+                    state.numbers.stage[i].gain = gain;
+                }
+                at += 1u32;
+            }
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! The design of a parameter set on the controller: from centre frequencies, quality factors, damping ratios, weights and a
+//! limit to the numbers of a set, with its check word, bit for bit as the generator makes it.
+//!
+//! The rising edge of `execute` starts a design. Each call then does one piece of it:
+//!
+//! ```text
+//! limit          its range
+//! element        for each filter: reads its inputs, and tests their ranges
+//!   centre       Omega0 = tan(pi f0 Ts)
+//!   bandwidth    B = (1 + Omega0^2) tan(pi f0 Ts / Q)
+//!   root         of a pair of poles: one of five square roots
+//!   section      one section of the filter
+//!   oscillation  the simulated oscillation that has its centre
+//! seal           one piece of one number in the check word
+//! ```
+//!
+//! So the longest call is one tangent or one square root. A block may run in any task, as often in a cycle as it likes: it
+//! touches no other block. An input outside its range ends the design, and there is no set.
+
+pub mod element;
+pub mod piece;
+mod signals;
+
+pub use signals::{Inputs, Outputs};
+
+use crate::design::band::Band;
+use crate::design::inputs::{self, Wrong};
+use crate::design::poles::Prototype;
+use crate::ipc::STAGES;
+use crate::ipc::numbers::{self, Numbers};
+use crate::signal::{
+    error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight,
+};
+use crate::stage::FILTERS;
+use crate::tunable_ipc::{self, check};
+use element::Element;
+use portable::{Block, Enable, Fn, Off, Real, note, portable};
+
+/// The prototypes of the filters of a stage.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Prototypes {
+    /// low-pass prototype of each band-pass (P-AXIS-00848)
+    pub filter: [Prototype; FILTERS],
+}
+
+/// Coefficients.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Coeffs<R> {
+    /// lowest centre frequency [Hz]: the fade and the watch of the block that takes the set count in its periods
+    pub lowest_f0: R,
+    /// prototypes of the stages
+    pub prototype: [Prototypes; STAGES],
+    /// largest velocity (P-AXIS-00212): the sum of stages at it is not a fault [um/s or 0.001 deg/s]
+    pub v_max: R,
+    /// values of the inputs that the block was generated with
+    pub generated: [inputs::Inputs<R>; STAGES],
+    /// the block that takes the set
+    pub set: tunable_ipc::Coeffs<R>,
+}
+
+/// The pieces of a design.
+#[portable]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Piece {
+    /// no design is active
+    #[default]
+    Rest,
+    /// the range of the limit
+    Limit,
+    /// the inputs of an element
+    Element,
+    /// the warped centre frequency
+    Centre,
+    /// the warped bandwidth
+    Bandwidth,
+    /// a square root of a pair of poles
+    Root,
+    /// a section
+    Section,
+    /// the simulated oscillation
+    Oscillation,
+    /// a number in the check word
+    Seal,
+}
+
+/// State.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct State<R> {
+    /// execute in the previous call; TRUE before the first one, so that a button that is held then starts nothing
+    pub held: bool,
+    /// a design is active
+    pub active: bool,
+    /// the numbers are a complete set
+    pub designed: bool,
+    /// the input that was refused
+    pub wrong: Wrong,
+    /// the next piece
+    pub piece: Piece,
+    /// the element whose turn it is
+    pub turn: u32,
+    /// its section or its square root whose turn it is
+    pub part: u32,
+    /// the element
+    pub of: Element<R>,
+    /// its band
+    pub band: Band<R>,
+    /// norm of its sections so far
+    pub factor: R,
+    /// norm of its stage so far
+    pub norm: R,
+    /// norms of the stages so far, added up
+    pub norms: R,
+    /// numbers of the set
+    pub numbers: Numbers<R>,
+    /// check word of the numbers
+    pub check: check::State<R>,
+    /// number of the set
+    pub set_id: u32,
+}
+
+/// Before the first call.
+#[portable]
+pub fn init<R: Real>(state: &mut State<R>) {
+    state.held = true;
+    state.active = false;
+    state.designed = false;
+    state.wrong = Wrong::Nothing;
+    state.piece = Piece::Rest;
+}
+
+/// Starts a design.
+#[portable]
+pub fn start<R: Real>(state: &mut State<R>) {
+    state.active = true;
+    state.designed = false;
+    state.wrong = Wrong::Nothing;
+    state.piece = Piece::Limit;
+    state.turn = 0u32;
+    state.norms = R::ZERO;
+}
+
+/// The next piece. Returns which input is outside its range.
+#[portable]
+pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
+    let mut wrong = Wrong::Nothing;
+    match state.piece {
+        Piece::Limit => wrong = piece::limit(state, coeffs, inputs),
+        Piece::Element => wrong = piece::inputs(state, coeffs, inputs),
+        Piece::Centre | Piece::Bandwidth => piece::tangent(state, coeffs),
+        Piece::Root => piece::root(state, coeffs),
+        Piece::Section => piece::section(state, coeffs),
+        Piece::Oscillation => piece::oscillation_section(state, coeffs),
+        Piece::Seal => piece::seal(state, coeffs),
+        _ => {
+            note("the state was corrupted: the design ends without a set");
+            state.active = false;
+        }
+    }
+    wrong
+}
+
+/// The reason why an input was refused.
+#[portable]
+pub fn error_of(wrong: Wrong) -> u32 {
+    match wrong {
+        Wrong::Nothing => error_none(),
+        Wrong::Frequency => error_f0(),
+        Wrong::LowFrequency => error_low_f0(),
+        Wrong::QualityFactor => error_q_factor(),
+        Wrong::Damping => error_damping(),
+        Wrong::Weight => error_weight(),
+        _ => error_limit(),
+    }
+}
+
+/// The outputs.
+#[portable]
+pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
+    outputs.active = state.active;
+    outputs.designed = state.designed && !state.active;
+    let error_id = error_of(state.wrong);
+    outputs.fault = error_id != error_none();
+    outputs.error_id = error_id;
+    let is_of_element = outputs.fault && state.wrong != Wrong::Limit;
+    let is_of_filter = is_of_element && state.wrong != Wrong::Damping && state.wrong != Wrong::Weight;
+    outputs.wrong_stage = if is_of_element { state.of.stage } else { 0u32 };
+    outputs.wrong_filter = if is_of_filter { state.of.filter } else { 0u32 };
+    outputs.params.structure = coeffs.set.structure;
+    outputs.params.set_id = if state.designed && !state.active { state.set_id } else { 0u32 };
+    numbers::show(&mut outputs.params, &coeffs.set.ipc, &state.numbers);
+}
+
+/// One call: a piece of the active design.
+#[portable]
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+    if inputs.execute && !state.held {
+        start(state);
+    } else if state.active {
+        let wrong = go_on(state, coeffs, inputs);
+        if wrong != Wrong::Nothing {
+            state.wrong = wrong;
+            state.active = false;
+        }
+    }
+    state.held = inputs.execute;
+    put_out(state, coeffs, outputs);
+}
+
+/// The block.
+#[derive(Clone, Copy, Debug)]
+pub struct SetDesign;
+
+impl<R: Real> Block<R> for SetDesign {
+    type Coeffs = Coeffs<R>;
+    type State = State<R>;
+    type Inputs = Inputs<R>;
+    type Outputs = Outputs<R>;
+
+    const NAME: &'static str = "set_design";
+    const ENABLE: Option<Enable> = Some(Enable { input: "execute", off: Off::Execute("active") });
+    const MADE: Option<&'static str> = Some("params");
+    const TYPED: bool = true;
+    const INIT: Fn = init::Ir::<R>::IR;
+    const STEP: Fn = step::Ir::<R>::IR;
+
+    fn memory() -> State<R> {
+        State::default()
+    }
+
+    fn init(state: &mut State<R>) {
+        init(state);
+    }
+
+    fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
+        Inputs { execute: false, limit: coeffs.set.ipc.limit, stage: coeffs.generated }
+    }
+
+    fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
+        inputs.execute = true;
+    }
+
+    fn outputs() -> Outputs<R> {
+        Outputs::default()
+    }
+
+    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
+        step(state, coeffs, inputs, outputs);
+    }
+}

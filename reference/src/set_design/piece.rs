@@ -1,0 +1,234 @@
+//! The pieces of a design. Each changes the state and selects the next piece.
+#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+
+use super::element;
+use super::signals::Inputs;
+use super::{Coeffs, Piece, State};
+use crate::check_word;
+use crate::design::band::{cycle_time, warped};
+use crate::design::inputs::{Wrong, check_filter, is_damping, is_weight};
+use crate::design::sections::{self, Shape};
+use crate::design::{allpass, bandpass, limit as limits, oscillation};
+use crate::filter::{MAX_ORDER, Type};
+use crate::ipc::{STAGES, numbers, watch};
+use crate::stage::FILTERS;
+use crate::tunable_ipc::check;
+use portable::{Real, in_range, note, portable};
+
+/// The limit. Returns whether it is outside its range.
+#[portable]
+pub fn limit<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
+    let limit = inputs.limit;
+    let mut wrong = Wrong::Limit;
+    if in_range(limit, coeffs.set.ipc.limit) {
+        if limit >= R::ZERO {
+            wrong = Wrong::Nothing;
+            state.numbers.limit = limit;
+            state.numbers.lower_limit = limits::lower_limit(limit);
+            state.numbers.watch.quiet = watch::quiet(limit);
+            state.piece = Piece::Element;
+        }
+    }
+    wrong
+}
+
+/// Reads the inputs of the element whose turn it is. Returns which one is outside its range.
+#[portable]
+pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
+    element::pick(&mut state.of, state.turn, coeffs, inputs);
+    let ns = coeffs.set.ipc.cycle_time_ns;
+    let mut wrong = check_filter(state.of.f0, state.of.q_factor, ns, coeffs.lowest_f0);
+    if wrong == Wrong::Nothing {
+        let is_sound = is_weight(state.of.weight);
+        if !is_sound {
+            wrong = Wrong::Weight;
+        }
+    }
+    if wrong == Wrong::Nothing && state.of.is_simulated {
+        let is_sound = is_damping(state.of.damping);
+        if !is_sound {
+            wrong = Wrong::Damping;
+        }
+    }
+    if state.of.is_first {
+        state.norm = state.of.weight;
+        if state.of.is_simulated {
+            state.norm = state.norm * limits::oscillation_norm(state.of.damping);
+        }
+    }
+    state.factor = R::ONE;
+    state.piece = Piece::Centre;
+    wrong
+}
+
+/// The warped centre frequency, then the warped bandwidth.
+#[portable]
+pub fn tangent<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let is_centre = state.piece == Piece::Centre;
+    let frequency = if is_centre { state.of.f0 } else { state.of.f0 / state.of.q_factor };
+    let seconds = cycle_time::<R>(coeffs.set.ipc.cycle_time_ns);
+    let warped = warped(frequency, seconds);
+    state.part = 0u32;
+    if is_centre {
+        state.band.omega0 = warped;
+        state.piece = Piece::Bandwidth;
+    } else {
+        state.band.bandwidth = (R::ONE + state.band.omega0 * state.band.omega0) * warped;
+        let has_pair = element::has_pairs(coeffs) && state.of.has_pair;
+        state.piece = if has_pair { Piece::Root } else { Piece::Section };
+    }
+}
+
+/// The next square root of a pair of poles.
+#[portable]
+pub fn root<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if element::has_pairs(coeffs) {
+        bandpass::root(&mut state.of.pair, state.part, &state.band);
+    }
+    if state.part < 4u32 {
+        state.part += 1u32;
+    } else {
+        state.part = 0u32;
+        state.piece = Piece::Section;
+    }
+}
+
+/// The next section of the filter. After the last one the simulated oscillation that has its centre, or the next element.
+#[portable]
+pub fn section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if element::has_type(coeffs, Type::Allpass) && state.of.is_allpass {
+        allpass_section(state, coeffs);
+    } else {
+        bandpass_section(state, coeffs);
+    }
+    if state.part < state.of.last {
+        state.part += 1u32;
+    } else if element::simulates(coeffs) && state.of.has_oscillation {
+        state.piece = Piece::Oscillation;
+    } else {
+        end_element(state, coeffs);
+    }
+}
+
+/// The all-pass of the element.
+#[portable]
+pub fn allpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let mut shape = Shape::<R>::default();
+    allpass::section(&mut shape, &state.band);
+    let mut made = crate::allpass::Coeffs::<R>::default();
+    sections::allpass_numbers(&mut made, &shape);
+    state.factor = limits::allpass_norm();
+    let mut at = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if element::is_element(coeffs, i, k) {
+                if coeffs.set.ipc.stage[i].filter[k].kind == Type::Allpass && state.turn == at {
+                    crate::allpass::take(&mut state.numbers.stage[i].filter[k].allpass, &made);
+                }
+                at += 1u32;
+            }
+        }
+    }
+}
+
+/// The section of the band-pass whose turn it is.
+#[portable]
+pub fn bandpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let mut shape = Shape::<R>::default();
+    if !element::has_pairs(coeffs) || state.part < state.of.real {
+        bandpass::real_section(&mut shape, state.of.sigma, &state.band);
+    } else if state.part == state.of.real {
+        bandpass::lower_section(&mut shape, &state.of.pair, &state.band);
+    } else {
+        bandpass::upper_section(&mut shape, &state.of.pair, &state.band);
+    }
+    let mut made = crate::bandpass::Coeffs::<R>::default();
+    sections::bandpass_numbers(&mut made, &shape);
+    state.factor = state.factor * limits::bandpass_norm(shape.c, made.a2);
+    let mut at = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if element::is_element(coeffs, i, k) {
+                let mut part = 0u32;
+                for s in 0..MAX_ORDER {
+                    if coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass
+                        && s < coeffs.set.ipc.stage[i].filter[k].order
+                    {
+                        if state.turn == at && state.part == part {
+                            crate::bandpass::take(&mut state.numbers.stage[i].filter[k].bandpass[s], &made);
+                        }
+                        part += 1u32;
+                    }
+                }
+                at += 1u32;
+            }
+        }
+    }
+}
+
+/// The simulated oscillation with the centre of the element.
+#[portable]
+pub fn oscillation_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if element::simulates(coeffs) {
+        make_oscillation(state, coeffs);
+    }
+    end_element(state, coeffs);
+}
+
+/// Designs the simulated oscillation.
+#[portable]
+pub fn make_oscillation<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let mut shape = Shape::<R>::default();
+    oscillation::section(&mut shape, state.band.omega0, state.of.damping);
+    let mut made = crate::oscillation::Coeffs::<R>::default();
+    sections::oscillation_numbers(&mut made, &shape);
+    let mut at = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if element::is_element(coeffs, i, k) {
+                if element::is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k) && state.turn == at {
+                    crate::oscillation::take(&mut state.numbers.stage[i].oscillation, &made);
+                }
+                at += 1u32;
+            }
+        }
+    }
+}
+
+/// The end of an element, and with the last one of a stage its gain. After the last element comes the check word.
+#[portable]
+pub fn end_element<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    state.norm = state.norm * state.factor;
+    if state.of.is_last {
+        state.norms = state.norms + state.norm;
+        let gain = limits::gain(state.of.weight);
+        element::put_gain(state, coeffs, gain);
+    }
+    if state.turn < element::elements(coeffs) - 1u32 {
+        state.turn += 1u32;
+        state.piece = Piece::Element;
+    } else {
+        state.numbers.sum_limit = limits::sum_limit(state.norms, state.numbers.limit, coeffs.v_max);
+        check::start(&mut state.check, &coeffs.set, 0u32);
+        state.piece = Piece::Seal;
+    }
+}
+
+/// A piece of the number whose turn it is in the check word. After the last one the set is complete.
+#[portable]
+pub fn seal<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let mut is_done = false;
+    if state.check.turn < check::length(&coeffs.set) {
+        numbers::pick(&mut state.check.picked, state.check.turn, &coeffs.set.ipc, &state.numbers);
+        is_done = check::add(&mut state.check, &coeffs.set);
+    } else {
+        note("the state was corrupted: the design ends without a set");
+        state.active = false;
+    }
+    if is_done {
+        state.set_id = check_word::set_id(&state.check.forming);
+        state.designed = true;
+        state.active = false;
+        state.piece = Piece::Rest;
+    }
+}
