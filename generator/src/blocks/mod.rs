@@ -30,6 +30,7 @@ pub use designed::Designed;
 pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
+pub use set_design::calls as calls_of_design;
 pub use kind::{BlockKind, Design, Summary, Typed};
 
 use crate::axis::Axis;

@@ -110,7 +110,8 @@ impl Exercise {
         let numbers = own.inputs.iter().filter(is_number).count();
         // Each number is checked in pieces, one in a cycle, before and after all are copied.
         let pieces = last_piece::<R>() as usize + 1;
-        let wait = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };
+        let of_sets = if numbers > 0 { 2 * (numbers * pieces + 2) } else { 0 };
+        let wait = if program.typed { wanted.start } else { of_sets };
         Self {
             drill: drill.collect(),
             switches: signals.iter().copied().filter(is_switch).map(|input| (input, others(usual[input]))).collect(),
@@ -122,7 +123,7 @@ impl Exercise {
             beyond: leaf(sample_limit::<R>() + sample_limit::<R>()),
             huge: [leaf(huge), leaf(-huge)],
             wait,
-            start: wanted.start + wait,
+            start: wanted.start + of_sets,
             outputs: for_axis.outputs.clone(),
             state: kept(&for_axis.program, state_paths),
             usual,
@@ -178,6 +179,8 @@ fn others(value: Literal) -> Vec<Literal> {
         Literal::Bool(value) => vec![Literal::Bool(!value)],
         Literal::I32(value) => [1, -1, 200, -200].map(|more| Literal::I32(value.wrapping_add(more))).into(),
         Literal::U32(value) => vec![Literal::U32(value.wrapping_add(1))],
+        // What somebody types changes in the drill only.
+        Literal::F64(_) | Literal::F32(_) => Vec::new(),
         other => panic!("exercise: {other:?} is no switch"),
     }
 }

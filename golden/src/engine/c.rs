@@ -30,6 +30,9 @@ impl Harness {
             write(&file.name, &file.text)?;
         }
         let stem = emitted.first().and_then(|file| file.name.strip_suffix(".h")).unwrap_or_default();
+        for file in super::of_set(super::target("c"), designed, block)? {
+            write(&file.name, &file.text)?;
+        }
         write("layout.h", &layout(stem, block))?;
         write("harness.c", include_str!("harness.c"))?;
         let harness = ["-std=c99", "-O2", "-DLAYOUT=\"layout.h\"", "-c", "harness.c", "-o", "harness.o"];

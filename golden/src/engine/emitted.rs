@@ -36,6 +36,14 @@ pub fn files(dialect: Dialect, designed: &Designed, block: &Block) -> Result<[Fi
 /// The text contains constructs that implementations may interpret differently.
 pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -> Result<st::Block, Failure> {
     let (name, real) = (type_name(dialect, designed, block), block.program.real);
+    if block.program.made.is_some() {
+        // The type of the sets is in the file of the block that takes them.
+        let taker = super::taker(designed)?;
+        let [of_taker, _] = files(dialect, designed, &taker)?;
+        let others = [read(dialect, &of_taker, designed, &taker)?];
+        return st::Block::read_with(dialect, &file.text, &name, real, &others)
+            .map_err(|mistakes| broken(&file.name, &mistakes));
+    }
     let types = if dialect == Dialect::TwinCat { types(designed, block)? } else { None };
     let read = match types {
         Some(types) => st::Block::read_typed(&file.text, &types.text, &name, real),

@@ -121,6 +121,20 @@ fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>
     target.files(&identity(&designed.axis, block), block).map_err(|defect| Failure::Broken(defect.to_string()))
 }
 
+/// The files of the block whose parameter sets a block makes: they declare the type of the sets. Empty if it makes none.
+fn of_set(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
+    if block.program.made.is_none() {
+        return Ok(Vec::new());
+    }
+    files(target, designed, &taker(designed)?)
+}
+
+/// The block that takes parameter sets.
+fn taker(designed: &Designed) -> Result<Block, Failure> {
+    let kind = generator::blocks::named("ipc").expect("engine: there is the block");
+    kind.block(designed).map_err(|defect| Failure::Broken(defect.to_string()))
+}
+
 /// Runs a block through the emitted C and the given compiler.
 ///
 /// # Errors

@@ -25,7 +25,7 @@ const OPTIONS: [&str; 8] = ["--edition", "2024", "-O", "-D", "warnings", "harnes
 pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let files = super::files(super::target("rust"), designed, block)?;
     let [file] = files.as_slice() else { return Err(Failure::Broken("a module is one file".to_owned())) };
-    run_file(file, block, inputs)
+    run_beside(file, &super::of_set(super::target("rust"), designed, block)?, block, inputs)
 }
 
 /// Compiles and runs a block from its module.
@@ -33,8 +33,13 @@ pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Resul
 /// # Errors
 /// The compiler is missing or rejects the module, or the block fails its self-test.
 pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+    run_beside(file, &[], block, inputs)
+}
+
+/// The same with the modules that it uses.
+fn run_beside(file: &File, used: &[File], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let folder = process::folder()?;
-    write(folder.path(), file, block)?;
+    write(folder.path(), file, used, block)?;
     call("Rust", "RUSTC", &command(), folder.path(), &OPTIONS)?;
     process::run(&folder.path().join("block").to_string_lossy(), &[], block, inputs)
 }
@@ -49,7 +54,7 @@ pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Fai
     for (number, (file, block, _)) in many.iter().enumerate() {
         let below = folder.path().join(format!("m{number}"));
         std::fs::create_dir(&below).map_err(|error| Failure::Environment(format!("{}: {error}", below.display())))?;
-        write(&below, file, block)?;
+        write(&below, file, &[], block)?;
         writeln!(modules, "#[path = \"m{number}/harness.rs\"]\nmod m{number};")
             .expect("engine: a string takes all text");
         writeln!(arms, "        Some(\"{number}\") => m{number}::main(),").expect("engine: a string takes all text");
@@ -69,13 +74,15 @@ pub fn run_files(many: &[(&File, &Block, &Samples)]) -> Result<Vec<Samples>, Fai
 }
 
 /// Writes a module, and the program that runs it.
-fn write(folder: &Path, file: &File, block: &Block) -> Result<(), Failure> {
-    let texts = [
-        (file.name.as_str(), file.text.as_str()),
-        ("layout.rs", &layout(&file.name, block)),
-        ("harness.rs", include_str!("harness.rs")),
-    ];
-    texts.into_iter().try_for_each(|(name, text)| process::write(folder, name, text))
+fn write(folder: &Path, file: &File, used: &[File], block: &Block) -> Result<(), Failure> {
+    let declared = used.iter().map(|file| {
+        let module = file.name.trim_end_matches(".rs");
+        format!("#[allow(dead_code)]\n#[path = \"{}\"]\nmod {module};\n", file.name)
+    });
+    let layout = declared.collect::<String>() + &layout(&file.name, block);
+    let texts = [("layout.rs", layout.as_str()), ("harness.rs", include_str!("harness.rs"))];
+    let modules = used.iter().chain([file]).map(|file| (file.name.as_str(), file.text.as_str()));
+    texts.into_iter().chain(modules).try_for_each(|(name, text)| process::write(folder, name, text))
 }
 
 /// The description of the block for the harness.

@@ -5,6 +5,7 @@
 //! events     moves, vibrations, noise, disturbances: they do not react to the block
 //! spindle    the partner of a spindle: an operator, an interpolator, a drive
 //! sets       the supplier of parameter sets: another one, also damaged, late or absent
+//! typed      the operator of a block whose inputs are typed
 //! coverage   signals that moved or changed; states, transitions and sets that were reached
 //! ```
 
@@ -13,6 +14,7 @@ pub mod coverage;
 mod events;
 mod sets;
 mod spindle;
+mod typed;
 
 use crate::samples::{Samples, Shape};
 use crate::stimulus::{self, Partner};
@@ -28,8 +30,9 @@ pub fn inputs(designed: &Designed, block: &Block, count: usize) -> Samples {
     // Later events override earlier ones.
     stimulus.event.splice(0..0, sets::other(designed, block));
     stimulus.event.extend(sets::damaged(&block.program));
+    stimulus.event.extend(typed::events(designed, block));
     let mut partner = spindle::Machinery::of(designed, block);
     let partner = partner.as_mut().map(|partner| partner as &mut dyn Partner);
-    let shape = Shape::of(&block.program.inputs, designed.axis.real);
+    let shape = Shape::of(&block.program.inputs, block.program.real);
     stimulus::answered(&stimulus, &shape, count, partner).unwrap_or_else(|mistake| panic!("exercise: {mistake}"))
 }

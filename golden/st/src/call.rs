@@ -29,6 +29,9 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if name == format!("UDINT_TO_{real}") {
         return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint, Kind::Real));
     }
+    if name == "DINT_TO_UDINT" {
+        return conversion(lowering, node, &arguments, (Kind::Dint, Code::MoveWord, Kind::Udint));
+    }
     if lowering.known.is_program {
         let narrow = match name.as_str() {
             "UINT_TO_DINT" => Some((Kind::Uint, Code::MoveWord, Kind::Dint)),

@@ -172,7 +172,7 @@ impl Declarations<'_, '_> {
 
     /// A structure: each of its parts is a variable with its path.
     fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
-        if matches!(role, Role::Constant | Role::Temporary | Role::Output) {
+        if matches!(role, Role::Constant | Role::Temporary) {
             self.say(node, "a structure that is not a variable", "the structure in `VAR` or `VAR_IN_OUT`");
         }
         if let Some(start) = node.child_by_field_name("initial_value") {

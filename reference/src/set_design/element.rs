@@ -176,6 +176,28 @@ pub fn has_pairs<R: Real>(coeffs: &Coeffs<R>) -> bool {
     found
 }
 
+/// Whether an element is in a stage after the first one.
+#[portable]
+pub fn has_later_stages<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 1..STAGES {
+        found = found || coeffs.set.ipc.stage[i].mode != Mode::NotActive;
+    }
+    found
+}
+
+/// Whether an element is the second filter of its stage.
+#[portable]
+pub fn has_later_filters<R: Real>(coeffs: &Coeffs<R>) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        for k in 1..FILTERS {
+            found = found || is_element(coeffs, i, k);
+        }
+    }
+    found
+}
+
 /// Whether an element is a filter of this type.
 #[portable]
 pub fn has_type<R: Real>(coeffs: &Coeffs<R>, kind: Type) -> bool {

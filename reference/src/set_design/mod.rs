@@ -11,6 +11,7 @@
 //!   root         of a pair of poles: one of five square roots
 //!   section      one section of the filter
 //!   oscillation  the simulated oscillation that has its centre
+//!   end          the norm; after the last filter of a stage its gain
 //! seal           one piece of one number in the check word
 //! ```
 //!
@@ -81,6 +82,8 @@ pub enum Piece {
     Section,
     /// the simulated oscillation
     Oscillation,
+    /// the end of an element
+    End,
     /// a number in the check word
     Seal,
 }
@@ -89,12 +92,12 @@ pub enum Piece {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct State<R> {
-    /// execute in the previous call; TRUE before the first one, so that a button that is held then starts nothing
+    /// execute in the previous call
     pub held: bool,
     /// a design is active
-    pub active: bool,
+    pub works: bool,
     /// the numbers are a complete set
-    pub designed: bool,
+    pub complete: bool,
     /// the input that was refused
     pub wrong: Wrong,
     /// the next piece
@@ -124,9 +127,9 @@ pub struct State<R> {
 /// Before the first call.
 #[portable]
 pub fn init<R: Real>(state: &mut State<R>) {
-    state.held = true;
-    state.active = false;
-    state.designed = false;
+    state.held = false;
+    state.works = false;
+    state.complete = false;
     state.wrong = Wrong::Nothing;
     state.piece = Piece::Rest;
 }
@@ -134,8 +137,8 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// Starts a design.
 #[portable]
 pub fn start<R: Real>(state: &mut State<R>) {
-    state.active = true;
-    state.designed = false;
+    state.works = true;
+    state.complete = false;
     state.wrong = Wrong::Nothing;
     state.piece = Piece::Limit;
     state.turn = 0u32;
@@ -153,10 +156,11 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         Piece::Root => piece::root(state, coeffs),
         Piece::Section => piece::section(state, coeffs),
         Piece::Oscillation => piece::oscillation_section(state, coeffs),
+        Piece::End => piece::end(state, coeffs),
         Piece::Seal => piece::seal(state, coeffs),
         _ => {
             note("the state was corrupted: the design ends without a set");
-            state.active = false;
+            state.works = false;
         }
     }
     wrong
@@ -179,17 +183,23 @@ pub fn error_of(wrong: Wrong) -> u32 {
 /// The outputs.
 #[portable]
 pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outputs<R>) {
-    outputs.active = state.active;
-    outputs.designed = state.designed && !state.active;
+    outputs.active = state.works;
+    outputs.designed = state.complete && !state.works;
     let error_id = error_of(state.wrong);
     outputs.fault = error_id != error_none();
     outputs.error_id = error_id;
     let is_of_element = outputs.fault && state.wrong != Wrong::Limit;
     let is_of_filter = is_of_element && state.wrong != Wrong::Damping && state.wrong != Wrong::Weight;
-    outputs.wrong_stage = if is_of_element { state.of.stage } else { 0u32 };
-    outputs.wrong_filter = if is_of_filter { state.of.filter } else { 0u32 };
+    outputs.wrong_stage = 0u32;
+    if element::has_later_stages(coeffs) && is_of_element {
+        outputs.wrong_stage = state.of.stage;
+    }
+    outputs.wrong_filter = 0u32;
+    if element::has_later_filters(coeffs) && is_of_filter {
+        outputs.wrong_filter = state.of.filter;
+    }
     outputs.params.structure = coeffs.set.structure;
-    outputs.params.set_id = if state.designed && !state.active { state.set_id } else { 0u32 };
+    outputs.params.set_id = if state.complete && !state.works { state.set_id } else { 0u32 };
     numbers::show(&mut outputs.params, &coeffs.set.ipc, &state.numbers);
 }
 
@@ -198,11 +208,11 @@ pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     if inputs.execute && !state.held {
         start(state);
-    } else if state.active {
+    } else if state.works {
         let wrong = go_on(state, coeffs, inputs);
         if wrong != Wrong::Nothing {
             state.wrong = wrong;
-            state.active = false;
+            state.works = false;
         }
     }
     state.held = inputs.execute;
@@ -220,7 +230,7 @@ impl<R: Real> Block<R> for SetDesign {
     type Outputs = Outputs<R>;
 
     const NAME: &'static str = "set_design";
-    const ENABLE: Option<Enable> = Some(Enable { input: "execute", off: Off::Execute("active") });
+    const ENABLE: Option<Enable> = Some(Enable { input: "execute", off: Off::Execute("works") });
     const MADE: Option<&'static str> = Some("params");
     const TYPED: bool = true;
     const INIT: Fn = init::Ir::<R>::IR;

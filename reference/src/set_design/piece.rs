@@ -106,7 +106,7 @@ pub fn section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     } else if element::simulates(coeffs) && state.of.has_oscillation {
         state.piece = Piece::Oscillation;
     } else {
-        end_element(state, coeffs);
+        state.piece = Piece::End;
     }
 }
 
@@ -172,7 +172,7 @@ pub fn oscillation_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if element::simulates(coeffs) {
         make_oscillation(state, coeffs);
     }
-    end_element(state, coeffs);
+    state.piece = Piece::End;
 }
 
 /// Designs the simulated oscillation.
@@ -197,7 +197,7 @@ pub fn make_oscillation<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 
 /// The end of an element, and with the last one of a stage its gain. After the last element comes the check word.
 #[portable]
-pub fn end_element<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.norm = state.norm * state.factor;
     if state.of.is_last {
         state.norms = state.norms + state.norm;
@@ -223,12 +223,12 @@ pub fn seal<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         is_done = check::add(&mut state.check, &coeffs.set);
     } else {
         note("the state was corrupted: the design ends without a set");
-        state.active = false;
+        state.works = false;
     }
     if is_done {
         state.set_id = check_word::set_id(&state.check.forming);
-        state.designed = true;
-        state.active = false;
+        state.complete = true;
+        state.works = false;
         state.piece = Piece::Rest;
     }
 }

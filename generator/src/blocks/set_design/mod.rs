@@ -9,8 +9,8 @@ use super::{BlockKind, Design, Drill, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use crate::number::digits;
-use portable::Literal;
-use reference::set_design::{Coeffs, SetDesign};
+use portable::{Block as Reference, Literal};
+use reference::set_design::{Coeffs, Inputs, SetDesign};
 
 impl Design for SetDesign {
     fn design(designed: &Designed) -> Coeffs<f64> {
@@ -45,9 +45,21 @@ impl BlockKind for SetDesign {
         [1.0; 2]
     }
 
-    /// The button is pressed; while the set is designed nothing changes.
-    fn drill(&self, _: &Designed) -> Vec<Drill> {
-        vec![Drill { input: "execute", value: Literal::Bool(false), samples: 0..2 }]
+    /// The number of calls of a design.
+    fn start_cycles(&self, designed: &Designed) -> usize {
+        calls(designed)
+    }
+
+    /// The button is pressed again, with half the limit, then with a limit that is refused.
+    fn drill(&self, designed: &Designed) -> Vec<Drill> {
+        let (limit, calls) = (designed.ipc.limit, calls(designed));
+        let part = |input, value, samples| Drill { input, value, samples };
+        vec![
+            part("limit", Literal::F64(limit / 2.0), 0..2 + calls),
+            part("execute", Literal::Bool(false), 0..2),
+            part("execute", Literal::Bool(false), 2 + calls..4 + calls),
+            part("limit", Literal::F64(-1.0), 4 + calls..8 + calls),
+        ]
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
@@ -58,5 +70,21 @@ impl BlockKind for SetDesign {
     fn effects(&self, designed: &Designed) -> Effects {
         let lowest = designed.axis.ipc.lowest_f0();
         of_part("set_design", [("lowest f0", lowest.map(|f0| Effect::Number(f0, " Hz")))])
+    }
+}
+
+/// The number of calls of a design, which depends on the structure only.
+pub fn calls(designed: &Designed) -> usize {
+    let coeffs = &designed.set_design;
+    let (mut state, mut outputs) = (<SetDesign as Reference<f64>>::state(), <SetDesign as Reference<f64>>::outputs());
+    let mut inputs: Inputs<f64> = SetDesign::inputs(coeffs);
+    inputs.execute = true;
+    let mut calls = 0;
+    loop {
+        SetDesign::step(&mut state, coeffs, &inputs, &mut outputs);
+        calls += 1;
+        if !outputs.active {
+            return calls;
+        }
     }
 }

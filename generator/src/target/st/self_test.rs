@@ -151,7 +151,7 @@ fn body(block: &TargetBlock<'_>, dialect: &Dialect, trial: &Trial, [inputs, outp
     let jumps = trial.turns.iter().filter(is_jump);
     let named = program.inputs.iter().zip(inputs);
     let (parts, signals): (Vec<_>, Vec<_>) = named.partition(|(input, _)| program.in_set(input).is_some());
-    let switches = signals.iter().filter(|(input, _)| input.ty != Type::Real);
+    let switches = signals.iter().filter(|(input, _)| input.ty != Type::Real || program.typed);
     let factor = if is_single { 1.0 + libm::exp2(-15.0) } else { 1.0 + libm::exp2(-30.0) };
     let square = if is_single { 1.0 + libm::exp2(-14.0) } else { factor * factor };
     let noise = |of: &RealInput| {
