@@ -79,7 +79,7 @@ pub fn identity(axis: &Axis, block: &Block) -> BlockIdentity {
     let kind = blocks::named(name);
     BlockIdentity {
         name: axis.name.clone(),
-        real: axis.real,
+        real: block.program.real,
         short_name: kind.filter(|_| axis.short_names).map(BlockKind::short_name),
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,

@@ -92,6 +92,7 @@ pub(crate) fn intrinsic(intrinsic: Intrinsic, operands: &[Literal], kind: RealKi
         (Intrinsic::FromU32, [Literal::U32(x)], RealKind::F32) => Literal::F32(portable::from_u32(*x)),
         (Intrinsic::FromI32, [Literal::I32(x)], RealKind::F64) => Literal::F64(portable::from_i32(*x)),
         (Intrinsic::FromI32, [Literal::I32(x)], RealKind::F32) => Literal::F32(portable::from_i32(*x)),
+        (Intrinsic::Narrow, [Literal::F64(x)], _) => Literal::F64(f64::from(<f32 as portable::Real>::lit(*x))),
         (Intrinsic::Unsigned, [Literal::I32(x)], _) => Literal::U32(portable::unsigned(*x)),
         (Intrinsic::Truncate, [Literal::F64(x)], _) => Literal::I32(portable::truncate(*x)),
         (Intrinsic::Truncate, [Literal::F32(x)], _) => Literal::I32(portable::truncate(*x)),

@@ -140,6 +140,7 @@ impl<'p> Dump<'p> {
                 let name = match intrinsic {
                     Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
                     Intrinsic::Unsigned => "unsigned",
+                    Intrinsic::Narrow => "narrow",
                     other => &format!("{other:?}").to_lowercase(),
                 };
                 self.put([Text(name), Text("("), Listed(operands), Text(")")]);

@@ -29,6 +29,7 @@ fn a_name_is_given_once() {
         fractions: &[],
         set: None,
         made: None,
+        is_made_single: false,
         typed: false,
         real: RealKind::F64,
         inputs: Vec::new(),

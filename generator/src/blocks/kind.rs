@@ -7,7 +7,7 @@ use crate::axis::Axis;
 use crate::exercise::{Drill, Run};
 use compiler::pass::Defect;
 use compiler::program::Program;
-use portable::{Block as Reference, Field, Literal};
+use portable::{Block as Reference, Field, Literal, RealKind, Wide};
 
 /// The interface of a block's folder: the results of an axis's parameters for a reference.
 pub trait BlockKind: Typed {
@@ -85,14 +85,31 @@ pub struct Summary {
 }
 
 /// A reference that an axis may run.
-pub trait Design: Reference<f64> + Reference<f32> + Sync + 'static {
+pub trait Design: Reference<f64> + Reference<f32> + Reference<Wide> + Sync + 'static {
     /// Its coefficients, in double precision.
     fn design(designed: &Designed) -> <Self as Reference<f64>>::Coeffs;
+
+    /// Its arithmetic.
+    fn arithmetic(designed: &Designed) -> Arithmetic {
+        match designed.axis.real {
+            RealKind::F64 => Arithmetic::Double,
+            RealKind::F32 => Arithmetic::Single,
+        }
+    }
 
     /// The block that an axis runs instead, if any.
     fn other(_: &Designed) -> Option<&'static dyn Typed> {
         None
     }
+}
+
+/// The arithmetic of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arithmetic {
+    Double,
+    Single,
+    /// double precision, for a block in single precision
+    Wide,
 }
 
 /// A reference in the real type of an axis. `kind`: the folder of its block.

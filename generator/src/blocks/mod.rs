@@ -31,7 +31,7 @@ pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
 pub use set_design::calls as calls_of_design;
-pub use kind::{BlockKind, Design, Summary, Typed};
+pub use kind::{Arithmetic, BlockKind, Design, Summary, Typed};
 
 use crate::axis::Axis;
 use compiler::pass::Defect;
@@ -51,6 +51,7 @@ pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
 
 /// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
 pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
+pub(crate) const SET_DESIGN: &str = <reference::set_design::SetDesign as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;

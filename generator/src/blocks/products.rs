@@ -2,7 +2,7 @@
 
 use super::block::Block;
 use super::designed::Designed;
-use super::kind::{BlockKind, Design, Typed};
+use super::kind::{Arithmetic, BlockKind, Design, Typed};
 use crate::design::rounding::rounded;
 use crate::exercise::runner::{self, Runner};
 use crate::exercise::{self, Exercise, Run, Running, SelfTest, Trial, Wanted};
@@ -10,7 +10,7 @@ use compiler::legalise;
 use compiler::pass::{self, Defect};
 use compiler::ranges::{self, Shown};
 use compiler::{arithmetic, leaves, program::Program, specialise, structure};
-use portable::{Block as Reference, Field, Literal, Portable, Real, RealKind, Ty};
+use portable::{Block as Reference, Field, Literal, Portable, Real, Ty, Wide};
 use std::sync::Arc;
 
 /// The last pass.
@@ -74,34 +74,41 @@ impl<B: Design> Typed for B {
     }
 
     fn specialise(&self, kind: &dyn BlockKind, designed: &Designed, last: Option<&str>) -> Result<Program, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => program::<f64, B>(kind, designed, last),
-            RealKind::F32 => program::<f32, B>(kind, designed, last),
+        match B::arithmetic(designed) {
+            Arithmetic::Double => program::<f64, B>(kind, designed, last),
+            Arithmetic::Single => program::<f32, B>(kind, designed, last),
+            Arithmetic::Wide => program::<Wide, B>(kind, designed, last),
         }
     }
 
     fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
-        match designed.axis.real {
-            RealKind::F64 => block::<f64, B>(kind, designed),
-            RealKind::F32 => block::<f32, B>(kind, designed),
+        match B::arithmetic(designed) {
+            Arithmetic::Double => block::<f64, B>(kind, designed),
+            Arithmetic::Single => block::<f32, B>(kind, designed),
+            Arithmetic::Wide => block::<Wide, B>(kind, designed),
         }
     }
 
     fn run(&self, designed: &Designed) -> Box<dyn Run> {
-        let (coeffs, real) = (B::design(designed), designed.axis.real);
-        match real {
-            RealKind::F64 => Box::new(Running::<f64, B>::start(coeffs)),
-            RealKind::F32 => Box::new(Running::<f32, B>::start(rounded(&coeffs, real))),
+        match B::arithmetic(designed) {
+            Arithmetic::Double => Box::new(Running::<f64, B>::start(coefficients::<f64, B>(designed))),
+            Arithmetic::Single => Box::new(Running::<f32, B>::start(coefficients::<f32, B>(designed))),
+            Arithmetic::Wide => Box::new(Running::<Wide, B>::start(coefficients::<Wide, B>(designed))),
         }
     }
 
     fn numbers(&self, designed: &Designed) -> Vec<Literal> {
-        let (coeffs, real) = (B::design(designed), designed.axis.real);
-        match real {
-            RealKind::F64 => leaves(&coeffs),
-            RealKind::F32 => leaves(&rounded::<_, <B as Reference<f32>>::Coeffs>(&coeffs, real)),
+        match B::arithmetic(designed) {
+            Arithmetic::Double => leaves(&coefficients::<f64, B>(designed)),
+            Arithmetic::Single => leaves(&coefficients::<f32, B>(designed)),
+            Arithmetic::Wide => leaves(&coefficients::<Wide, B>(designed)),
         }
     }
+}
+
+/// The coefficients of a reference, rounded to its real type.
+fn coefficients<R: Real, B: Design + Reference<R>>(designed: &Designed) -> <B as Reference<R>>::Coeffs {
+    rounded(&B::design(designed), R::KIND)
 }
 
 /// The program after the pass of that name; with `None`, the output of the specialiser.
@@ -111,13 +118,13 @@ fn program<R: Real, B: Design + Reference<R>>(
     last: Option<&str>,
 ) -> Result<Program, Defect> {
     let notes = kind.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, B>(&rounded(&B::design(designed), R::KIND), &notes);
+    let specialised = specialise::block::<R, B>(&coefficients::<R, B>(designed), &notes);
     if last.is_some() { pass::run(specialised, last) } else { Ok(specialised) }
 }
 
 /// Specialises one block and records its run.
 fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
-    let coeffs = || rounded(&B::design(designed), R::KIND);
+    let coeffs = || coefficients::<R, B>(designed);
     let notes = kind.notes(designed).into_iter().collect();
     let specialised = specialise::block::<R, B>(&coeffs(), &notes);
     let structure = structure::of(&specialised);

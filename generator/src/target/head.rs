@@ -22,7 +22,9 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
     let mut of_files = files.iter().map(|(_, text)| block(text)).collect::<Option<Vec<_>>>()?;
     of_files.sort_unstable();
     of_files.dedup();
-    let real = match line(&files.first()?.1, "real type ")? {
+    // The design of parameter sets is in double precision for each axis.
+    let of_axis = files.iter().find(|(_, text)| block(text) != Some(blocks::SET_DESIGN))?;
+    let real = match line(&of_axis.1, "real type ")? {
         "LREAL" => RealKind::F64,
         "REAL" => RealKind::F32,
         _ => return None,

@@ -106,6 +106,11 @@ fn layout(file: &str, block: &Block) -> String {
         }),
         each(&program.outputs, &outputs, real, |name, ty, bytes| match ty {
             None => format!("frame[{}] = u8::from(outputs.{name});", bytes.start),
+            // A real of a parameter set may be of single precision in a block of double precision.
+            Some("f64") => format!(
+                "frame[{}..{}].copy_from_slice(&f64::from(outputs.{name}).to_ne_bytes());",
+                bytes.start, bytes.end
+            ),
             Some(_) => {
                 format!("frame[{}..{}].copy_from_slice(&outputs.{name}.to_ne_bytes());", bytes.start, bytes.end)
             }

@@ -4,6 +4,7 @@
 mod axis;
 mod calls;
 mod control;
+mod design;
 mod excitation;
 mod run;
 mod sets;
@@ -22,6 +23,7 @@ pub fn shown(axis: &Axis, inputs: &Samples, outputs: &Samples) -> BTreeSet<Strin
     shown.extend(control::constructs(axis));
     shown.extend(control::events(inputs, outputs));
     shown.extend(sets::events(outputs));
+    shown.extend(design::events(outputs));
     shown.extend(excitation::events(inputs, outputs));
     shown.extend(spindle::constructs(axis));
     shown.extend(spindle::events(inputs, outputs));

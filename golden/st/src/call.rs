@@ -29,6 +29,9 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if name == format!("UDINT_TO_{real}") {
         return conversion(lowering, node, &arguments, (Kind::Udint, Code::RealOfUdint, Kind::Real));
     }
+    if name == "LREAL_TO_REAL" && real == "LREAL" {
+        return conversion(lowering, node, &arguments, (Kind::Real, Code::Single, Kind::Real));
+    }
     if name == "DINT_TO_UDINT" {
         return conversion(lowering, node, &arguments, (Kind::Dint, Code::MoveWord, Kind::Udint));
     }

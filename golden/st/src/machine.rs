@@ -71,6 +71,7 @@ impl<R: Real> Slots<R> {
                 Code::RealOfDint => reals[to] = kept(op, R::lit(f64::from(words[a].cast_signed()))),
                 Code::RealOfUdint => reals[to] = kept(op, R::from_u32(words[a])),
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
+                Code::Single => reals[to] = in_single(reals[a]),
                 Code::Narrow => words[to] = narrowed(words[a].cast_signed()).cast_unsigned(),
                 Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,

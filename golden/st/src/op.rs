@@ -79,6 +79,8 @@ pub(crate) enum Code {
     RealOfUdint,
     /// DINT := whole part of real
     Truncate,
+    /// real := real, rounded to single precision
+    Single,
     /// INT := DINT
     Narrow,
     /// bool := real is finite, and between -real and real
@@ -195,6 +197,7 @@ fn places(code: Code) -> (Place, Place) {
         | Code::AtMostUdint => (Place::Bool, Place::Word),
         Code::RealOfDint | Code::RealOfUdint => (Place::Real, Place::Word),
         Code::Truncate => (Place::Word, Place::Real),
+        Code::Single => (Place::Real, Place::Real),
         Code::Jump | Code::JumpUnless => (Place::Op, Place::Bool),
     }
 }

@@ -44,6 +44,8 @@ pub enum Intrinsic {
     FromI32,
     /// [`crate::unsigned`]
     Unsigned,
+    /// the number of double precision, which single precision represents, as one of it: only before an output of that type
+    Narrow,
     /// [`crate::truncate`]
     Truncate,
     /// [`crate::nearest`]

@@ -25,4 +25,4 @@ pub use ir::{
 };
 pub use literal::{EnumDef, Field, Literal, Portable, StructDef, Ty, Variant, VariantDef, scalar};
 pub use portable_macro::{copy, portable};
-pub use real::{Real, RealKind, is_within_i32};
+pub use real::{Real, RealKind, Wide, is_within_i32};

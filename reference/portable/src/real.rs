@@ -1,6 +1,6 @@
 //! The real type that an algorithm is generic over: `f64` or `f32`, with arithmetic and comparison only.
 
-use crate::{Literal, Portable};
+use crate::{Literal, Portable, Ty};
 use core::fmt::{Debug, Display};
 use core::ops::{Add, AddAssign, Div, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -35,6 +35,8 @@ pub trait Real:
 {
     /// Which one it is.
     const KIND: RealKind;
+    /// Whether its arithmetic has double precision for numbers that a block in single precision takes: [`Wide`].
+    const IS_FOR_SINGLE: bool = false;
     /// 0
     const ZERO: Self;
     /// 1
@@ -132,6 +134,87 @@ impl Real for f32 {
 
     fn to_f64(self) -> f64 {
         f64::from(self)
+    }
+}
+
+/// Double precision in a block that makes the numbers of a block in single precision: constants and structure are those of single
+/// precision, the arithmetic is that of `f64`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
+pub struct Wide(pub f64);
+
+impl Display for Wide {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        Display::fmt(&self.0, f)
+    }
+}
+
+macro_rules! operations {
+    ($($operation:ident $method:ident),+; $($assignment:ident $assign:ident),+) => {
+        $(impl $operation for Wide {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(other.0))
+            }
+        })+
+        $(impl $assignment for Wide {
+            fn $assign(&mut self, other: Self) {
+                self.0.$assign(other.0);
+            }
+        })+
+    };
+}
+
+operations!(Add add, Sub sub, Mul mul, Div div; AddAssign add_assign, SubAssign sub_assign, MulAssign mul_assign);
+
+impl Neg for Wide {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+impl Portable for Wide {
+    const TY: Ty = <f64 as Portable>::TY;
+
+    fn visit(&self, visit: &mut dyn FnMut(Literal)) {
+        self.0.visit(visit);
+    }
+
+    fn build(next: &mut dyn FnMut() -> Literal) -> Self {
+        Self(f64::build(next))
+    }
+}
+
+impl Real for Wide {
+    const KIND: RealKind = RealKind::F64;
+    const IS_FOR_SINGLE: bool = true;
+    const ZERO: Self = Self(0.0);
+    const ONE: Self = Self(1.0);
+
+    fn lit(value: f64) -> Self {
+        Self(value)
+    }
+
+    fn per_kind(_: f64, single: f32) -> Self {
+        Self(f64::from(single))
+    }
+
+    fn from_u32(value: u32) -> Self {
+        Self(f64::from(value))
+    }
+
+    fn from_i32(value: i32) -> Self {
+        Self(f64::from(value))
+    }
+
+    fn truncated(self) -> i32 {
+        self.0.truncated()
+    }
+
+    fn to_f64(self) -> f64 {
+        self.0
     }
 }
 

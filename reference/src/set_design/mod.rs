@@ -110,6 +110,8 @@ pub struct State<R> {
     pub of: Element<R>,
     /// its band
     pub band: Band<R>,
+    /// limit of the set before it is rounded
+    pub limit: R,
     /// norm of its sections so far
     pub factor: R,
     /// norm of its stage so far

@@ -8,9 +8,10 @@ use crate::check_word;
 use crate::design::band::{cycle_time, warped};
 use crate::design::inputs::{Wrong, check_filter, is_damping, is_weight};
 use crate::design::sections::{self, Shape};
-use crate::design::{allpass, bandpass, limit as limits, oscillation};
+use crate::design::{allpass, bandpass, limit as limits, narrow, oscillation};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::{STAGES, numbers, watch};
+use crate::precision::is_single;
 use crate::stage::FILTERS;
 use crate::tunable_ipc::check;
 use portable::{Real, in_range, note, portable};
@@ -23,13 +24,21 @@ pub fn limit<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     if in_range(limit, coeffs.set.ipc.limit) {
         if limit >= R::ZERO {
             wrong = Wrong::Nothing;
-            state.numbers.limit = limit;
-            state.numbers.lower_limit = limits::lower_limit(limit);
-            state.numbers.watch.quiet = watch::quiet(limit);
+            state.limit = limit;
+            let rounded = in_precision(limit);
+            state.numbers.limit = rounded;
+            state.numbers.lower_limit = limits::lower_limit(rounded);
+            state.numbers.watch.quiet = in_precision(watch::quiet(limit));
             state.piece = Piece::Element;
         }
     }
     wrong
+}
+
+/// A number in the precision of the block that takes the set.
+#[portable]
+pub fn in_precision<R: Real>(x: R) -> R {
+    if is_single::<R>() { narrow::narrow(x) } else { x }
 }
 
 /// Reads the inputs of the element whose turn it is. Returns which one is outside its range.
@@ -117,6 +126,9 @@ pub fn allpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     allpass::section(&mut shape, &state.band);
     let mut made = crate::allpass::Coeffs::<R>::default();
     sections::allpass_numbers(&mut made, &shape);
+    if is_single::<R>() {
+        narrow::allpass_section(&mut made);
+    }
     state.factor = limits::allpass_norm();
     let mut at = 0u32;
     for i in 0..STAGES {
@@ -144,6 +156,9 @@ pub fn bandpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     }
     let mut made = crate::bandpass::Coeffs::<R>::default();
     sections::bandpass_numbers(&mut made, &shape);
+    if is_single::<R>() {
+        narrow::bandpass_section(&mut made);
+    }
     state.factor = state.factor * limits::bandpass_norm(shape.c, made.a2);
     let mut at = 0u32;
     for i in 0..STAGES {
@@ -182,6 +197,9 @@ pub fn make_oscillation<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     oscillation::section(&mut shape, state.band.omega0, state.of.damping);
     let mut made = crate::oscillation::Coeffs::<R>::default();
     sections::oscillation_numbers(&mut made, &shape);
+    if is_single::<R>() {
+        narrow::oscillation_section(&mut made);
+    }
     let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
@@ -201,14 +219,15 @@ pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.norm = state.norm * state.factor;
     if state.of.is_last {
         state.norms = state.norms + state.norm;
-        let gain = limits::gain(state.of.weight);
+        let gain = in_precision(limits::gain(state.of.weight));
         element::put_gain(state, coeffs, gain);
     }
     if state.turn < element::elements(coeffs) - 1u32 {
         state.turn += 1u32;
         state.piece = Piece::Element;
     } else {
-        state.numbers.sum_limit = limits::sum_limit(state.norms, state.numbers.limit, coeffs.v_max);
+        let sum_limit = limits::sum_limit(state.norms, state.limit, coeffs.v_max);
+        state.numbers.sum_limit = in_precision(sum_limit);
         check::start(&mut state.check, &coeffs.set, 0u32);
         state.piece = Piece::Seal;
     }

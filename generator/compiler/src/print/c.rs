@@ -128,6 +128,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::InRange | Intrinsic::Within, _) => (Comparison, "{block}_magnitude({0})\n<= {1}", [Any, Sum]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Sign, "(double){0}", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Sign, "(float){0}", [Primary; 2]),
+            (Intrinsic::Narrow, _) => (Sign, "(float){0}", [Primary; 2]),
             (Intrinsic::Unsigned, _) => (Sign, "(uint32_t){0}", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Sign, "(int32_t){0}", [Primary; 2]),
             (Intrinsic::Nearest, _) => (Primary, "{block}_nearest({0})", [Any; 2]),

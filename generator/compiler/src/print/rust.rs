@@ -108,6 +108,7 @@ fn form(operation: &Expr, ty: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32, RealKind::F32) if is_digits => (Any, "{0}_u32 as f32", [Primary; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F64) => (Primary, "f64::from({0})", [Any; 2]),
             (Intrinsic::FromU32 | Intrinsic::FromI32, RealKind::F32) => (Any, "{0} as f32", [Primary; 2]),
+            (Intrinsic::Narrow, _) => (Any, "{0} as f32", [Primary; 2]),
             (Intrinsic::Unsigned, _) => (Primary, "{0}.cast_unsigned()", [Primary; 2]),
             (Intrinsic::Truncate, _) => (Any, "{0} as i32", [Primary; 2]),
             // More would need `unsafe` code.

@@ -29,6 +29,8 @@ pub struct Program {
     pub set: Option<&'static str>,
     /// the beginning of the paths of outputs that are a parameter set for another block, which checks it
     pub made: Option<&'static str>,
+    /// whether its reals are of single precision, in a program of double precision
+    pub is_made_single: bool,
     /// whether its real inputs are numbers that somebody types, not samples of a signal
     pub typed: bool,
     /// the type of [`Type::Real`]
@@ -167,7 +169,7 @@ impl Type {
     pub(crate) fn of_intrinsic(intrinsic: Intrinsic) -> Self {
         match intrinsic {
             Intrinsic::InRange | Intrinsic::Within => Self::Bool,
-            Intrinsic::FromU32 | Intrinsic::FromI32 => Self::Real,
+            Intrinsic::FromU32 | Intrinsic::FromI32 | Intrinsic::Narrow => Self::Real,
             Intrinsic::Unsigned => Self::U32,
             Intrinsic::Truncate | Intrinsic::Nearest => Self::I32,
         }

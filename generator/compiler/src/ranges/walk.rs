@@ -183,6 +183,8 @@ impl<'p> Walk<'p> {
                 let Whole { low, high, .. } = self.whole(&operands[0]);
                 Value::Real(Interval::numbers(real_of(low, self.program.real), real_of(high, self.program.real)))
             }
+            // A set, whose numbers the block that takes it checks.
+            Intrinsic::Narrow => Value::Real(Interval::ANY),
             Intrinsic::Unsigned => match self.whole(&operands[0]) {
                 Whole { low, .. } if low < 0 => Value::any(Type::U32),
                 from_0_on => Value::Whole(from_0_on),

@@ -11,10 +11,10 @@ mod statement;
 
 use crate::leaves;
 use crate::program::{
-    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, variant_name,
+    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, rewrite, variant_name,
 };
 use part::{Cell, Leaf, Named, Part};
-use portable::{Block, Enable, Fn, Literal, Portable, Real, Ty};
+use portable::{Block, Enable, Fn, Intrinsic, Literal, Portable, Real, Ty};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
@@ -31,6 +31,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         fractions: B::FRACTIONS,
         set: B::SET,
         made: B::MADE,
+        is_made_single: R::IS_FOR_SINGLE,
         typed: B::TYPED,
         real: R::KIND,
         inputs: Vec::new(),
@@ -63,7 +64,26 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
     let init = specialiser.function(&B::INIT, &[state]);
     let step = specialiser.function(&B::STEP, &[state, coefficients, inputs, outputs]);
     let switch = B::ENABLE.map(|enable| specialiser.switch(enable));
-    Program { switch, init, step, ..specialiser.program }
+    let mut program = Program { switch, init, step, ..specialiser.program };
+    if program.is_made_single {
+        narrow(&mut program);
+    }
+    program
+}
+
+/// Narrows the reals of the parameter set that a program makes. They are numbers that single precision represents.
+fn narrow(program: &mut Program) {
+    let is_single: Vec<bool> =
+        program.outputs.iter().map(|output| output.ty == Type::Real && program.in_made(output).is_some()).collect();
+    rewrite(&mut program.step, &mut |statement, list| match statement {
+        // A literal has the type of what it is assigned to.
+        Statement::Assign { target: target @ Var::Output(index), value }
+            if is_single[index] && !matches!(value, Expr::Literal(_)) =>
+        {
+            list.push(Statement::Assign { target, value: Expr::Intrinsic(Intrinsic::Narrow, vec![value]) });
+        }
+        other => list.push(other),
+    });
 }
 
 /// The knowledge at the present point of the function that is being specialised.

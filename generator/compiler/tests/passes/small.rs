@@ -16,6 +16,7 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         fractions: &[],
         set: None,
         made: None,
+        is_made_single: false,
         typed: false,
         real: RealKind::F64,
         inputs: vec![variable("x", Type::Real, Literal::F64(0.0)), variable("on", Type::Bool, Literal::Bool(false))],

@@ -5,16 +5,22 @@ pub(crate) mod design;
 use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{cycle_time, note};
 use super::ipc::sets::shown;
-use super::{BlockKind, Design, Drill, Summary};
+use super::{Arithmetic, BlockKind, Design, Drill, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
+use crate::design::rounding::rounded;
 use crate::number::digits;
-use portable::{Block as Reference, Literal};
+use portable::{Block as Reference, Literal, Real, RealKind, Wide};
 use reference::set_design::{Coeffs, Inputs, SetDesign};
 
 impl Design for SetDesign {
     fn design(designed: &Designed) -> Coeffs<f64> {
         designed.set_design
+    }
+
+    /// Frequencies need double precision, for a block in single precision too.
+    fn arithmetic(designed: &Designed) -> Arithmetic {
+        if designed.axis.real == RealKind::F64 { Arithmetic::Double } else { Arithmetic::Wide }
     }
 }
 
@@ -75,13 +81,20 @@ impl BlockKind for SetDesign {
 
 /// The number of calls of a design, which depends on the structure only.
 pub fn calls(designed: &Designed) -> usize {
-    let coeffs = &designed.set_design;
-    let (mut state, mut outputs) = (<SetDesign as Reference<f64>>::state(), <SetDesign as Reference<f64>>::outputs());
-    let mut inputs: Inputs<f64> = SetDesign::inputs(coeffs);
+    match SetDesign::arithmetic(designed) {
+        Arithmetic::Wide => calls_in::<Wide>(designed),
+        Arithmetic::Double | Arithmetic::Single => calls_in::<f64>(designed),
+    }
+}
+
+fn calls_in<R: Real>(designed: &Designed) -> usize {
+    let coeffs: Coeffs<R> = rounded(&designed.set_design, R::KIND);
+    let (mut state, mut outputs) = (<SetDesign as Reference<R>>::state(), <SetDesign as Reference<R>>::outputs());
+    let mut inputs: Inputs<R> = SetDesign::inputs(&coeffs);
     inputs.execute = true;
     let mut calls = 0;
     loop {
-        SetDesign::step(&mut state, coeffs, &inputs, &mut outputs);
+        SetDesign::step(&mut state, &coeffs, &inputs, &mut outputs);
         calls += 1;
         if !outputs.active {
             return calls;

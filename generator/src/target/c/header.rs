@@ -40,12 +40,18 @@ pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro
     let first = if program.has_set() { "PARAMS" } else { "INPUTS" };
     let in_first: Vec<&Variable> =
         program.inputs.iter().filter(|input| program.in_set(input).is_some() == program.has_set()).collect();
+    let of_made = program.outputs.iter().filter(|output| program.in_made(output).is_some());
+    let made_real = if program.is_made_single { RealKind::F32 } else { program.real };
+    let made = room(of_made.map(|output| one_of(output.ty, made_real)));
+    let own = program.outputs.iter().filter(|output| program.in_made(output).is_none());
+    let outputs = own.map(|output| one_of(output.ty, program.real)).chain((made[0] > 0).then_some(made));
+    let of_program = |variables: Vec<&Variable>| room(variables.into_iter().map(|of| one_of(of.ty, program.real)));
     let structs =
-        [(first, in_first), ("OUTPUTS", program.outputs.iter().collect()), ("STATE", program.state.iter().collect())];
+        [(first, of_program(in_first)), ("OUTPUTS", room(outputs)), ("STATE", of_program(program.state.iter().collect()))];
     let mut doc = "sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size";
-    for (name, members) in structs {
-        let size = size(&members, axis.real);
-        macros.push(one(&format!("{name}_SIZE"), format!("{size}u"), std::mem::take(&mut doc)));
+    for (name, [size, _]) in structs {
+        // C does not allow a struct without a member.
+        macros.push(one(&format!("{name}_SIZE"), format!("{}u", size.max(1)), std::mem::take(&mut doc)));
     }
     for of in &mut macros {
         of.doc = comment::wrapped(&[comment::harmless(&of.doc)], COMMENT_WIDTH, "\n * ");
@@ -63,21 +69,23 @@ fn words(name: &str, digest: &str, doc: &str) -> Vec<Macro> {
     (0..4).map(word).collect()
 }
 
-/// The size of a struct in which each member is aligned to its size.
-fn size(members: &[&Variable], real: RealKind) -> usize {
-    let bytes = |ty| match (ty, real) {
-        (Type::Bool, _) => 1,
-        (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => 4,
-        (Type::Real, RealKind::F64) => 8,
-    };
-    let (mut end, mut widest) = (0_usize, 1_usize);
-    for member in members {
-        let own = bytes(member.ty);
-        end = end.next_multiple_of(own) + own;
-        widest = widest.max(own);
+/// Size and alignment of a member.
+fn one_of(ty: Type, real: RealKind) -> [usize; 2] {
+    match (ty, real) {
+        (Type::Bool, _) => [1; 2],
+        (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => [4; 2],
+        (Type::Real, RealKind::F64) => [8; 2],
     }
-    // C does not allow a struct without a member.
-    end.max(1).next_multiple_of(widest)
+}
+
+/// Size and alignment of a struct of members with these sizes and alignments.
+fn room(members: impl Iterator<Item = [usize; 2]>) -> [usize; 2] {
+    let (mut end, mut widest) = (0_usize, 1_usize);
+    for [size, alignment] in members {
+        end = end.next_multiple_of(alignment) + size;
+        widest = widest.max(alignment);
+    }
+    [end.next_multiple_of(widest), widest]
 }
 
 /// The values of signals, one group for signals with common values; then other enumerations.

@@ -141,6 +141,8 @@ impl Text<'_> {
             Callee::Intrinsic(Intrinsic::FromI32) => ("from_i32".to_owned(), true),
             Callee::Intrinsic(Intrinsic::Truncate) => ("truncate".to_owned(), false),
             Callee::Intrinsic(Intrinsic::Nearest) => ("nearest".to_owned(), false),
+            Callee::Intrinsic(Intrinsic::Unsigned) => ("unsigned".to_owned(), false),
+            Callee::Intrinsic(Intrinsic::Narrow) => panic!("print: the specialiser alone narrows"),
             Callee::Function(which) => {
                 let function = &self.program.functions[which];
                 let module = match (self.inner, function.inner) {

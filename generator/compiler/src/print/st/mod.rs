@@ -93,6 +93,7 @@ fn form(operation: &Expr, _: Type, real: RealKind) -> Option<Form> {
             (Intrinsic::FromU32, RealKind::F32) => (Primary, "UDINT_TO_REAL({0})", [Any; 2]),
             (Intrinsic::FromI32, RealKind::F64) => (Primary, "DINT_TO_LREAL({0})", [Any; 2]),
             (Intrinsic::FromI32, RealKind::F32) => (Primary, "DINT_TO_REAL({0})", [Any; 2]),
+            (Intrinsic::Narrow, _) => (Primary, "LREAL_TO_REAL({0})", [Any; 2]),
             (Intrinsic::Unsigned, _) => (Primary, "DINT_TO_UDINT({0})", [Any; 2]),
             // The only conversion of a real on which implementations agree.
             (Intrinsic::Truncate, _) => (Primary, "TRUNC({0})", [Any; 2]),

@@ -38,6 +38,7 @@ fn program(locals: usize, step: Vec<Statement>) -> Program {
         fractions: &[],
         set: None,
         made: None,
+        is_made_single: false,
         typed: false,
         real: RealKind::F64,
         inputs: vec![
