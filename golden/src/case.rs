@@ -177,7 +177,7 @@ pub fn named_block(designed: &Designed, name: &str) -> Result<Block, String> {
 /// # Errors
 /// The stimulus does not fit the block, or the inputs of the scenario are not recorded.
 pub fn inputs(case: &Case, count: usize) -> Result<Samples, String> {
-    let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
+    let shape = Shape::of(&case.block.program.inputs, case.block.program.real);
     match &case.source {
         Source::Stimulus(stimulus) => stimulus::samples(stimulus, &shape, count)
             .map_err(|mistake| format!("{}: {mistake}", case.folder.join("case.toml").slashes())),

@@ -26,7 +26,7 @@ impl Subject {
     /// If the axis does not have the block.
     #[must_use]
     pub fn start(designed: &Designed, block: &Block) -> Self {
-        let shape = |variables| Shape::of(variables, designed.axis.real);
+        let shape = |variables| Shape::of(variables, block.program.real);
         let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
         let start = |shape: &Shape| shape.signals.iter().map(|signal| signal.start.at_run_time()).collect();
         Self {

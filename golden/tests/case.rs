@@ -98,7 +98,7 @@ fn recorded_inputs_leave_out_what_keeps_its_start() {
     case::record(&case, None).unwrap();
     let text = std::fs::read_to_string(folder.path().join("inputs.csv")).unwrap();
     assert!(text.starts_with("v_command,v_motor\n0x0000000000000000,"), "the first signal stays, and what changes");
-    let shape = Shape::of(&case.block.program.inputs, case.axis.axis.real);
+    let shape = Shape::of(&case.block.program.inputs, case.block.program.real);
     let inputs = case::inputs(&case, case::KEPT_SAMPLES).unwrap();
     assert_eq!(csv::read(&text, &shape).unwrap(), inputs);
     assert_eq!(csv::write(&[&inputs.without_constant()], Reals::Hexadecimal), text);

@@ -100,14 +100,14 @@ fn all_engines_give_the_same_bits() {
 /// Which of two ways a case has; its twin in the other real type has the other one, and half of the cases in double
 /// precision have either.
 fn is_first_way(case: &Case) -> bool {
-    (case.axis.axis.real == RealKind::F64) == title(case).len().is_multiple_of(2)
+    (case.block.program.real == RealKind::F64) == title(case).len().is_multiple_of(2)
 }
 
 #[test]
 fn the_recorded_inputs_alone_give_the_recorded_outputs() {
     all().par_iter().for_each(|case| {
         let file = |name| std::fs::read_to_string(case.folder.join(name)).unwrap();
-        let shape = |variables| Shape::of(variables, case.axis.axis.real);
+        let shape = |variables| Shape::of(variables, case.block.program.real);
         let inputs = csv::read(&file("inputs.csv"), &shape(&case.block.program.inputs)).unwrap();
         let expected = csv::read(&file("outputs.csv"), &shape(&case.block.program.outputs)).unwrap();
         let is_stimulus = matches!(case.source, Source::Stimulus(_));

@@ -20,13 +20,13 @@ use reference::tunable_ipc::{Coeffs, params, refusal};
 
 /// The structures: everything that a stage may have.
 const STRUCTURES: [&str; 5] = [
-    "{ mode = 'DIRECT', filter = [{ fg_f0 = 53, q_factor = 10 }] }",
-    "{ mode = 'INDIRECT', osc_damping = 0.8, filter = [{ order = 1, fg_f0 = 11 }, { type = 'ALLPASS', fg_f0 = 90 }] }",
-    "{ mode = 'SET_POINT', osc_damping = 0.3, filter = [{ type = 'ALLPASS', fg_f0 = 60 }, { type = 'BANDPASS', order = 2, prototype = 'BUTTERWORTH', fg_f0 = 31 }] }",
-    "{ mode = 'DIRECT', filter = [{ order = 3, prototype = 'BESSEL', fg_f0 = 40 }, { type = 'BANDPASS', order = 1, prototype = 'CRIT_DAMPING', fg_f0 = 41 }] }",
-    "{ mode = 'DIRECT', filter = [{ order = 3, prototype = 'CRIT_DAMPING', fg_f0 = 30 }] }, { mode = 'INDIRECT', osc_damping = 0.5, \
-     filter = [{ order = 3, prototype = 'BUTTERWORTH', fg_f0 = 15 }, { type = 'ALLPASS', fg_f0 = 25 }] }, \
-     { mode = 'SET_POINT', osc_damping = 0.9, filter = [{ order = 2, prototype = 'BESSEL', fg_f0 = 70 }] }",
+    "{ mode = 'DIRECT', filter = [{ order = 1, fg_f0 = 53, q_factor = 10 }] }",
+    "{ mode = 'INDIRECT', osc_damping = 0.8, filter = [{ order = 1, fg_f0 = 11, q_factor = 2 }, { type = 'ALLPASS', fg_f0 = 90, q_factor = 2 }] }",
+    "{ mode = 'SET_POINT', osc_damping = 0.3, filter = [{ type = 'ALLPASS', fg_f0 = 60, q_factor = 3 }, { type = 'BANDPASS', order = 2, prototype = 'BUTTERWORTH', fg_f0 = 31, q_factor = 4 }] }",
+    "{ mode = 'DIRECT', filter = [{ order = 3, prototype = 'BESSEL', fg_f0 = 40, q_factor = 5 }, { type = 'BANDPASS', order = 1, prototype = 'CRIT_DAMPING', fg_f0 = 41, q_factor = 6 }] }",
+    "{ mode = 'DIRECT', filter = [{ order = 3, prototype = 'CRIT_DAMPING', fg_f0 = 30, q_factor = 7 }] }, { mode = 'INDIRECT', osc_damping = 0.5, \
+     filter = [{ order = 3, prototype = 'BUTTERWORTH', fg_f0 = 15, q_factor = 8 }, { type = 'ALLPASS', fg_f0 = 25, q_factor = 9 }] }, \
+     { mode = 'SET_POINT', osc_damping = 0.9, filter = [{ order = 2, prototype = 'BESSEL', fg_f0 = 70, q_factor = 1 }] }",
 ];
 const LOWEST: f64 = 8.0;
 const LARGEST_FACT: u32 = 400;

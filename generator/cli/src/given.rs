@@ -27,7 +27,7 @@ pub struct Given {
 
 /// Reads the files that the request names.
 pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: Format) -> Result<Given, Exit> {
-    let shape = |variables| Shape::of(variables, designed.axis.real);
+    let shape = |variables| Shape::of(variables, block.program.real);
     let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let cycle = designed.axis.cycle_time_ns;
     let [stimulus, compare] = [&request.stimulus, &request.compare].map(|file| file.as_deref());

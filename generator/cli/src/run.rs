@@ -32,7 +32,7 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let engine = engine_named(&of.engine)?;
     let out = of.out.as_deref().filter(|out| !is_standard(out));
     // An earlier output has the same first line.
-    let outputs = Shape::of(&block.program.outputs, designed.axis.real);
+    let outputs = Shape::of(&block.program.outputs, block.program.real);
     let head = csv::write(&[&Samples::with_capacity(outputs, 0)], Reals::Decimal);
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
     let rule = Rule::earlier_output(of.force, &is_output);

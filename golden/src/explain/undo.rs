@@ -151,7 +151,7 @@ fn every(recording: &Recording, times: usize, first: usize) -> Option<Recording>
 /// The recording as that of this block of another axis.
 fn other_block(case: &Case<'_>, designed: Designed) -> Option<Undone> {
     let block = named_block(&designed, case.block.program.block).ok()?;
-    let shape = |variables| Shape::of(variables, designed.axis.real);
+    let shape = |variables| Shape::of(variables, block.program.real);
     let (inputs, outputs) = (shape(&block.program.inputs), shape(&block.program.outputs));
     let old = &case.recording;
     let places = |from: &Shape, to: &Shape, of: &[usize]| -> Option<Vec<usize>> {
