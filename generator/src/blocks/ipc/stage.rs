@@ -7,6 +7,7 @@ use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use portable::RealKind;
 use reference::design::inputs::{FilterInputs, Inputs};
+use reference::design::limit::norm;
 use reference::design::poles::Prototype;
 use reference::design::sections::{Shape, Shapes};
 use reference::design::{oscillation, stage as portable_design};
@@ -25,6 +26,8 @@ pub(crate) struct StageDesign {
     /// all its sections, in the order of their execution
     pub section: Vec<Section>,
     pub coeffs: stage::Coeffs<f64>,
+    /// largest output for velocities within +-1
+    pub norm: f64,
 }
 
 /// A second-order section.
@@ -104,6 +107,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         filter: [None; FILTERS],
         section: Vec::with_capacity(1 + FILTERS * filter::MAX_ORDER),
         coeffs: with(structure, &numbers),
+        norm: norm(&structure, &inputs),
     };
     design.section.extend(damping.map(|damping| simulated_oscillation(index, damping, &numbers.oscillation)));
     for (k, prototype) in prototypes.into_iter().enumerate() {
