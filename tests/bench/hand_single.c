@@ -20,9 +20,9 @@ static const float limit = 250000.0f; /* um/s */
 static const float rest = 4.5474735e-7f; /* 500000 * 2^-40 */
 static const float fade_step = 0.000625f;
 #if SECTIONS == 1
-static const float sum_limit = 1273675.3f;
+static const float sum_limit = 4000000.0f;
 #else
-static const float sum_limit = 24060094.0f;
+static const float sum_limit = 12000000.0f;
 #endif
 
 void HAND_NAME(AXIS, _ipc_init)(HAND_STATE *state)

@@ -1,24 +1,21 @@
 //! The gain of a stage, the limit of the sum of stages, and the largest sum that is not a fault.
 //!
-//! The last one is a bound. The norm of a section, the sum of the magnitudes of its impulse response, bounds its output for an
-//! input within +-1; for sections in series the norms multiply. The norms of sections are at most
+//! The last one is a bound. The norm of a filter, the sum of the magnitudes of its impulse response, bounds its output for an
+//! input within +-1; for filters in series the norms multiply. For f0 Ts <= 0.45 and Q >= 1 the norms are at most
 //!
 //! ```text
-//! band-pass     c (2 + max(0, -a2))        a2: product of its poles
-//! all-pass      5
-//! oscillation   1.25 (1 + 2 / (pi D))
+//! band-pass     4                        of any order and prototype; 3.81 measured, below f0 Ts = 0.25 1.86
+//! all-pass      4.5                      4.23 measured; 1 - 2 H of a band-pass H of order 1, so at most 1 + 2 |H| = 6.3
+//! oscillation   1.25 (1 + 2 / (pi D))    half waves that decay by exp(-pi D) add up to 2 / (pi D); the 1.25 is measured
 //! ```
 //!
-//! Band-pass: with real poles p and -q of opposite signs, p >= q >= 0, h(0) = (1 + p q) / 2, |h(1)| = h(0) (p - q), and the rest
-//! sums up to at most h(0) (p^2 + q^2) / (p + q): together at most 2 + p q, because p^2 (1 + p q) <= p + q. With real poles of
-//! one sign the step response has one maximum of at most 1, so that the norm is at most 2. With complex poles it is at most 1.6
-//! (measured; `tests/tests/design/norms.rs`).
-//!
-//! All-pass: 1 - 2 H, H a band-pass with c = 1 and h(0) = (1 - a2) / 2, so that its norm is 2 |h| + a2 + |a2| - 1 <= 5.
-//!
-//! Oscillation: half waves that decay by exp(-pi D) add up to 2 / (pi D); the 1.25 is measured (f0 Ts <= 0.45).
+//! `tests/tests/design/norms.rs` adds up the impulse responses in all of this range. Products of norms of single sections would
+//! be far larger: the two sections of a pair with distant centres amplify what the other one attenuates.
 
+use super::inputs::Inputs;
 use crate::check_word::{largest_number, limit_scale};
+use crate::filter::Type;
+use crate::stage::{Coeffs, FILTERS, Mode};
 use portable::{Real, from_u32, portable};
 
 /// gain = -weight: negative in all modes, because the stage moves the motor against the vibration (P-AXIS-00753 to 00755).
@@ -40,26 +37,26 @@ pub fn lower_limit<R: Real>(limit: R) -> R {
     R::ZERO - limit
 }
 
-/// Largest norm of a band-pass section, with its c and the a2 of its biquad.
+/// The norm of a stage of this structure with inputs in their ranges: its largest output for velocities within +-1.
 #[portable]
-pub fn bandpass_norm<R: Real>(c: R, a2: R) -> R {
-    if a2 < R::ZERO { c * (R::lit(2.0) - a2) } else { c * R::lit(2.0) }
-}
-
-/// Largest norm of an all-pass section.
-#[portable]
-pub fn allpass_norm<R: Real>() -> R {
-    R::lit(5.0)
-}
-
-/// Largest norm of the simulated oscillation.
-#[portable]
-pub fn oscillation_norm<R: Real>(damping: R) -> R {
-    R::lit(1.25) * (R::ONE + R::lit(2.0) / (R::lit(core::f64::consts::PI) * damping))
+pub fn norm<R: Real>(structure: &Coeffs<R>, inputs: &Inputs<R>) -> R {
+    let mut norm = inputs.weight;
+    if structure.mode != Mode::Direct {
+        let half_waves = R::lit(2.0) / (R::lit(core::f64::consts::PI) * inputs.damping);
+        norm = norm * (R::lit(1.25) * (R::ONE + half_waves));
+    }
+    for k in 0..FILTERS {
+        match structure.filter[k].kind {
+            Type::NoFilter => {}
+            Type::Bandpass => norm = norm * R::lit(4.0),
+            Type::Allpass => norm = norm * R::lit(4.5),
+        }
+    }
+    norm
 }
 
 /// The largest sum of stages that is not a fault: 2 max(limit, v_max times the norms of the stages), and at most 2^35, which is
-/// the largest limit in a parameter set. `norms`: the norms of all stages, added up.
+/// the largest limit in a parameter set. `norms`: the [`norm`]s of all stages, added up.
 ///
 /// The factor 2 is reserve for overshoot. A larger sum shows that the memory was corrupted, or that an input is far above v_max.
 #[portable]

@@ -10,7 +10,7 @@
 //! allpass       band -> section
 //! oscillation   warped centre, damping -> section
 //! sections      section -> coefficients
-//! limit         weight, largest velocity -> gain, limit
+//! limit         weight, largest velocity -> gain, limit, largest sum that is not a fault
 //! narrow        numbers -> numbers that single precision represents exactly
 //! inputs        which input is outside its range
 //! stage         all numbers of a stage

@@ -15,11 +15,6 @@ const OF_DOUBLES: f64 = 1e-10;
 /// The same in single precision.
 const OF_SINGLES: f64 = 4e-6;
 
-/// Cycles of a response that are added up.
-const LONGEST: usize = 20_000;
-/// A bound may be above what it bounds by this factor: where a response is long, only closed forms bound its end.
-const OF_BOUND: f64 = 16.0;
-
 /// What it remembers.
 #[derive(Clone, Debug)]
 pub struct Ipc {
@@ -69,7 +64,7 @@ pub struct Added {
 pub const NOTHING: Added = Added { v_add: [0.0; 2], calculated: [0.0; 2], limited: [0.0; 2] };
 
 impl Ipc {
-    /// Of an axis. The largest sum is the block's own number, a bound: it is not below what it bounds, and not far above.
+    /// Of an axis. The largest sum is the block's own number, [`assert_sum_limit`] compares it.
     ///
     /// # Panics
     /// If it is.
@@ -84,7 +79,7 @@ impl Ipc {
         let stages: Vec<Filters> = p.stages.iter().map(|stage| Filters::new(stage, ts)).collect();
         let nothing = f64::from(p.vb_max) * 2f64.powi(if p.single { -40 } else { -60 });
         let relative = if p.single { OF_SINGLES } else { OF_DOUBLES };
-        assert_bounds(&stages, p, c, sum_limit);
+        assert_sum_limit(&stages, p, c, sum_limit);
         let (open, runs, largest, is_disturbed, disturbed) = (0, false, 0.0, false, None);
         let (ride_through, bad, before) = (p.ride_through, 0, [0.0; 3]);
         let tunable = p.tunable == "weights";
@@ -300,40 +295,15 @@ impl Ipc {
     }
 }
 
-/// The largest sum that is not a fault is the block's own number, a bound: it is not below what it bounds, and not far above.
+/// The largest sum that is not a fault is the block's own number. It is the one of the documents, but for rounding.
 ///
 /// # Panics
-/// If it is.
-pub fn assert_bounds(stages: &[Filters], p: &Parameters, c: &Coefficients, sum_limit: f64) {
-    let own = 2.0 * c.limit.near().max(f64::from(p.vb_max) * largest_sum(stages));
-    assert!((0.999 * own..=OF_BOUND * own).contains(&sum_limit), "sum_limit {sum_limit}, by the responses {own}");
-}
-
-/// The largest sum for velocities within +-1: the responses of stages that read the same velocity are added up before their magnitudes are.
-fn largest_sum(stages: &[Filters]) -> f64 {
-    let reads = |mode: Mode| match mode {
-        Mode::SetPoint => 0,
-        Mode::Indirect | Mode::DirectMotor => 1,
-        Mode::DirectLoad => 2,
-    };
-    let mut stages = stages.to_vec();
-    let (mut sum, mut before) = (0.0, 0.0);
-    for cycle in 0..LONGEST {
-        // What is left of the response is nothing that a comparison sees.
-        if cycle % 1000 == 999 {
-            if sum - before < 1e-6 * sum {
-                break;
-            }
-            before = sum;
-        }
-        let mut h = [0.0; 3];
-        for stage in &mut stages {
-            h[reads(stage.mode)] += stage.run(if cycle == 0 { 1.0 } else { 0.0 });
-        }
-        let next: f64 = h.iter().map(|h| h.abs()).sum();
-        sum += next;
-    }
-    sum
+/// If it is not.
+pub fn assert_sum_limit(stages: &[Filters], p: &Parameters, c: &Coefficients, sum_limit: f64) {
+    let norms: f64 = stages.iter().map(|stage| stage.norm).sum();
+    let own = (2.0 * c.limit.near().max(f64::from(p.vb_max) * norms)).min(2f64.powi(35));
+    let off = (1e-14 + 2.0 * c.u) * own;
+    assert!((sum_limit - own).abs() <= off, "sum_limit {sum_limit}, by the documents {own}");
 }
 
 /// What SET_POINT reads: the controller's output of this cycle, with a drive that controls the position the interpolator's.

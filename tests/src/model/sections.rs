@@ -21,6 +21,8 @@ pub struct Filters {
     sections: Vec<Section>,
     /// bound of the stage's gain: its weight times the gain of the oscillation, and what sections overshoot
     pub gain: f64,
+    /// bound of its output for |x| <= 1, as docs/improved-position-control.md gives it
+    pub norm: f64,
 }
 
 impl Filters {
@@ -29,10 +31,11 @@ impl Filters {
     pub fn new(stage: &Stage, ts: f64) -> Self {
         let (order, prototype, f0, q) = stage.band_pass;
         let mut sections = Vec::new();
-        let mut gain = 8.0;
+        let (mut gain, mut norm) = (8.0, 4.0 * if stage.all_pass.is_some() { 4.5 } else { 1.0 });
         if matches!(stage.mode, Mode::Indirect | Mode::SetPoint) {
             sections.push(oscillation(f0 * ts, stage.damping));
             gain *= (1.0 + 1.0 / (4.0 * stage.damping * stage.damping)).sqrt();
+            norm *= 1.25 * (1.0 + 2.0 / (PI * stage.damping));
         }
         let all_pass = |is_first: bool| {
             stage.all_pass.filter(|_| stage.is_all_pass_first == is_first).map(|(f0, q)| all_pass(f0 * ts, q))
@@ -41,7 +44,7 @@ impl Filters {
         band_pass(prototype, order, f0 * ts, q, &mut sections);
         sections.extend(all_pass(false));
         let weight = (f64::from(stage.weight[0]) / f64::from(stage.weight[1])).min(7.0);
-        Self { mode: stage.mode, weight, sections, gain: gain * weight }
+        Self { mode: stage.mode, weight, sections, gain: gain * weight, norm: norm * weight }
     }
 
     /// Puts every section into the steady state of a constant input.

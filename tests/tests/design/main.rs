@@ -8,6 +8,7 @@ mod exact;
 mod fixed;
 mod functions;
 mod inputs;
+mod norms;
 mod specialised;
 
 use axgen_tests::random::rng::Rng;

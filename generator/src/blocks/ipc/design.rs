@@ -1,12 +1,11 @@
 //! The design of improved position control: its stages, the limits of their sum, the fade. It is designed once.
 
 use super::stage::{StageDesign, stage};
-use super::sum_limit::sum_limit;
 use crate::axis::{Axis, Ipc, Stage};
 use portable::Extreme;
 use portable::RealKind;
 use reference::call_rate;
-use reference::design::limit::lower_limit;
+use reference::design::limit::{lower_limit, sum_limit};
 use reference::ipc::{Coeffs, STAGES, ride_through, tuning, watch};
 
 /// Designs improved position control of an axis; an inactive stage is `None`. The coefficients are in double precision;
@@ -30,7 +29,7 @@ pub(crate) fn design(axis: &Axis) -> ([Option<StageDesign>; STAGES], Coeffs<f64>
         stage: stages.each_ref().map(|stage| stage.as_ref().map_or_else(Default::default, |stage| stage.coeffs)),
         limit,
         lower_limit: lower_limit(limit),
-        sum_limit: sum_limit(ipc, axis.real, stages.iter().flatten()),
+        sum_limit: sum_limit(stages.iter().flatten().map(|stage| stage.norm).sum(), limit, ipc.v_max),
         rest: libm::ldexp(ipc.v_max, rest_exponent(axis.real)),
         fade_cycles,
         fade_step: 1.0 / f64::from(fade_cycles),

@@ -16,7 +16,6 @@ pub(crate) mod notes;
 mod phase;
 pub(crate) mod sets;
 pub(crate) mod stage;
-mod sum_limit;
 mod unstable;
 mod with_sets;
 

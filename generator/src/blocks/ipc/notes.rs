@@ -22,7 +22,7 @@ pub(crate) fn notes(designed: &Designed) -> Vec<(String, String)> {
         notes.extend(of_stage(design));
     }
     notes.push(note("limit", of_limit(axis)));
-    let of_sum = "2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit";
+    let of_sum = "2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit";
     notes.push(note("sum_limit", of_sum.to_owned()));
     let rest = rest_exponent(axis.real);
     notes.push(note("rest", format!("rest threshold of the sum: P-AXIS-00212 * 2^{rest}")));

@@ -7,6 +7,7 @@ use crate::design::rounding::in_precision;
 use crate::design::trapezoidal::{Output, Trapezoidal};
 use portable::RealKind;
 use reference::design::inputs::{FilterInputs, Inputs};
+use reference::design::limit::norm;
 use reference::design::poles::Prototype;
 use reference::design::sections::{Shape, Shapes};
 use reference::design::{oscillation, stage as portable_design};
@@ -29,6 +30,8 @@ pub(crate) struct StageDesign {
     pub inputs: Inputs<f64>,
     /// prototypes of its filters
     pub prototypes: [Prototype; FILTERS],
+    /// largest output for velocities within +-1
+    pub norm: f64,
 }
 
 /// A second-order section.
@@ -110,6 +113,7 @@ pub(crate) fn stage(index: usize, of: &Stage, cycle_time: f64) -> StageDesign {
         coeffs: with(structure, &numbers),
         inputs,
         prototypes,
+        norm: norm(&structure, &inputs),
     };
     design.section.extend(damping.map(|damping| simulated_oscillation(index, damping, &numbers.oscillation)));
     for (k, prototype) in prototypes.into_iter().enumerate() {

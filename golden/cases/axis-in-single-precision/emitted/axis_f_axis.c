@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    c5c8f17877408b87c00120f052df7ede
+ * checksum    bdfc4ccb0a98203e98dc16a42604aca1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_f_axis.h"
@@ -108,8 +108,8 @@ void axis_f_axis_step(
     static const float ipc_limit = 60000.0f; /* largest |v_add| */
     static const float ipc_lower_limit = -60000.0f; /* -limit */
 
-    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const float ipc_sum_limit = 459109.13f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const float ipc_sum_limit = 1440000.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
     static const float ipc_rest = 2.728484e-7f; /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    cabe1945a8ac9ade220962a406212609
+ * checksum    5f8195bf6ad2b4d4048d2ab3fb827e35
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -138,8 +138,8 @@ void axis_x_axis_step(
     static const double ipc_limit = 530000.0; /* largest |v_add| */
     static const double ipc_lower_limit = -530000.0; /* -limit */
 
-    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const double ipc_sum_limit = 4616683.738307328; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const double ipc_sum_limit = 30803451.38467693; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
     /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    50fa6fa188c16ed607e6c6cff8c9dcf2
+ * checksum    4075e7d3c679da7386402128f5e1b621
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -112,8 +112,8 @@ void axis_rack_and_pinion_ipc_step(
     static const double limit = 530000.0; /* largest |v_add| */
     static const double lower_limit = -530000.0; /* -limit */
 
-    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const double sum_limit = 4616683.738307328; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const double sum_limit = 30803451.38467693; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
     /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    9f08c4440ec105ff20d1369f07f16d94
+ * checksum    55cf502fd5f7fb8f6488a0f20b07abd4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -183,8 +183,8 @@ void axis_c_ipc_step(
     static const float limit = 18000.0f; /* largest |v_add| */
     static const float lower_limit = -18000.0f; /* -limit */
 
-    /* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
-    static const float sum_limit = 2180051.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
+    /* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+    static const float sum_limit = 22651750.0f; /* largest magnitude of the sum of the stages; a larger sum is a fault */
 
     /* rest threshold of the sum: P-AXIS-00212 * 2^-40 */
     static const float rest = 1.6370905e-7f; /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */

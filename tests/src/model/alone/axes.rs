@@ -3,7 +3,7 @@
 use super::block;
 use super::set::{Set, Structure};
 use crate::model::coefficients::Coefficients;
-use crate::model::ipc::assert_bounds;
+use crate::model::ipc::assert_sum_limit;
 use crate::model::parameters::{Master, Mode, Parameters, Stage};
 use crate::model::random;
 use crate::model::sections::Filters;
@@ -90,7 +90,7 @@ fn is_what_its_parameters_say(p: &Parameters, set: &Set, structure: &Structure) 
     let [limit, sum_limit, quiet] = set.limits(structure);
     let is = |found: f64, expected: f64| (found - expected).abs() <= 4.0 * c.u * expected;
     assert!(is(limit, c.limit.near()), "limit {limit}, {p:#?}");
-    assert_bounds(&stages, p, &c, sum_limit);
+    assert_sum_limit(&stages, p, &c, sum_limit);
     assert!(!p.watch || is(quiet, limit / 50.0), "quiet {quiet}, {p:#?}");
     assert_eq!(set.refusal(structure), 0, "a set that axgen makes: {set:?}\n{structure:?}\n{}", p.set());
 }
