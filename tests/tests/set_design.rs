@@ -59,7 +59,9 @@ fn unit(rng: &mut Rng) -> f64 {
 fn typed(of: &mut Designed, rng: &mut Rng) -> Vec<(String, f64)> {
     let mut axis = of.axis.clone();
     let highest = (0.45e9 / f64::from(axis.cycle_time_ns)).min(500.0);
-    axis.ipc.v_add_max_fact = rng.below(LARGEST_FACT as usize + 1) as u32;
+    // With the limit 0 the generator leaves the watch out, which is another structure.
+    let least = usize::from(axis.ipc.watch);
+    axis.ipc.v_add_max_fact = (least + rng.below(LARGEST_FACT as usize + 1 - least)) as u32;
     let mut inputs = vec![("limit".to_owned(), axis.ipc.limit())];
     for (i, stage) in axis.ipc.stage.iter_mut().enumerate() {
         let Some(stage) = stage else { continue };
@@ -174,7 +176,9 @@ fn compare(structure: usize, real: RealKind, count: usize) {
         for at in &own {
             assert_eq!(outputs[*at], expected[*at - first], "{}: {}", program.outputs[*at].path, context());
         }
-        assert_eq!(refused, 0, "{}", context());
+        // In single precision the oscillation of a damping ratio of 1e-9 does not decay: the block refuses both sets.
+        let decays = typed.inputs.iter().all(|(path, x)| !path.ends_with("damping") || *x >= 1e-3);
+        assert!(refused == 0 || !decays, "{}: {refused}", context());
         accepted += 1;
     }
     assert!(accepted > count / 2 && accepted < count, "{accepted} of {count}");

@@ -42,17 +42,35 @@ pub fn lower_limit<R: Real>(limit: R) -> R {
 pub fn norm<R: Real>(structure: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     let mut norm = inputs.weight;
     if structure.mode != Mode::Direct {
-        let half_waves = R::lit(2.0) / (R::lit(core::f64::consts::PI) * inputs.damping);
-        norm = norm * (R::lit(1.25) * (R::ONE + half_waves));
+        norm = norm * oscillation_norm(inputs.damping);
     }
     for k in 0..FILTERS {
         match structure.filter[k].kind {
             Type::NoFilter => {}
-            Type::Bandpass => norm = norm * R::lit(4.0),
-            Type::Allpass => norm = norm * R::lit(4.5),
+            Type::Bandpass => norm = norm * bandpass_norm(),
+            Type::Allpass => norm = norm * allpass_norm(),
         }
     }
     norm
+}
+
+/// largest norm of a band-pass
+#[portable]
+pub fn bandpass_norm<R: Real>() -> R {
+    R::lit(4.0)
+}
+
+/// largest norm of an all-pass
+#[portable]
+pub fn allpass_norm<R: Real>() -> R {
+    R::lit(4.5)
+}
+
+/// The largest norm of the simulated oscillation.
+#[portable]
+pub fn oscillation_norm<R: Real>(damping: R) -> R {
+    let half_waves = R::lit(2.0) / (R::lit(core::f64::consts::PI) * damping);
+    R::lit(1.25) * (R::ONE + half_waves)
 }
 
 /// The largest sum of stages that is not a fault: 2 max(limit, v_max times the norms of the stages), and at most 2^35, which is

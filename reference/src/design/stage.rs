@@ -15,7 +15,6 @@ use portable::{Real, portable};
 ///
 /// The structure is the mode, the types and the orders of `structure`, and the prototypes; its numbers are not used. The
 /// simulated oscillation has the centre of the first band-pass. Numbers that the structure does not have stay as they are.
-/// Returns the norm of the stage: its largest output for velocities within +-1 ([`limit`]).
 #[portable]
 pub fn design<R: Real>(
     numbers: &mut Numbers<R>,
@@ -23,18 +22,13 @@ pub fn design<R: Real>(
     prototypes: &[Prototype; FILTERS],
     inputs: &Inputs<R>,
     cycle_time: R,
-) -> R {
-    let mut norm = inputs.weight;
-    if structure.mode != Mode::Direct {
-        norm = norm * limit::oscillation_norm(inputs.damping);
-    }
+) {
     let mut is_first = true;
     for k in 0..FILTERS {
         if structure.filter[k].kind != Type::NoFilter {
             let mut of = Band::<R>::default();
             band(&mut of, inputs.filter[k].f0, inputs.filter[k].q_factor, cycle_time);
-            let factor = filter_sections(&mut numbers.filter[k], &structure.filter[k], prototypes[k], &of);
-            norm = norm * factor;
+            filter_sections(&mut numbers.filter[k], &structure.filter[k], prototypes[k], &of);
             if structure.mode != Mode::Direct && structure.filter[k].kind == Type::Bandpass && is_first {
                 is_first = false;
                 let mut shape = Shape::<R>::default();
@@ -44,36 +38,29 @@ pub fn design<R: Real>(
         }
     }
     numbers.gain = limit::gain(inputs.weight);
-    norm
 }
 
-/// Designs the sections of a filter from its band. Returns the norm of the filter.
+/// Designs the sections of a filter from its band.
 #[portable]
 pub fn filter_sections<R: Real>(
     numbers: &mut filter::Numbers<R>,
     structure: &filter::Coeffs<R>,
     prototype: Prototype,
     of: &Band<R>,
-) -> R {
+) {
     let mut designed = Shapes::<R>::default();
     shapes(&mut designed, structure, prototype, of);
-    let mut norm = R::ONE;
     match structure.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < structure.order {
                     sections::bandpass_numbers(&mut numbers.bandpass[i], &designed.section[i]);
-                    norm = norm * limit::bandpass_norm(designed.section[i].c, numbers.bandpass[i].a2);
                 }
             }
         }
-        Type::Allpass => {
-            sections::allpass_numbers(&mut numbers.allpass, &designed.section[0]);
-            norm = limit::allpass_norm();
-        }
+        Type::Allpass => sections::allpass_numbers(&mut numbers.allpass, &designed.section[0]),
     }
-    norm
 }
 
 /// The sections of a filter before the transform, in the order of their execution.

@@ -112,8 +112,6 @@ pub struct State<R> {
     pub band: Band<R>,
     /// limit of the set before it is rounded
     pub limit: R,
-    /// norm of its sections so far
-    pub factor: R,
     /// norm of its stage so far
     pub norm: R,
     /// norms of the stages so far, added up

@@ -65,7 +65,6 @@ pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
             state.norm = state.norm * limits::oscillation_norm(state.of.damping);
         }
     }
-    state.factor = R::ONE;
     state.piece = Piece::Centre;
     wrong
 }
@@ -129,7 +128,6 @@ pub fn allpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if is_single::<R>() {
         narrow::allpass_section(&mut made);
     }
-    state.factor = limits::allpass_norm();
     let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
@@ -159,7 +157,6 @@ pub fn bandpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if is_single::<R>() {
         narrow::bandpass_section(&mut made);
     }
-    state.factor = state.factor * limits::bandpass_norm(shape.c, made.a2);
     let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
@@ -216,7 +213,11 @@ pub fn make_oscillation<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 /// The end of an element, and with the last one of a stage its gain. After the last element comes the check word.
 #[portable]
 pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    state.norm = state.norm * state.factor;
+    if element::has_type(coeffs, Type::Allpass) && state.of.is_allpass {
+        state.norm = state.norm * limits::allpass_norm();
+    } else {
+        state.norm = state.norm * limits::bandpass_norm();
+    }
     if state.of.is_last {
         state.norms = state.norms + state.norm;
         let gain = in_precision(limits::gain(state.of.weight));
