@@ -220,7 +220,7 @@ fn case_files(case: &Case, inputs: &Samples) -> Result<CaseFiles, String> {
     }
     let texts = [
         (source::INPUTS, csv::write(&[&first.without_constant()], reals)),
-        ("outputs.csv", csv::write(&[&answers], reals)),
+        ("outputs.csv", csv::write(&[&answers.only(&case.block.recorded_outputs())], reals)),
         (source::DIGEST, digests),
     ];
     let is_kept =

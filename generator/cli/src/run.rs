@@ -32,8 +32,8 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let engine = engine_named(&of.engine)?;
     let out = of.out.as_deref().filter(|out| !is_standard(out));
     // An earlier output has the same first line.
-    let outputs = Shape::of(&block.program.outputs, block.program.real);
-    let head = csv::write(&[&Samples::with_capacity(outputs, 0)], Reals::Decimal);
+    let (outputs, recorded) = (Shape::of(&block.program.outputs, block.program.real), block.recorded_outputs());
+    let head = csv::write(&[&Samples::with_capacity(outputs, 0).only(&recorded)], Reals::Decimal);
     let is_output = |found: &[u8]| found.starts_with(head.as_bytes());
     let rule = Rule::earlier_output(of.force, &is_output);
     if let Some(out) = out {
@@ -45,7 +45,7 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let given::Given { inputs, given, recording } = given::read(of, designed, &block, format)?;
     let found = engine::run(engine, designed, &block, &inputs)
         .map_err(|failure| Exit::environment(codes::NO_ENGINE, format!("engine {engine}"), failure))?;
-    let text = || csv::write(&[&found], if of.hex { Reals::Hexadecimal } else { Reals::Decimal });
+    let text = || csv::write(&[&found.only(&recorded)], if of.hex { Reals::Hexadecimal } else { Reals::Decimal });
     match out {
         Some(out) => one_file::write(Some(out), text().as_bytes(), rule)?,
         None if recording.is_none() || of.out.is_some() => output::print(text())?,

@@ -30,6 +30,14 @@ pub struct Block {
 }
 
 impl Block {
+    /// The outputs in a record of a run, by their positions: all but the parts of a parameter set that the axis does not have.
+    pub fn recorded_outputs(&self) -> Vec<usize> {
+        let is_recorded = |at: &usize| {
+            self.program.in_made(&self.program.outputs[*at]).is_none() || self.for_axis.outputs.contains(at)
+        };
+        (0..self.program.outputs.len()).filter(is_recorded).collect()
+    }
+
     /// The inputs of its self-test on the controller, sample by sample.
     pub fn trial_inputs(&self) -> Vec<Vec<Literal>> {
         self.trial.inputs()

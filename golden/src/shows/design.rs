@@ -13,8 +13,8 @@ pub fn events(outputs: &Samples) -> BTreeSet<String> {
     else {
         return shown;
     };
-    // `last`: the number of the last set.
-    let (mut now, mut before, mut last) = (Vec::new(), [false; 3], 0);
+    // `last`: the number of the last set. `refused`: an input was refused since then.
+    let (mut now, mut before, mut last, mut refused) = (Vec::new(), [false; 3], 0, false);
     for sample in 0..outputs.len() {
         outputs.read(sample, &mut now);
         let Literal::U32(set) = now[set] else { continue };
@@ -25,9 +25,10 @@ pub fn events(outputs: &Samples) -> BTreeSet<String> {
             (designed && !before[0] && last != 0 && set != last, "another set is designed"),
             (designed && !before[0] && last == set, "the same set is designed again"),
             (fault && !before[2], "an input is refused"),
-            (designed && before[2] && !fault, "a set after a refusal"),
+            (designed && refused, "a set after a refusal"),
         ];
         shown.extend(words.into_iter().filter(|(is, _)| *is).map(|(_, word)| word.to_owned()));
+        refused = fault || refused && !designed;
         (before, last) = ([designed, active, fault], if designed { set } else { last });
     }
     shown
