@@ -138,5 +138,7 @@ pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
 pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
     let first = positive(forming.first % 46_337i32);
     let second = positive(forming.second % 46_337i32);
-    unsigned(46_337i32 + first * 46_337i32 + second)
+    let upper = first * 46_337i32;
+    let word = 46_337i32 + upper + second;
+    unsigned(word)
 }

@@ -45,7 +45,7 @@ fn blocks_with_case_are_those_that_the_document_names() {
     let page = include_str!("../../../docs/structured-text.md");
     let sentence = page.split("Blocks with CASE are ").nth(1).unwrap().split("\n\n").next().unwrap();
     let named: BTreeSet<&str> = sentence.split('`').skip(1).step_by(2).collect();
-    let kinds = ["ipc", "feedforward", "position_control", "axis", "spindle", "spindle_axis"];
+    let kinds = ["ipc", "feedforward", "position_control", "axis", "spindle", "spindle_axis", "set_design"];
     let mut found = BTreeSet::new();
     for case in CASES.iter() {
         for (name, text) in case.with(&[".st"]) {

@@ -75,10 +75,16 @@ pub fn largest_quality<R: Real>() -> R {
     R::lit(10.0)
 }
 
+/// a second [ns]
+#[portable]
+pub fn second_ns<R: Real>() -> R {
+    R::lit(1.0e9)
+}
+
 /// f0 * Ts, Ts in whole nanoseconds: in this form 450 Hz and 1 ms make exactly 0.45
 #[portable]
 pub fn share<R: Real>(f0: R, cycle_time_ns: u32) -> R {
-    f0 * from_u32::<R>(cycle_time_ns) / R::lit(1.0e9)
+    f0 * from_u32::<R>(cycle_time_ns) / second_ns()
 }
 
 /// Finds the first input of a stage outside its range. `lowest`: the lowest centre frequency [Hz] that the structure of the

@@ -1,8 +1,8 @@
 //! The elements of a block, one for each filter: the inputs of the element whose turn it is, and the place of its numbers.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
+use super::coeffs::Coeffs;
 use super::signals::Inputs;
-use super::{Coeffs, State};
 use crate::design::bandpass::Pair;
 use crate::design::poles::{has_pair, pair_omega, pair_sigma, real_poles, real_sigma};
 use crate::filter::{MAX_ORDER, Type};
@@ -33,15 +33,15 @@ pub struct Element<R> {
     /// that oscillation has its centre
     pub has_oscillation: bool,
     /// it is the first element of its stage
-    pub is_first: bool,
+    pub opens_stage: bool,
     /// it is the last element of its stage
-    pub is_last: bool,
+    pub closes_stage: bool,
     /// it has a pair of poles
     pub has_pair: bool,
     /// number of sections of real poles
     pub real: u32,
     /// number of its last section, from 0
-    pub last: u32,
+    pub final_section: u32,
     /// sigma of its real poles
     pub sigma: R,
     /// its pair of poles
@@ -89,14 +89,14 @@ pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     }
     of.is_allpass = coeffs.set.ipc.stage[i].filter[k].kind == Type::Allpass;
     of.has_oscillation = is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
-    of.is_first = is_first(&coeffs.set.ipc.stage[i], k);
-    of.is_last = is_last(&coeffs.set.ipc.stage[i], k);
+    of.opens_stage = is_first(&coeffs.set.ipc.stage[i], k);
+    of.closes_stage = is_last(&coeffs.set.ipc.stage[i], k);
     of.has_pair = false;
     of.real = 0u32;
-    of.last = 0u32;
+    of.final_section = 0u32;
     if coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass {
         let order = coeffs.set.ipc.stage[i].filter[k].order;
-        of.last = count(order) - 1u32;
+        of.final_section = count(order) - 1u32;
         of.real = count(real_poles(prototype, order));
         of.sigma = real_sigma(prototype, order);
         if has_pair(prototype, order) {
@@ -219,20 +219,4 @@ pub fn simulates<R: Real>(coeffs: &Coeffs<R>) -> bool {
             || coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].mode != Mode::Direct;
     }
     found
-}
-
-/// Writes the gain of the stage of the element whose turn it is.
-#[portable]
-pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
-    let mut at = 0u32;
-    for i in 0..STAGES {
-        for k in 0..FILTERS {
-            if is_element(coeffs, i, k) {
-                if is_last(&coeffs.set.ipc.stage[i], k) && state.turn == at {
-                    state.numbers.stage[i].gain = gain;
-                }
-                at += 1u32;
-            }
-        }
-    }
 }

@@ -18,111 +18,22 @@
 //! So the longest call is one tangent or one square root. A block may run in any task, as often in a cycle as it likes: it
 //! touches no other block. An input outside its range ends the design, and there is no set.
 
+mod coeffs;
 pub mod element;
 pub mod piece;
 mod signals;
+mod state;
 
+pub use coeffs::{Coeffs, Prototypes};
 pub use signals::{Inputs, Outputs};
+pub use state::{Piece, State};
 
-use crate::design::band::Band;
-use crate::design::inputs::{self, Wrong};
-use crate::design::poles::Prototype;
-use crate::ipc::STAGES;
-use crate::ipc::numbers::{self, Numbers};
+use crate::design::inputs::Wrong;
+use crate::ipc::numbers;
 use crate::signal::{
     error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight,
 };
-use crate::stage::FILTERS;
-use crate::tunable_ipc::{self, check};
-use element::Element;
 use portable::{Block, Enable, Fn, Off, Real, note, portable};
-
-/// The prototypes of the filters of a stage.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Prototypes {
-    /// low-pass prototype of each band-pass (P-AXIS-00848)
-    pub filter: [Prototype; FILTERS],
-}
-
-/// Coefficients.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Coeffs<R> {
-    /// lowest centre frequency [Hz]: the fade and the watch of the block that takes the set count in its periods
-    pub lowest_f0: R,
-    /// prototypes of the stages
-    pub prototype: [Prototypes; STAGES],
-    /// largest velocity (P-AXIS-00212): the sum of stages at it is not a fault [um/s or 0.001 deg/s]
-    pub v_max: R,
-    /// values of the inputs that the block was generated with
-    pub generated: [inputs::Inputs<R>; STAGES],
-    /// the block that takes the set
-    pub set: tunable_ipc::Coeffs<R>,
-}
-
-/// The pieces of a design.
-#[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Piece {
-    /// no design is active
-    #[default]
-    Rest,
-    /// the range of the limit
-    Limit,
-    /// the inputs of an element
-    Element,
-    /// the warped centre frequency
-    Centre,
-    /// the warped bandwidth
-    Bandwidth,
-    /// a square root of a pair of poles
-    Root,
-    /// a section
-    Section,
-    /// the simulated oscillation
-    Oscillation,
-    /// the end of an element
-    End,
-    /// a number in the check word
-    Seal,
-}
-
-/// State.
-#[portable]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct State<R> {
-    /// execute in the previous call
-    pub held: bool,
-    /// a design is active
-    pub works: bool,
-    /// the numbers are a complete set
-    pub complete: bool,
-    /// the input that was refused
-    pub wrong: Wrong,
-    /// the next piece
-    pub piece: Piece,
-    /// the element whose turn it is
-    pub turn: u32,
-    /// its section or its square root whose turn it is
-    pub part: u32,
-    /// the element
-    pub of: Element<R>,
-    /// its band
-    pub band: Band<R>,
-    /// limit of the set before it is rounded
-    pub limit: R,
-    /// norm of its stage so far
-    pub norm: R,
-    /// norms of the stages so far, added up
-    pub norms: R,
-    /// numbers of the set
-    pub numbers: Numbers<R>,
-    /// check word of the numbers
-    pub check: check::State<R>,
-    /// number of the set
-    pub set_id: u32,
-}
 
 /// Before the first call.
 #[portable]

@@ -1,9 +1,10 @@
 //! The pieces of a design. Each changes the state and selects the next piece.
 #![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
+use super::coeffs::Coeffs;
 use super::element;
 use super::signals::Inputs;
-use super::{Coeffs, Piece, State};
+use super::state::{Piece, State};
 use crate::check_word;
 use crate::design::band::{cycle_time, warped};
 use crate::design::inputs::{Wrong, check_filter, is_damping, is_weight};
@@ -59,7 +60,7 @@ pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
             wrong = Wrong::Damping;
         }
     }
-    if state.of.is_first {
+    if state.of.opens_stage {
         state.norm = state.of.weight;
         if state.of.is_simulated {
             state.norm = state.norm * limits::oscillation_norm(state.of.damping);
@@ -109,7 +110,7 @@ pub fn section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     } else {
         bandpass_section(state, coeffs);
     }
-    if state.part < state.of.last {
+    if state.part < state.of.final_section {
         state.part += 1u32;
     } else if element::simulates(coeffs) && state.of.has_oscillation {
         state.piece = Piece::Oscillation;
@@ -218,10 +219,10 @@ pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     } else {
         state.norm = state.norm * limits::bandpass_norm();
     }
-    if state.of.is_last {
+    if state.of.closes_stage {
         state.norms = state.norms + state.norm;
         let gain = in_precision(limits::gain(state.of.weight));
-        element::put_gain(state, coeffs, gain);
+        put_gain(state, coeffs, gain);
     }
     if state.turn < element::elements(coeffs) - 1u32 {
         state.turn += 1u32;
@@ -231,6 +232,22 @@ pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
         state.numbers.sum_limit = in_precision(sum_limit);
         check::start(&mut state.check, &coeffs.set, 0u32);
         state.piece = Piece::Seal;
+    }
+}
+
+/// Writes the gain of the stage of the element whose turn it is.
+#[portable]
+pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
+    let mut at = 0u32;
+    for i in 0..STAGES {
+        for k in 0..FILTERS {
+            if element::is_element(coeffs, i, k) {
+                if element::is_last(&coeffs.set.ipc.stage[i], k) && state.turn == at {
+                    state.numbers.stage[i].gain = gain;
+                }
+                at += 1u32;
+            }
+        }
     }
 }
 
