@@ -154,9 +154,13 @@ impl Lowering<'_, '_> {
         Some(())
     }
 
-    /// Lowers an output of an instance; `None` after a reported error.
+    /// Lowers an output of an instance, or a part of one that is a structure; `None` after a reported error.
     pub(crate) fn output(&mut self, node: Node<'_>) -> Option<Operand> {
-        let (object, member) = (node.child_by_field_name("object")?, node.child_by_field_name("member")?);
+        let (mut object, member) = (node.child_by_field_name("object")?, node.child_by_field_name("member")?);
+        while object.kind() == "member_access_expression" {
+            object = object.child_by_field_name("object")?;
+        }
+        let path = self.text.get(object.end_byte() + 1..node.end_byte()).unwrap_or_default();
         let Some(inner) = self.instance(object) else {
             if !self.has_unknown_type(object) {
                 self.say(node, shown(node, self.text), "a variable, a number or an operation on them");
@@ -164,13 +168,13 @@ impl Lowering<'_, '_> {
             return None;
         };
         let block = &self.known.blocks[inner.of];
-        let output = block.variables.find(said(member, self.text)).filter(|variable| variable.role == Role::Output);
+        let output = block.variables.find(path).filter(|variable| variable.role == Role::Output);
         let Some(variable) = output else {
             let found = format!("{}, which is not an output of `{}`", shown(member, self.text), block.name);
             self.say(member, found, "one of its outputs");
             return None;
         };
-        if node.end_byte() - node.start_byte() != said(object, self.text).len() + 1 + said(member, self.text).len() {
+        if node.end_byte() - node.start_byte() != said(object, self.text).len() + 1 + path.len() {
             self.say(node, "an output away from its instance", "the instance, `.` and the output without blanks");
             return None;
         }
