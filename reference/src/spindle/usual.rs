@@ -28,8 +28,12 @@ pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
 /// Whether no input requests a change.
 #[portable]
 pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    let is_requested = inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74;
-    !is_requested
+    !inputs.m3
+        && !inputs.m4
+        && !inputs.m5
+        && !inputs.m19
+        && !inputs.putax
+        && !inputs.g74
         && inputs.drive_on
         && !inputs.reset
         && (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)

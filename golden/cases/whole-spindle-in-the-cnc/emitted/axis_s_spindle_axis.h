@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   794adbded3188d98e94b1435d222a753
- * checksum    c4125924330c0a69867d42423fe40bae
+ * structure   35984cbae348854795e867e977de15ae
+ * checksum    ec82acfc55eb3f3cb098645371645d90
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x794adbdeu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xd3188d98u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xe94b1435u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xd222a753u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x35984cbau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xe3488547u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x95e867e9u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x77de15aeu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
