@@ -5,8 +5,13 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    40b22e98e925db2ac92aa28abe48b0d8
+// checksum    91058f119c7b2cc2e9acac5b16f5e0e9
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
+
+// Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+// first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
+// v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
+// call continues the filters from their old state.
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
 // 4.355187e15, within double precision
@@ -199,9 +204,9 @@ const LIMIT: f64 = 530000.0;
 /// -limit
 const LOWER_LIMIT: f64 = -530000.0;
 
-// 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit
+// 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit
 /// largest magnitude of the sum of the stages; a larger sum is a fault
-const SUM_LIMIT: f64 = 30803451.38467693;
+const SUM_LIMIT: f64 = 4616683.738307328;
 
 // rest threshold of the sum: P-AXIS-00212 * 2^-60
 /// a sum up to this magnitude is set to 0, so that the output at rest is exactly 0
