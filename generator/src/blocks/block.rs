@@ -32,12 +32,9 @@ pub struct Block {
 }
 
 impl Block {
-    /// The outputs in a record of a run, by their positions: all but the parts of a parameter set that the axis does not have.
+    /// The outputs in a record of a run, by their positions: all, but of a block that makes a parameter set those of its axis.
     pub fn recorded_outputs(&self) -> Vec<usize> {
-        let is_recorded = |at: &usize| {
-            self.program.in_made(&self.program.outputs[*at]).is_none() || self.for_axis.outputs.contains(at)
-        };
-        (0..self.program.outputs.len()).filter(is_recorded).collect()
+        if self.program.made.is_some() { self.for_axis.outputs.clone() } else { (0..self.program.outputs.len()).collect() }
     }
 
     /// The inputs of its self-test on the controller, sample by sample.

@@ -160,7 +160,9 @@ impl Lowering<'_, '_> {
         while object.kind() == "member_access_expression" {
             object = object.child_by_field_name("object")?;
         }
-        let path = self.text.get(object.end_byte() + 1..node.end_byte()).unwrap_or_default();
+        let after: &str = self.text.get(object.end_byte()..node.end_byte()).unwrap_or_default();
+        let path = after.replace(char::is_whitespace, "");
+        let path = path.trim_start_matches('.');
         let Some(inner) = self.instance(object) else {
             if !self.has_unknown_type(object) {
                 self.say(node, shown(node, self.text), "a variable, a number or an operation on them");
@@ -174,7 +176,7 @@ impl Lowering<'_, '_> {
             self.say(member, found, "one of its outputs");
             return None;
         };
-        if node.end_byte() - node.start_byte() != said(object, self.text).len() + 1 + path.len() {
+        if after.len() != 1 + path.len() {
             self.say(node, "an output away from its instance", "the instance, `.` and the output without blanks");
             return None;
         }

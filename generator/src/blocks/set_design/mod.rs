@@ -33,6 +33,13 @@ impl BlockKind for SetDesign {
         "sd"
     }
 
+    fn purpose(&self, _: &Designed) -> String {
+        "Design of parameter sets for the block ipc of this axis, from numbers that somebody types. A rising edge of execute starts a \
+         design, also in the first call; each call does one piece of it, in any task. While the block is not called, an active design \
+         waits, and params keeps its values."
+            .to_owned()
+    }
+
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let axis = &designed.axis;
         let Some(lowest) = axis.ipc.lowest_f0() else { return Vec::new() };

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   08722a557a5e25c2eba8886b8dc9d0ab
- * checksum    525ccd21350e47494ef326fe03335fc5
+ * checksum    3af581196dbea1af5b551c2370dd236f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -80,10 +80,10 @@ static const float axis_x_ipc_least_change = 1.0e-18f;
 
 const axis_x_ipc_params axis_x_ipc_designed = {
     262723498u, /* structure */
-    616300020u, /* set_id */
+    748831309u, /* set_id */
     8000.0f, /* limit */
     -8000.0f, /* lower_limit */
-    3056884.3f, /* sum_limit */
+    9600000.0f, /* sum_limit */
     0.02452161f, /* stage0_filter0_bandpass0_a */
     0.07968967f, /* stage0_filter0_bandpass0_b */
     1.2497731f, /* stage0_filter0_bandpass0_c */

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    91058f119c7b2cc2e9acac5b16f5e0e9
+// checksum    13b05bb1bb18351693c0ff7f207117eb
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 // Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -204,9 +204,9 @@ const LIMIT: f64 = 530000.0;
 /// -limit
 const LOWER_LIMIT: f64 = -530000.0;
 
-// 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit
+// 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit
 /// largest magnitude of the sum of the stages; a larger sum is a fault
-const SUM_LIMIT: f64 = 4616683.738307328;
+const SUM_LIMIT: f64 = 30803451.38467693;
 
 // rest threshold of the sum: P-AXIS-00212 * 2^-60
 /// a sum up to this magnitude is set to 0, so that the output at rest is exactly 0

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   35984cbae348854795e867e977de15ae
- * checksum    61e5b2f3ac1b49bca92ca43a9a404a43
+ * checksum    41c30e403c9471d367800d17c1153b1b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -96,9 +96,9 @@ static const double axis_s_spindle_axis_axis_ipc_stage0_gain = -2.0;
 static const double axis_s_spindle_axis_axis_ipc_limit = 450000.0; /* largest |v_add| */
 static const double axis_s_spindle_axis_axis_ipc_lower_limit = -450000.0; /* -limit */
 
-/* 2 times the largest sum for |v| <= P-AXIS-00212, at least 2 times the limit */
+/* 2 times the bound of the sum for |v| <= P-AXIS-00212, at least 2 times the limit */
 /* largest magnitude of the sum of the stages; a larger sum is a fault */
-static const double axis_s_spindle_axis_axis_ipc_sum_limit = 45847476.101453274;
+static const double axis_s_spindle_axis_axis_ipc_sum_limit = 144000000.0;
 
 /* rest threshold of the sum: P-AXIS-00212 * 2^-60 */
 /* a sum up to this magnitude is set to 0, so that the output at rest is exactly 0 */
