@@ -157,10 +157,10 @@ fn links_lead_to_a_page_and_a_heading() {
 fn everything(folder: &Path, path: &str, found: &mut Vec<String>) {
     for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
         let name = entry.file_name().into_string().unwrap();
-        if [".git", "target"].contains(&name.as_str()) {
+        let path = format!("{path}/{name}");
+        if ["/.git", "/target"].contains(&path.as_str()) {
             continue;
         }
-        let path = format!("{path}/{name}");
         if entry.path().is_dir() {
             everything(&entry.path(), &path, found);
         }
