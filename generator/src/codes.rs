@@ -247,8 +247,8 @@ codes! {
          it. The controller does so with SERCOS and CANopen drives only. With position control in the CNC (P-AXIS-00320) any \
          drive will do.";
     ONE_MODE = "AX322", "one operation mode for position and velocity control",
-        "The changeover is over when the drive displays the new operation mode. If both modes have one number, nothing can be \
-         told from the display: of SERCOS velocity control is an auxiliary mode (P-AXIS-00264), of CANopen another number \
+        "The changeover is over when the drive displays the new operation mode. If both modes have one number, the \
+         display does not distinguish them: of SERCOS velocity control is an auxiliary mode (P-AXIS-00264), of CANopen another number \
          (P-AXIS-00463, 00464).";
     HALF_A_REVOLUTION = "AX323", "position control at half a revolution in a cycle",
         "A drive that controls the position of a spindle cannot tell the direction of a way of 180 deg and more in a cycle: the \
@@ -256,8 +256,8 @@ codes! {
          control lasts (P-AXIS-00767, or 00212 if it is lower) and for that at which it is taken up again (P-AXIS-00768) with \
          its window.";
     TWO_VELOCITIES = "AX324", "two values for one velocity",
-        "P-AXIS-00767 replaces P-AXIS-00265, and P-AXIS-00768 replaces P-AXIS-00266. Both are given, and differ: which one is \
-         meant cannot be told.";
+        "P-AXIS-00767 replaces P-AXIS-00265, and P-AXIS-00768 replaces P-AXIS-00266. Both are given, and differ: it is not \
+         clear which one is meant.";
     NOT_OFFERED = "AX325", "a drive without what the changeover needs",
         "A drive that changes its operation mode gets the commands of both modes in its cyclic telegram, and answers with its \
          actual values. A SERCOS drive needs its operation modes and rotary scaling, too. The keys process_data.objects and \

@@ -100,7 +100,7 @@ impl fmt::Display for Diagnostic {
 }
 
 /// All messages about one input.
-#[must_use = "a report that nobody looks at is a mistake that nobody is told of"]
+#[must_use = "a mistake in an unused report reaches nobody"]
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// in the order of their discovery

@@ -48,18 +48,3 @@ fn files(set: &Set) -> BTreeMap<String, String> {
     assert_eq!(files.len(), count, "no two files have one name");
     files
 }
-
-/// A file that nobody names here would not be run: cargo does not look for tests of this crate.
-#[test]
-fn every_file_is_a_module() {
-    let modules = include_str!("main.rs");
-    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).unwrap() {
-        let path = file.unwrap().path();
-        let name = path.file_stem().unwrap().to_str().unwrap();
-        let is_module = path.join("mod.rs").exists() || path.extension().is_some_and(|extension| extension == "rs");
-        assert!(
-            !is_module || ["main", "memory"].contains(&name) || modules.contains(&format!("mod {name};\n")),
-            "{name}"
-        );
-    }
-}

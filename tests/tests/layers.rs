@@ -1,5 +1,5 @@
 //! The layers that ARCHITECTURE.md states, held against the `use` lines of the crates: which module may use which, and that no
-//! modules use each other in a circle. What a function does with its paths is not looked at.
+//! modules use each other in a circle. What a function does with its paths is not looked at. And that each file of tests is run.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -222,4 +222,18 @@ fn documents_in_the_source_hold_no_program() {
         }
     }
     assert!(fences > 100, "{fences}");
+}
+
+/// Cargo does not look for tests of these crates: a file that `main.rs` does not name would not be run.
+#[test]
+fn every_file_of_tests_is_a_module() {
+    for (folder, programs) in [("generator/tests", &["main", "memory"][..]), ("generator/cli/tests", &["main"])] {
+        let folder = root().join(folder);
+        let main = fs::read_to_string(folder.join("main.rs")).unwrap();
+        for path in fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            let name = path.file_stem().unwrap().to_str().unwrap();
+            let is_module = path.join("mod.rs").exists() || path.extension().is_some_and(|end| end == "rs");
+            assert!(!is_module || programs.contains(&name) || main.contains(&format!("mod {name};\n")), "{name}");
+        }
+    }
 }

@@ -25,7 +25,7 @@ fn set(inputs: &mut Inputs, (name, cell): &(String, String)) {
         "position_controlled" => inputs.position_controlled = cell == "1",
         "reset" => inputs.reset = cell == "1",
         "task_cycle_ns" => inputs.task_cycle_ns = cell.parse().expect("a number"),
-        _ => panic!("{name} is no input"),
+        _ => panic!("{name} is not an input"),
     }
 }
 
@@ -38,7 +38,7 @@ fn shown(outputs: &Outputs, name: &str) -> String {
         "tripped" => "0".to_owned(), // and watches nothing
         "fault" => u8::from(outputs.fault).to_string(),
         "error_id" => outputs.error_id.to_string(),
-        _ => panic!("{name} is no output"),
+        _ => panic!("{name} is not an output"),
     }
 }
 

@@ -58,23 +58,15 @@ pub enum Command {
         old: PathBuf,
         /// The set (or list) after
         new: PathBuf,
-        /// Cycle time of the position controller, for axis lists: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
-        #[arg(long, value_name = "TIME")]
-        cycle_time: Option<String>,
-        /// Name of an axis list's axis [default: from the file's name]
-        #[arg(long, value_name = "NAME")]
-        name: Option<String>,
+        #[command(flatten)]
+        read: ListArguments,
     },
     /// Converts an axis list into a TOML set, without loss
     Import {
         /// The axis list
         list: PathBuf,
-        /// Cycle time of the position controller, which no list contains: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
-        #[arg(long, value_name = "TIME")]
-        cycle_time: Option<String>,
-        /// Name of the axis [default: from the file's name]
-        #[arg(long, value_name = "NAME")]
-        name: Option<String>,
+        #[command(flatten)]
+        read: ListArguments,
         #[command(flatten)]
         to: OneFile,
     },
@@ -161,12 +153,40 @@ pub enum Golden {
 pub struct SetArguments {
     /// A TOML axis set (.toml), or one axis list (any other file)
     pub set: PathBuf,
+    #[command(flatten)]
+    pub list: ListArguments,
+}
+
+/// What an axis list does not contain.
+#[derive(Args)]
+pub struct ListArguments {
     /// Cycle time of the position controller, for an axis list: a number with its unit, s, ms, us or ns, such as 1ms or 62.5us
     #[arg(long, value_name = "TIME")]
     pub cycle_time: Option<String>,
     /// Name of an axis list's axis [default: from the file's name]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
+}
+
+/// One axis of a set.
+#[derive(Args)]
+pub struct AxisArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// The axis; optional if the set has only one
+    #[arg(long, value_name = "X")]
+    pub axis: Option<String>,
+}
+
+/// How an NC program moves the axis.
+#[derive(Args)]
+pub struct ProgramArguments {
+    /// The axis of the program that the axis follows [default: that of its name]
+    #[arg(long, value_name = "A", requires = "scenario")]
+    pub program_axis: Option<String>,
+    /// Stops the scenario after this number of cycles [default: 200000]
+    #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
+    pub cycles: Option<usize>,
 }
 
 /// What is generated, and where it goes.
@@ -204,10 +224,7 @@ pub struct GenerateArguments {
 #[derive(Args)]
 pub struct RunArguments {
     #[command(flatten)]
-    pub set: SetArguments,
-    /// The axis; optional if the set has only one
-    #[arg(long, value_name = "X")]
-    pub axis: Option<String>,
+    pub subject: AxisArguments,
     /// The block: ipc, feedforward, position_control, spindle, axis, spindle_axis or excitation
     #[arg(long, value_name = "B", default_value = "ipc")]
     pub block: String,
@@ -220,12 +237,8 @@ pub struct RunArguments {
     /// NC program whose scenario gives the inputs
     #[arg(long, value_name = "FILE", conflicts_with = "stimulus")]
     pub scenario: Option<PathBuf>,
-    /// The axis of the program that the axis follows [default: that of its name]
-    #[arg(long, value_name = "A", requires = "scenario")]
-    pub program_axis: Option<String>,
-    /// Stops the scenario after this number of cycles [default: 200000]
-    #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
-    pub cycles: Option<usize>,
+    #[command(flatten)]
+    pub moved_by: ProgramArguments,
     /// CSV file with recorded outputs, and inputs unless --stimulus gives them; counts the bits that differ
     #[arg(long, value_name = "FILE")]
     pub compare: Option<PathBuf>,
@@ -260,12 +273,8 @@ pub struct VerifyArguments {
     /// The block of the scenario [default: spindle, else axis, else the one that there is]
     #[arg(long, value_name = "B", requires = "scenario")]
     pub block: Option<String>,
-    /// The axis of the program that the axis follows [default: that of its name]
-    #[arg(long, value_name = "A", requires = "scenario")]
-    pub program_axis: Option<String>,
-    /// Stops the scenario after this number of cycles [default: 200000]
-    #[arg(long, value_name = "N", requires = "scenario", value_parser = scenario::cycles)]
-    pub cycles: Option<usize>,
+    #[command(flatten)]
+    pub moved_by: ProgramArguments,
     /// Only this engine in addition to the reference, may be given several times [default: all]
     #[arg(long = "engine", value_name = "E")]
     pub engines: Vec<String>,
@@ -321,10 +330,7 @@ pub struct AnalyzeArguments {
 #[derive(Args)]
 pub struct SimulateArguments {
     #[command(flatten)]
-    pub set: SetArguments,
-    /// The axis; optional if the set has only one
-    #[arg(long, value_name = "X")]
-    pub axis: Option<String>,
+    pub subject: AxisArguments,
     #[command(flatten)]
     pub drive: DriveArguments,
     /// A machine with mechanics in the place of the drive
@@ -396,10 +402,7 @@ pub struct MeasureArguments {
 #[derive(Args)]
 pub struct TuneArguments {
     #[command(flatten)]
-    pub set: SetArguments,
-    /// The axis; optional if the set has only one
-    #[arg(long, value_name = "X")]
-    pub axis: Option<String>,
+    pub subject: AxisArguments,
     /// CSV file of a recorder: moves with all stages off, from rest to rest
     #[arg(long, value_name = "FILE")]
     pub recording: PathBuf,
@@ -442,23 +445,17 @@ pub struct TuneArguments {
 #[derive(Args)]
 pub struct ScenarioArguments {
     #[command(flatten)]
-    pub set: SetArguments,
+    pub subject: AxisArguments,
     /// The NC program
-    pub program: PathBuf,
-    /// The axis; optional if the set has only one
-    #[arg(long, value_name = "X")]
-    pub axis: Option<String>,
+    #[arg(value_name = "PROGRAM")]
+    pub scenario: PathBuf,
     /// The block [default: spindle, else axis, else the one that there is]
     #[arg(long, value_name = "B")]
     pub block: Option<String>,
     #[command(flatten)]
     pub drive: DriveArguments,
-    /// The axis of the program that the axis follows [default: that of its name]
-    #[arg(long, value_name = "A")]
-    pub program_axis: Option<String>,
-    /// Stops the scenario after this number of cycles [default: 200000]
-    #[arg(long, value_name = "N", value_parser = scenario::cycles)]
-    pub cycles: Option<usize>,
+    #[command(flatten)]
+    pub moved_by: ProgramArguments,
     /// CSV file for the inputs of the block
     #[arg(long, value_name = "FILE")]
     pub stimulus: Option<PathBuf>,
@@ -474,10 +471,7 @@ pub struct ScenarioArguments {
 #[derive(Args)]
 pub struct ParamsOfArguments {
     #[command(flatten)]
-    pub set: SetArguments,
-    /// The axis; optional if the set has only one
-    #[arg(long, value_name = "X")]
-    pub axis: Option<String>,
+    pub subject: AxisArguments,
     /// The set that the block on the machine was generated from
     #[arg(long, value_name = "OLD")]
     pub on: PathBuf,
@@ -485,26 +479,15 @@ pub struct ParamsOfArguments {
     #[arg(long = "as", value_name = "FORM", default_value = "c")]
     pub form: String,
     #[command(flatten)]
-    pub to: ToFile,
+    pub to: OneFile,
 }
 
 /// Where a single file goes.
 #[derive(Args)]
 pub struct OneFile {
     /// The file to write, `-`: standard output
-    #[arg(long, value_name = "FILE")]
+    #[arg(short, long, visible_alias = "output", value_name = "FILE")]
     pub out: Option<PathBuf>,
-    /// Replace the file if it exists
-    #[arg(long)]
-    pub force: bool,
-}
-
-/// The same with a short option.
-#[derive(Args)]
-pub struct ToFile {
-    /// The file to write, `-`: standard output
-    #[arg(short, long, visible_alias = "out", value_name = "FILE")]
-    pub output: Option<PathBuf>,
     /// Replace the file if it exists
     #[arg(long)]
     pub force: bool,

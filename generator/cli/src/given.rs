@@ -53,7 +53,7 @@ pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: 
             checked(recording::stimulus(table, [&inputs, &outputs], &request.map, cycle), &unknown, file)?
         }
         (None, Some(program), _) => {
-            let options = scenario::options(request.program_axis.clone(), request.cycles);
+            let options = scenario::options(&request.moved_by);
             let scenario = scenario::made(program, designed, block, &options, format)?;
             (scenario.inputs, (0..inputs.signals.len()).collect())
         }

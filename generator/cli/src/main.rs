@@ -44,7 +44,6 @@ mod verify;
 
 use arguments::{Cli, Command, Golden};
 use exit::Exit;
-use generator::config::ListOptions;
 use messages::Format;
 use std::process::ExitCode;
 #[cfg(unix)]
@@ -81,8 +80,8 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Measure(of) => measure::run(&of, format),
         Command::Tune(of) => tune::run(&of, format),
         Command::Scenario(of) => scenario::run(&of, format),
-        Command::Diff { old, new, cycle_time, name } => diff::run(&old, &new, &of_list(cycle_time, name), format),
-        Command::Import { list, cycle_time, name, to } => import::run(&list, &of_list(cycle_time, name), &to, format),
+        Command::Diff { old, new, read } => diff::run(&old, &new, &read.options(Vec::new()), format),
+        Command::Import { list, read, to } => import::run(&list, &read.options(Vec::new()), &to, format),
         Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), &to, format),
         Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
         Command::ParamsOf(of) => params_of::run(&of, format),
@@ -94,9 +93,4 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Golden { command: Golden::Record { cases, again } } => golden_cases::record(&cases, again),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
     }
-}
-
-/// The options of axis lists.
-fn of_list(cycle_time: Option<String>, name: Option<String>) -> ListOptions {
-    ListOptions { cycle_time, name, ..ListOptions::default() }
 }

@@ -1,6 +1,6 @@
 //! `axgen params-of`: the parameter set of an axis for the block that is on the machine.
 
-use crate::arguments::ParamsOfArguments;
+use crate::arguments::{AxisArguments, ParamsOfArguments};
 use crate::diff;
 use crate::exit::Exit;
 use crate::input::{self, said};
@@ -12,11 +12,11 @@ use generator::params_of::{self, Form};
 
 /// Runs the command.
 pub fn run(of: &ParamsOfArguments, format: Format) -> Result<Exit, Exit> {
-    let ParamsOfArguments { set: arguments, axis, on, form, to } = of;
+    let ParamsOfArguments { subject: AxisArguments { set: arguments, axis }, on, form, to } = of;
     let form =
         Form::named(form).ok_or_else(|| Exit::no_such("--as", "form", form, &Form::ALL.map(|(name, _)| name)))?;
-    one_file::kept_apart(to.output.as_deref(), [arguments.set.as_path(), on.as_path()])?;
-    let options = arguments.list_options(Vec::new());
+    one_file::kept_apart(to.out.as_deref(), [arguments.set.as_path(), on.as_path()])?;
+    let options = arguments.list.options(Vec::new());
     let (before, after) = diff::both(on, &arguments.set, &options, format)?;
     let new = input::axis(&after, axis.as_deref())?;
     let old = before.axes.iter().find(|of| of.axis.name == new.axis.name).ok_or_else(|| {
@@ -31,6 +31,6 @@ pub fn run(of: &ParamsOfArguments, format: Format) -> Result<Exit, Exit> {
     let report = params_of::check(new, old, [&arguments.set.slashes(), &on.slashes()]);
     said((!report.has_errors()).then_some(()), &report, format)?;
     let bytes = params_of::bytes(new, form).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-    one_file::write(to.output.as_deref(), &bytes, Rule::by_force(to.force))?;
+    one_file::write(to.out.as_deref(), &bytes, Rule::by_force(to.force))?;
     Ok(Exit::Done)
 }

@@ -26,8 +26,8 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 
 /// Runs the command.
 pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read(&of.set, format)?;
-    let designed = input::axis(&set, of.axis.as_deref())?;
+    let (set, _) = input::read(&of.subject.set, format)?;
+    let designed = input::axis(&set, of.subject.axis.as_deref())?;
     let block = block_of(designed, &of.block)?;
     let engine = engine_named(&of.engine)?;
     let out = of.out.as_deref().filter(|out| !is_standard(out));
@@ -38,7 +38,7 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let rule = Rule::earlier_output(of.force, &is_output);
     if let Some(out) = out {
         let RunArguments { stimulus, scenario, compare, .. } = of;
-        let inputs = [Some(of.set.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
+        let inputs = [Some(of.subject.set.set.as_path()), stimulus.as_deref(), scenario.as_deref(), compare.as_deref()];
         one_file::kept_apart(out, inputs.into_iter().flatten())?;
         rule.allows(out)?;
     }

@@ -1,6 +1,6 @@
 //! `axgen scenario`: an NC program on one axis, as a stimulus and as a picture; and the scenarios of `run` and `verify`.
 
-use crate::arguments::ScenarioArguments;
+use crate::arguments::{ProgramArguments, ScenarioArguments};
 use crate::exit::Exit;
 use crate::input::{self, counted};
 use crate::messages::Format;
@@ -19,18 +19,18 @@ use std::path::Path;
 
 /// Runs the command.
 pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(&of.set, of.drive.keys(), format)?;
-    let designed = input::axis(&set, of.axis.as_deref())?;
+    let (set, _) = input::read_to_look_at(&of.subject.set, of.drive.keys(), format)?;
+    let designed = input::axis(&set, of.subject.axis.as_deref())?;
     let block = block_of_scenario(designed, of.block.as_deref())?;
     let outputs = [of.stimulus.as_deref(), of.picture.as_deref()];
     let outputs: Vec<&Path> = outputs.into_iter().flatten().collect();
     one_file::told_apart(&outputs)?;
     for out in outputs {
-        one_file::kept_apart(out, [of.set.set.as_path(), &of.program])?;
+        one_file::kept_apart(out, [of.subject.set.set.as_path(), &of.scenario])?;
     }
-    let scenario = made(&of.program, designed, &block, &options(of.program_axis.clone(), of.cycles), format)?;
+    let scenario = made(&of.scenario, designed, &block, &options(&of.moved_by), format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
-    let name = of.program.file_stem().unwrap_or_default().to_string_lossy();
+    let name = of.scenario.file_stem().unwrap_or_default().to_string_lossy();
     let drawn = picture::svg(&scenario, &name, designed);
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
@@ -86,9 +86,9 @@ pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Bloc
 }
 
 /// The options of a program, from the command line.
-pub fn options(program_axis: Option<String>, cycles: Option<usize>) -> Options {
+pub fn options(of: &ProgramArguments) -> Options {
     let usual = Options::default();
-    Options { program_axis, cycles: cycles.unwrap_or(usual.cycles) }
+    Options { program_axis: of.program_axis.clone(), cycles: of.cycles.unwrap_or(usual.cycles) }
 }
 
 /// A number of cycles that fits into memory.

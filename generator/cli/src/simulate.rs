@@ -40,8 +40,8 @@ pub fn noise(text: &str) -> Result<f64, String> {
 
 /// Runs the command.
 pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
-    let (set, _) = input::read_to_look_at(&to.set, to.drive.keys(), format)?;
-    let designed = input::axis(&set, to.axis.as_deref())?;
+    let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(), format)?;
+    let designed = input::axis(&set, to.subject.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
     if !has_stages && to.moves.is_none() && to.excited.is_none()
         || to.csv.is_some()
@@ -62,7 +62,7 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
         (&to.excited, of_recording),
         (&to.recorded, Rule::by_force(to.force)),
     ];
-    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), &to.set.set)?;
+    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), &to.subject.set.set)?;
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {

@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
-    let arguments = &of.set;
+    let arguments = &of.subject.set;
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
@@ -28,7 +28,7 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
     let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
-    let designed = input::axis(&set, of.axis.as_deref())?;
+    let designed = input::axis(&set, of.subject.axis.as_deref())?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
     let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;
@@ -115,7 +115,7 @@ fn draw(
 
 /// Writes a proposal where the axis has its parameters, unless the file has changed meanwhile.
 fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is_json: bool) -> Result<(), Exit> {
-    let options = arguments.list_options(Vec::new());
+    let options = arguments.list.options(Vec::new());
     let path = &arguments.set;
     let (applied, report) = generator::apply::stages(path, &options, axis, &of.stages, &config::load);
     let applied = input::said(applied, &report, format)?;

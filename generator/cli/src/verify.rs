@@ -74,7 +74,7 @@ fn of_scenario(
 ) -> Result<Run, Exit> {
     let designed = input::axis(set, of.axis.as_deref())?;
     let block = scenario::block_of_scenario(designed, of.block.as_deref())?;
-    let options = scenario::options(of.program_axis.clone(), of.cycles);
+    let options = scenario::options(&of.moved_by);
     let inputs = scenario::made(program, designed, &block, &options, format)?.inputs;
     let mut run = Run::start(engines.len(), format)?;
     run.every_engine(engines, designed, &block, &inputs)?;

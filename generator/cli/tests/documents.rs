@@ -139,7 +139,7 @@ fn the_documents_show_what_the_command_prints() {
 #[test]
 fn links_lead_to_a_page_and_a_heading() {
     let mut broken = Vec::new();
-    for page in [pages(""), pages("docs"), pages("docs/decisions")].concat() {
+    for page in [pages(""), pages("tests"), pages("docs"), pages("docs/decisions")].concat() {
         for link in links(&fs::read_to_string(&page).unwrap()) {
             let (path, anchor) = link.split_once('#').unwrap_or((&link, ""));
             let target = if path.is_empty() { page.clone() } else { page.parent().unwrap().join(path) };
@@ -151,6 +151,41 @@ fn links_lead_to_a_page_and_a_heading() {
         }
     }
     assert!(broken.is_empty(), "{broken:#?}");
+}
+
+/// The files and folders below a folder, with their paths from there.
+fn everything(folder: &Path, path: &str, found: &mut Vec<String>) {
+    for entry in fs::read_dir(folder).unwrap().map(Result::unwrap) {
+        let name = entry.file_name().into_string().unwrap();
+        let path = format!("{path}/{name}");
+        if ["/.git", "/target"].contains(&path.as_str()) {
+            continue;
+        }
+        if entry.path().is_dir() {
+            everything(&entry.path(), &path, found);
+        }
+        found.push(path);
+    }
+}
+
+/// A path may begin at a folder that the text before it names: it is the end of a path that exists, with or without `.rs`.
+#[test]
+fn the_paths_in_the_architecture_exist() {
+    let page = fs::read_to_string(Path::new(ROOT).join("ARCHITECTURE.md")).unwrap();
+    let text: String = page.split("```").step_by(2).collect();
+    let mut there = Vec::new();
+    everything(Path::new(ROOT), "", &mut there);
+    let is_path = |word: &&str| {
+        let is_plain = word.chars().all(|c| c.is_ascii_alphanumeric() || "./_-".contains(c)) && !word.contains("NAME");
+        is_plain && (word.trim_end_matches('/').contains('/') || word.ends_with(".rs") || word.ends_with(".toml"))
+    };
+    let paths: BTreeSet<&str> = text.split('`').skip(1).step_by(2).filter(is_path).collect();
+    let exists = |path: &&&str| {
+        let ends = [format!("/{}", path.trim_end_matches('/')), format!("/{path}.rs")];
+        there.iter().any(|there| ends.iter().any(|end| there.ends_with(end.as_str())))
+    };
+    assert!(paths.len() > 80, "{paths:?}");
+    assert_eq!(paths.iter().filter(|path| !exists(path)).collect::<Vec<_>>(), [&""; 0]);
 }
 
 #[test]

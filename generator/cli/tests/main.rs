@@ -55,15 +55,3 @@ fn words(folder: impl AsRef<Path>, command: &str) -> (i32, String, String) {
     let Run { code, out, err } = axgen(folder, &command.split_whitespace().collect::<Vec<_>>());
     (code, out, err)
 }
-
-/// A file that nobody names here would not be run: cargo does not look for tests of this crate.
-#[test]
-fn every_file_is_a_module() {
-    let modules = include_str!("main.rs");
-    for file in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/tests")).unwrap() {
-        let path = file.unwrap().path();
-        let name = path.file_stem().unwrap().to_str().unwrap();
-        let is_module = path.is_dir() || path.extension().is_some_and(|extension| extension == "rs");
-        assert!(!is_module || name == "main" || modules.contains(&format!("mod {name};\n")), "{name}");
-    }
-}

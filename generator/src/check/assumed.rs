@@ -21,7 +21,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         ((Name::VbMax, [gear, 0]), acts, limit.as_str()),
         ((Name::VbMax, [gear, 0]), !acts && control.spindle.is_some(), largest.as_str()),
         ((Name::IncrPerRev, [gear, 0]), is_profidrive, "scales the control deviation XERR"),
-        (key(Name::ShiftTime), is_profidrive, "shifts the position behind the feedforward"),
+        (key(Name::ShiftTime), is_profidrive, "shifts the position after the feedforward"),
     ] {
         let parameter = key.0.parameter();
         if is_used && e.is_used(key) && e.given(key).is_none() {

@@ -98,7 +98,7 @@ impl OfStage<'_> {
             }
             _ => {
                 let place = Place::whole(&self.option);
-                let said = Diagnostic::error(codes::UNKNOWN, place, format!("{} is no key of a stage", shown(key)));
+                let said = Diagnostic::error(codes::UNKNOWN, place, format!("{} is not a key of a stage", shown(key)));
                 let known = KEYS.split(|letter: char| !letter.is_ascii_alphanumeric() && letter != '_');
                 let meant = closest::nearest(key, known.filter(|word| word.len() > 3)).map(str::to_owned);
                 self.report.push(Diagnostic { instead: meant, ..said.allowed(KEYS) });

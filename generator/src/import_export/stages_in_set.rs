@@ -23,7 +23,7 @@ pub(super) fn edited(text: &str, axis: &str, stages: &[Stage]) -> Result<String,
     let document = Document::parse(text).map_err(|error| error.message().to_owned())?;
     let end = if text.contains("\r\n") { "\r\n" } else { "\n" };
     let set = Set { text, axis };
-    let no_table = || format!("axis.{axis} is no table");
+    let no_table = || format!("axis.{axis} is not a table");
     let table = document.as_table().get("axis").and_then(Item::as_table_like).and_then(|axes| axes.get(axis));
     let table = table.and_then(Item::as_table).ok_or_else(no_table)?;
     let mut edits = match below(table, &IPC) {
@@ -33,7 +33,7 @@ pub(super) fn edited(text: &str, axis: &str, stages: &[Stage]) -> Result<String,
             let at = ipc.span().ok_or_else(no_table)?;
             set.in_values(ipc, at.end - 1, stages)
         }
-        Some(_) => Err(format!("{} is no table", IPC.join("."))),
+        Some(_) => Err(format!("{} is not a table", IPC.join("."))),
         None => set.anew(table, stages),
     }?;
     edits.sort_by_key(|(range, _)| std::cmp::Reverse((range.start, range.end)));
@@ -138,7 +138,7 @@ impl Set<'_> {
         match ipc.get("stage") {
             Some(Item::ArrayOfTables(old)) => edits.extend(self.in_tables(old, &above, stages)?),
             Some(Item::Value(Value::Array(old))) => edits.push(self.array(old.span(), stages)?),
-            Some(_) => return Err("stage is no array".to_owned()),
+            Some(_) => return Err("stage is not an array".to_owned()),
             None => {
                 let last = last.ok_or("the table has no place")?;
                 let lines = format!("\n{}", self.tables(&name, stages));
@@ -192,7 +192,7 @@ impl Set<'_> {
         }
         match ipc.get("stage") {
             Some(Item::Value(Value::Array(old))) => edits.push(self.array(old.span(), stages)?),
-            Some(_) => return Err("stage is no array".to_owned()),
+            Some(_) => return Err("stage is not an array".to_owned()),
             None => new.push(format!("stage = {}", array(stages, ""))),
         }
         Ok((edits, new))

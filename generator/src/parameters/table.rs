@@ -115,13 +115,13 @@ table! {
     CycleTime: SET_KEY("cycle_time", kind: Kind::Duration { from: 1, to: u32::MAX as u64 }, unit: "ns")
     /// what `generate` writes when the command line names no target
     Targets: SET_KEY("targets", kind: Kind::Words(TargetName::WORDS))
-    /// file of the axis list, relative to the set; keys beside it override the list
+    /// file of the axis list, relative to the set; keys next to it override the list
     List: AXIS_KEY("list")
     /// axis list that the axis was imported from, line by line, for `axgen export`; `=` stands where the axis has the value
     ImportedLines: AXIS_KEY("imported_list.lines")
     /// what stands before these lines in their file, a project of TwinCAT
     ImportedBefore: AXIS_KEY("imported_list.before")
-    /// what stands behind these lines in their file
+    /// what stands after these lines in their file
     ImportedBehind: AXIS_KEY("imported_list.behind")
     /// what a character of these lines stands for in the file: its bytes in UTF-8 or UTF-16, or the one byte of its number
     ImportedEncoding: AXIS_KEY("imported_list.encoding", kind: Kind::Word(ListEncoding::WORDS), default: &["utf-8"])
@@ -363,8 +363,8 @@ table! {
     /// largest additive velocity as a part of the largest velocity of the axis (P-AXIS-00212)
     VAddMaxFact: IPC("lr_param.improved_position_control.v_add_max_fact", "P-AXIS-00757",
         data_type: "UNS16", kind: integer(0, 2000), unit: "0.1 %", default: &["0"], dimension: "T: 0.1 %; R, S: 0.1 %")
-    /// where the stage takes the vibration from: a measured velocity, the motor's velocity behind a simulated
-    /// oscillation, or the command velocity behind a simulated oscillation
+    /// where the stage takes the vibration from: a measured velocity, the motor's velocity after a simulated
+    /// oscillation, or the command velocity after a simulated oscillation
     Mode: STAGE("lr_param.improved_position_control.stage[i].mode", "P-AXIS-00753",
         data_type: "UNS32", kind: Kind::Word(StageMode::WORDS), default: &["NOT_ACTIVE"])
     /// measured velocity that a DIRECT stage takes: motor encoder or direct measuring system

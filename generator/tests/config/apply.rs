@@ -196,5 +196,5 @@ fn what_is_not_written() {
     let inline = "cycle_time = \"1ms\"\naxis.x = { kopf.achs_nr = 1, kenngr.achs_typ = \"ACHSTYP_TRANSLATOR\", \
         getriebe = [{ dynamik.vb_max = 530000 }] }\n";
     let said = refused(inline);
-    assert!(said.code == "AX525" && said.found == "axis.x is no table", "{said:?}");
+    assert!(said.code == "AX525" && said.found == "axis.x is not a table", "{said:?}");
 }

@@ -39,7 +39,7 @@ fn what_clang_makes_for_arm_calls_no_library() {
     if !is_there() {
         return;
     }
-    // In a plain run one level and one of two processors each, in an exhaustive run one level and two processors, both in
+    // In a plain run one level and one of two processors each, in an exhaustive run one level and one processor, both in
     // turn; of three cases their self-tests and runners too. All of them with AXGEN_EVERY_LEVEL.
     let mut seen = BTreeSet::new();
     let emitted: Vec<_> = in_both_real_types()
@@ -53,7 +53,7 @@ fn what_clang_makes_for_arm_calls_no_library() {
         .map(|(number, (title, emitted))| {
             let is_whole = is_every_level() || number < 3;
             let (levels, processors) = match is_exhaustive() {
-                true => (in_turn(&LEVELS, number, 1), in_turn(&PROCESSORS, number / LEVELS.len(), 2)),
+                true => (in_turn(&LEVELS, number, 1), in_turn(&PROCESSORS, number / LEVELS.len(), 1)),
                 false => (LEVELS[..1].to_vec(), PROCESSORS[number % 2..][..1].to_vec()),
             };
             let folder = written(&[emitted]);

@@ -1,7 +1,7 @@
 //! Options that change the bits, or might: each is refused, is caught by the self-test, or changes nothing. Which of them,
 //! for every block, stands in the table.
 
-use crate::{CLANG, GCC, Tool, cases, is_measured, reference, tools};
+use crate::{Tool, cases, is_measured, reference, tools};
 use axgen_tests::cases::title;
 use axgen_tests::environment::{by_depth, has_fma};
 use golden::case::Case;
@@ -39,81 +39,34 @@ enum Expected {
 }
 use Expected::{Caught, CaughtInDouble, CaughtOrSameBits, Refused, SameBits};
 
-/// Options for the emitted file, after `-std=c99 -O2`, and for linking.
+/// A row of `flags.txt`: options for the emitted file, after `-std=c99 -O2`, and for linking.
 struct Row {
-    tool: Tool,
-    options: &'static [&'static str],
-    link: &'static [&'static str],
+    command: &'static str,
+    options: Vec<&'static str>,
+    link: Vec<&'static str>,
     expected: Expected,
 }
 
-const fn row(tool: Tool, options: &'static [&'static str], expected: Expected) -> Row {
-    Row { tool, options, link: &[], expected }
+fn table() -> Vec<Row> {
+    let row = |line: &'static str| {
+        let [command, options, link, expected] = line.split('|').map(str::trim).collect::<Vec<_>>()[..] else {
+            panic!("{line}")
+        };
+        let [options, link] = [options, link].map(|options| options.split_whitespace().collect());
+        let expected = match expected {
+            "refused" => Refused,
+            "caught" => Caught,
+            "same bits" => SameBits,
+            "caught in f64" => CaughtInDouble,
+            "caught or same bits" => CaughtOrSameBits,
+            _ => panic!("{line}"),
+        };
+        Row { command, options, link, expected }
+    };
+    let rows: Vec<Row> = include_str!("flags.txt").lines().filter(|line| !line.starts_with('#')).map(row).collect();
+    assert_eq!(rows.len(), 54);
+    rows
 }
-
-const FUSED_AT_LINKING: &[&str] = &["-O3", "-flto", "-ffp-contract=fast", "-march=native"];
-
-const TABLE: [Row; 54] = [
-    // fused multiply-add
-    row(GCC, &["-ffp-contract=fast", "-march=native"], SameBits),
-    row(GCC, &["-ffp-contract=fast", "-mfma"], SameBits),
-    row(GCC, &["-std=gnu17", "-march=native"], SameBits),
-    Row { tool: GCC, options: FUSED_AT_LINKING, link: FUSED_AT_LINKING, expected: SameBits },
-    row(CLANG, &["-ffp-contract=fast", "-march=native"], Caught),
-    row(CLANG, &["-ffp-contract=fast", "-mfma"], Caught),
-    row(CLANG, &["-O1", "-ffp-contract=fast", "-march=native"], Caught),
-    row(CLANG, &["-O3", "-ffp-contract=fast", "-march=native"], Caught),
-    row(CLANG, &["-ffp-contract=on", "-march=native"], SameBits),
-    row(CLANG, &["-std=gnu17", "-march=native"], SameBits),
-    // fast-math and its parts
-    row(GCC, &["-ffast-math"], Refused),
-    row(GCC, &["-Ofast"], Refused),
-    row(GCC, &["-funsafe-math-optimizations"], Refused),
-    row(GCC, &["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], Refused),
-    row(GCC, &["-freciprocal-math"], Refused),
-    row(GCC, &["-ffinite-math-only"], Refused),
-    row(GCC, &["-fno-signed-zeros"], Refused),
-    row(GCC, &["-fno-trapping-math"], SameBits),
-    row(GCC, &["-fno-math-errno"], SameBits),
-    row(GCC, &["-fcx-limited-range"], SameBits),
-    row(GCC, &["-fexcess-precision=fast"], SameBits),
-    row(CLANG, &["-ffast-math"], Refused),
-    row(CLANG, &["-Ofast"], Refused),
-    row(CLANG, &["-ffp-model=fast"], Refused),
-    row(CLANG, &["-ffinite-math-only"], Refused),
-    row(CLANG, &["-fno-honor-nans"], Caught),
-    row(CLANG, &["-fno-honor-infinities"], SameBits),
-    row(CLANG, &["-funsafe-math-optimizations"], CaughtOrSameBits),
-    row(CLANG, &["-O3", "-funsafe-math-optimizations", "-march=native"], CaughtOrSameBits),
-    row(CLANG, &["-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"], CaughtOrSameBits),
-    row(CLANG, &["-freciprocal-math"], SameBits),
-    row(CLANG, &["-fno-signed-zeros"], SameBits),
-    row(CLANG, &["-fapprox-func"], SameBits),
-    row(CLANG, &["-fno-trapping-math"], SameBits),
-    row(CLANG, &["-fno-math-errno"], SameBits),
-    // another precision than the declared one
-    row(GCC, &["-fsingle-precision-constant"], CaughtInDouble),
-    row(GCC, &["-mfpmath=387"], Refused),
-    row(GCC, &["-mfpmath=both"], Refused),
-    row(GCC, &["-m32", "-ffreestanding"], Refused),
-    row(CLANG, &["-mno-sse"], Refused),
-    row(CLANG, &["-m32", "-ffreestanding"], Refused),
-    // subnormal numbers taken for 0: there are none
-    Row { tool: GCC, options: &[], link: &["-ffast-math"], expected: SameBits },
-    Row { tool: CLANG, options: &[], link: &["-ffast-math"], expected: SameBits },
-    row(CLANG, &["-fdenormal-fp-math=positive-zero"], SameBits),
-    // harmless
-    row(GCC, &["-frounding-math"], SameBits),
-    row(GCC, &["-fsignaling-nans"], SameBits),
-    row(GCC, &["-ffloat-store"], SameBits),
-    row(GCC, &["-fcx-fortran-rules"], SameBits),
-    row(GCC, &["-mrecip"], SameBits),
-    row(CLANG, &["-frounding-math"], SameBits),
-    row(CLANG, &["-ffp-model=precise", "-march=native"], SameBits),
-    row(CLANG, &["-ffp-model=strict", "-march=native"], SameBits),
-    row(CLANG, &["-ftrapping-math"], SameBits),
-    row(CLANG, &["-mrecip"], SameBits),
-];
 
 /// What the stimulus of a case does, it has done in so many cycles.
 const SAMPLES: usize = 20_000;
@@ -129,17 +82,17 @@ struct Ready {
 #[test]
 #[expect(clippy::print_stdout, reason = "the table is a figure of the acceptance")]
 fn options_that_change_bits_are_refused_or_caught() {
-    let mut mistakes = Vec::new();
+    let (table, mut mistakes) = (table(), Vec::new());
     for tool in tools() {
         let ready = ready(&tool);
         let is_measured = is_measured(&tool);
         // Each row has a part of the blocks in turn, each block a part of the rows.
-        let part = by_depth(4, 15, 1);
+        let part = by_depth(4, 30, 1);
         println!("\n{} behind `-std=c99 -O2`, {} blocks", tool.command, ready.len());
-        let of_tool = TABLE.iter().filter(|row| row.tool.command == tool.command);
+        let of_tool = table.iter().filter(|row| row.command == tool.command);
         for (number, row) in of_tool.enumerate() {
-            let options = [row.options, row.link.first().map_or(&[][..], |_| &["(linked with)"]), row.link].concat();
-            let options = options.join(" ");
+            let linked: &[&str] = if row.link.is_empty() { &[] } else { &["(linked with)"] };
+            let options = [&row.options, linked, &row.link].concat().join(" ");
             if options.contains("-mfma") && !has_fma() {
                 println!("  {options:<70} not run: this processor has no fused multiply-add");
                 continue;
@@ -169,7 +122,7 @@ fn ready(tool: &Tool) -> Vec<Ready> {
 }
 
 fn outcome(ready: &Ready, row: &Row) -> Outcome {
-    let compiler = Compiler::new(row.tool.command, &[&["-O2"], row.options].concat()).linking(row.link);
+    let compiler = Compiler::new(row.command, &[&["-O2"], &row.options[..]].concat()).linking(&row.link);
     match ready.harness.run(&ready.inputs, &compiler) {
         Err(Failure::Refused(_)) => Outcome::Refused,
         Err(Failure::SelfTest(_)) => Outcome::Caught,

@@ -6,9 +6,7 @@
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many mistakes were planted and found")]
 
 mod checks;
-mod gravity;
 mod lives;
-mod ordinary;
 mod planted;
 mod project;
 mod script;

@@ -1,10 +1,11 @@
 //! What an axis meets, cycle by cycle, while a life is written: its row, the motion, the NC's filter.
 
-/// A drive that operates; one that is switched on; a fault; a quick stop.
-pub const OPERATES: u32 = 0x1237;
-pub const SWITCHED_ON: u32 = 0x0233;
-pub const FAULT: u32 = 0x123F;
-pub const QUICK_STOP: u32 = 0x1217;
+use std::str::FromStr;
+
+const OPERATES: u32 = 0x1237;
+const SWITCHED_ON: u32 = 0x0233;
+/// Status words of a drive.
+const DRIVE: [(&str, u32); 3] = [("OPERATES", OPERATES), ("FAULT", 0x123F), ("QUICK_STOP", 0x1217)];
 
 /// One cycle of an axis.
 #[derive(Clone, Debug)]
@@ -47,8 +48,8 @@ pub struct Row {
 
 /// A life while it is written.
 pub struct Script {
-    pub rows: Vec<Row>,
-    pub now: Row,
+    rows: Vec<Row>,
+    now: Row,
     filter_cycles: f64,
     /// of the vibration [cycles]
     period: f64,
@@ -88,13 +89,37 @@ impl Script {
         Self { rows: Vec::new(), now, filter_cycles, period, vibration: 0.0 }
     }
 
-    /// These cycles have a state and no error.
-    pub fn go(&mut self, cycles: usize, state: i32) {
-        self.see(cycles, state, 0);
+    /// A section of `lives.txt`, whose marks are cycles.
+    pub fn read(mut self, section: &str, marks: &[(&str, usize)]) -> Vec<Row> {
+        let text = include_str!("lives.txt").split(&format!("\n== {section}\n")).nth(1).unwrap();
+        let lines = text.split("\n== ").next().unwrap().lines().map(|line| line.split('#').next().unwrap().trim());
+        lines.filter(|line| !line.is_empty()).for_each(|line| self.line(line, marks));
+        self.rows
+    }
+
+    fn line(&mut self, line: &str, marks: &[(&str, usize)]) {
+        let words: Vec<&str> = line.split_whitespace().collect();
+        match words[..] {
+            [field, "=", value] => set(&mut self.now, field, value),
+            ["last", field, "=", value] => set(self.rows.last_mut().unwrap(), field, value),
+            ["go", cycles, state] => self.see(of(cycles), of(state), 0),
+            ["go", cycles, state, error] => self.see(of(cycles), of(state), of(error)),
+            ["until", mark, state] => {
+                let (_, end) = marks.iter().find(|(known, _)| *known == mark).unwrap();
+                self.see(end - self.rows.len(), of(state), 0);
+            }
+            ["power", is_on] => self.power(is_on == "on"),
+            ["accelerate", acceleration, vibration] => self.accelerate(of(acceleration), of(vibration)),
+            ["halt"] => self.halt(),
+            ["stand"] => self.stand(),
+            ["press", state, error] => self.press(of(state), of(error)),
+            ["bad", state] => self.bad(of(state)),
+            _ => panic!("{line}"),
+        }
     }
 
     /// These cycles have a state and an error.
-    pub fn see(&mut self, cycles: usize, state: i32, error: u32) {
+    fn see(&mut self, cycles: usize, state: i32, error: u32) {
         for _ in 0..cycles {
             let turn = std::f64::consts::TAU / self.period * self.rows.len() as f64;
             if !self.now.not_moving {
@@ -108,7 +133,7 @@ impl Script {
     }
 
     /// The program of the machine has given power, or taken it.
-    pub fn power(&mut self, is_on: bool) {
+    fn power(&mut self, is_on: bool) {
         (self.now.operational, self.now.closed) = (is_on, is_on);
         self.now.drive = if is_on { OPERATES } else { SWITCHED_ON };
         if !is_on {
@@ -117,36 +142,59 @@ impl Script {
     }
 
     /// Moves with a vibration, at a constant acceleration of the set value.
-    pub fn accelerate(&mut self, acceleration: f64, vibration: f64) {
+    fn accelerate(&mut self, acceleration: f64, vibration: f64) {
         (self.now.acceleration, self.now.not_moving, self.vibration) = (acceleration, false, vibration);
     }
 
     /// The set value is at rest in the middle of a job; the structure goes on ringing.
-    pub fn halt(&mut self) {
+    fn halt(&mut self) {
         (self.now.acceleration, self.now.set_velocity) = (0.0, 0.0);
     }
 
     /// Stands, without a job.
-    pub fn stand(&mut self) {
+    fn stand(&mut self) {
         self.halt();
         (self.now.not_moving, self.vibration) = (true, 0.0);
     }
 
     /// A button that is pressed for two cycles.
-    pub fn press(&mut self, state: i32, error: u32) {
+    fn press(&mut self, state: i32, error: u32) {
         self.now.acknowledge = true;
         self.see(2, state, error);
         self.now.acknowledge = false;
     }
 
     /// A lost telegram.
-    pub fn bad(&mut self, state: i32) {
-        self.go(1, state);
-        self.last().velocity = f64::NAN;
+    fn bad(&mut self, state: i32) {
+        self.see(1, state, 0);
+        self.rows.last_mut().unwrap().velocity = f64::NAN;
     }
+}
 
-    /// The last row.
-    pub fn last(&mut self) -> &mut Row {
-        self.rows.last_mut().unwrap()
+fn of<T: FromStr>(text: &str) -> T {
+    text.parse().unwrap_or_else(|_| panic!("{text}"))
+}
+
+fn set(row: &mut Row, field: &str, value: &str) {
+    match field {
+        "operational" => row.operational = of(value),
+        "closed" => row.closed = of(value),
+        "homing" => row.homing = of(value),
+        "nc_error" => row.nc_error = of(value),
+        "percentage" => row.percentage = of(value),
+        "acceleration" => row.acceleration = of(value),
+        "drive" => row.drive = DRIVE.iter().find(|(name, _)| *name == value).unwrap().1,
+        "mode" => row.mode = of(value),
+        "stop" => row.stop = of(value),
+        "setup" => row.setup = of(value),
+        "hold" => row.hold = of(value),
+        "brake_closed" => row.brake_closed = of(value),
+        "feed_torque" => row.feed_torque = of(value),
+        "weight" => row.weight = of(value),
+        "acknowledge" => row.acknowledge = of(value),
+        "cycle" => row.cycle = of(value),
+        "missing" => row.missing = of(value),
+        "feeds" => row.feeds = of(value),
+        _ => panic!("{field}"),
     }
 }

@@ -121,7 +121,7 @@ fn stages_that_are_none() {
         &["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"],
     );
     said("mode=DIRECT,fg_f0=53,q_factor=100", &["--stage: error[AX203]"]);
-    said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is no key of a stage", "write instead: fg_f0"]);
+    said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is not a key of a stage", "write instead: fg_f0"]);
     said("mode=DIRECT,fg_f0=53,q_factor=10,weight=0.12345", &["error[AX011]", "weight=0.12345", "up to 3 digits"]);
     said("mode=DIRECT,fg_f0=53,fg_f0=54", &["error[AX011]", "fg_f0` is given twice"]);
     said("mode=DIRECT,fg_f0=53,allpass=20", &["error[AX011]", "allpass=F0/Q"]);

@@ -67,7 +67,7 @@ fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
         }
     };
     let found = format!(
-        "{} has ADD_VEL: beside the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out \
+        "{} has ADD_VEL: in addition to the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out \
              none{counted}",
         e.title(mode)
     );
