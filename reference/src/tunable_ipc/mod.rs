@@ -72,8 +72,6 @@ pub struct State<R> {
     pub turn: u32,
     /// the number in use whose turn it is
     pub picked: Picked<R>,
-    /// its copy
-    pub picked_copy: Picked<R>,
     /// the check of an offered set, or of the numbers that were copied
     pub check: check::State<R>,
     /// the cycle
@@ -140,12 +138,12 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
             refused = error_set_structure();
         }
     } else {
-        if is_copied {
-            state.check.picked.number = state.picked.number;
-        } else {
-            numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
-        }
         if state.check.turn < check::length(coeffs) {
+            if is_copied {
+                state.check.picked.number = state.picked.number;
+            } else {
+                numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
+            }
             refused = check::step(&mut state.check, coeffs, is_copied);
             state.turn = if is_copied { state.check.turn } else { state.turn };
         } else if is_copied {
@@ -207,10 +205,9 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let numbers = check::length(coeffs);
     if state.turn <= numbers {
-        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now);
+        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now, &state.copy);
         if state.set_id != 0u32 {
-            numbers::pick(&mut state.picked_copy, state.turn, &coeffs.ipc, &state.copy);
-            if in_range(state.picked.number - state.picked_copy.number, R::ZERO) {
+            if in_range(state.picked.number - state.picked.copy, R::ZERO) {
                 state.turn += 1u32;
             } else {
                 note(

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   473612b284e0c220d84f29df94f30947
- * checksum    8788d5c6d45d4fab491cfcf65d9c6a2e
+ * structure   906f0a3ab212d68bbe18cc6645bfe166
+ * checksum    05fc747809085b176187bd6cd5a9e6e9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -117,13 +117,14 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->copy_stage0_gain = 0.0f;
     state->turn = 0u;
     state->picked_number = 0.0f;
-    state->picked_copy_number = 0.0f;
+    state->picked_copy = 0.0f;
     state->check_set_id = 0u;
     state->check_turn = 0u;
     state->check_picked_number = 0.0f;
     state->check_picked_role = 0;
     state->check_before = 0.0f;
     state->check_two_before = 0.0f;
+    state->check_three_before = 0.0f;
     state->check_forming_first = 0;
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
@@ -174,6 +175,7 @@ static void axis_x_ipc_any_cycle(
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled by 2^-20 */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
     static const float pole_limit = 2.0f; /* 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section */
+    static const int32_t role_g2 = 8; /* what a number of a set is: G2 of the simulated oscillation, after its H, R and G */
     static const float first_cut = 32768.0f; /* 2^15: scales a number before its first integer for the check word is taken */
     /* largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken */
     static const float largest_piece = 2147483500.0f;
@@ -218,13 +220,13 @@ static void axis_x_ipc_any_cycle(
                     state->check_forming_second = empty_second;
                     state->check_forming_first = empty_first;
                     state->check_turn = 0u;
-                    uint32_t turn_3;
+                    uint32_t turn_2;
                     if (is_copied) {
-                        turn_3 = 0u;
+                        turn_2 = 0u;
                     } else {
-                        turn_3 = state->turn;
+                        turn_2 = state->turn;
                     }
-                    state->turn = turn_3;
+                    state->turn = turn_2;
                     const uint32_t set_id = state->offered_set;
                     state->check_set_id = set_id;
                     if (inputs->params->structure != structure || state->offered_set == 0u) {
@@ -232,196 +234,191 @@ static void axis_x_ipc_any_cycle(
                     } else {
                         refused = AXIS_X_IPC_ERROR_NONE;
                     }
-                } else {
+                } else if (state->check_turn < 7u) {
                     if (is_copied) {
                         state->check_picked_number = state->picked_number;
                     } else {
-                        const uint32_t turn_4 = state->check_turn;
-                        if (turn_4 == 0u) {
+                        const uint32_t turn_3 = state->check_turn;
+                        state->check_picked_role = role_coefficient;
+                        if (turn_3 == 0u) {
                             state->check_picked_number = inputs->params->limit;
-                        } else if (turn_4 == 1u) {
+                            state->check_picked_role = role_limit;
+                        } else if (turn_3 == 1u) {
                             state->check_picked_number = inputs->params->lower_limit;
-                        } else if (turn_4 == 2u) {
+                            state->check_picked_role = role_lower_limit;
+                        } else if (turn_3 == 2u) {
                             state->check_picked_number = inputs->params->sum_limit;
-                        } else if (turn_4 == 3u) {
+                            state->check_picked_role = role_sum_limit;
+                        } else if (turn_3 == 3u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                        } else if (turn_4 == 4u) {
+                        } else if (turn_3 == 4u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                        } else if (turn_4 == 5u) {
+                        } else if (turn_3 == 5u) {
                             state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                        } else if (turn_4 == 6u) {
+                            state->check_picked_role = role_c;
+                        } else if (turn_3 == 6u) {
                             state->check_picked_number = inputs->params->stage0_gain;
+                            state->check_picked_role = role_gain;
                         } else {
                             /* no action */
                         }
                     }
-                    if (state->check_turn < 7u) {
-                        bool check_is_in_order;
-                        if (is_copied) {
-                            check_is_in_order = true;
-                        } else {
-                            const uint32_t check_turn = state->check_turn;
-                            state->check_picked_role = role_coefficient;
-                            if (check_turn == 0u) {
-                                state->check_picked_role = role_limit;
-                            } else if (check_turn == 1u) {
-                                state->check_picked_role = role_lower_limit;
-                            } else if (check_turn == 2u) {
-                                state->check_picked_role = role_sum_limit;
-                            } else if (check_turn == 5u) {
-                                state->check_picked_role = role_c;
-                            } else if (check_turn == 6u) {
-                                state->check_picked_role = role_gain;
-                            } else {
-                                /* no action */
-                            }
-                            const float check_number = state->check_picked_number;
-                            const int32_t check_role = state->check_picked_role;
-                            if (check_role == role_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
-                            } else if (check_role == role_lower_limit) {
-                                check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
-                            } else if (check_role == role_sum_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
-                                        && check_number >= state->check_two_before;
-                            } else if (check_role == role_gain) {
-                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
-                            } else if (check_role == role_c) {
-                                const float check_a = state->check_two_before;
-                                const float check_b = state->check_before;
-                                if (axis_x_ipc_magnitude(check_a) <= largest_number
-                                        && axis_x_ipc_magnitude(check_b) <= pole_limit
-                                        && axis_x_ipc_magnitude(check_number) <= largest_number) {
-                                    const float check_product = check_a * check_number;
-                                    check_is_in_order =
-                                        0.0f < check_product && check_product < check_b && check_b < pole_limit;
-                                } else {
-                                    check_is_in_order = false;
-                                }
-                            } else {
-                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
-                            }
-                        }
-                        if (check_is_in_order) {
-                            const float check_number_2 = state->check_picked_number;
-                            const bool check_is_limit = state->check_turn < 3u;
-                            float check_scaled;
-                            if (check_is_limit) {
-                                check_scaled = check_number_2 * limit_scale;
-                            } else {
-                                check_scaled = check_number_2;
-                            }
-                            float check_forming_rest;
-                            if (state->check_forming_pieces == 0u) {
-                                check_forming_rest = check_scaled * first_cut;
-                            } else {
-                                check_forming_rest = state->check_forming_rest;
-                            }
-                            int32_t check_forming_piece;
-                            if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
-                                check_forming_piece = (int32_t)check_forming_rest;
-                            } else {
-                                /* reached only if the block's memory was corrupted */
-                                check_forming_piece = 0;
-                            }
-                            state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
-                            const int32_t check_forming_remainder = check_forming_piece % 46337;
-                            int32_t check_forming_part;
-                            if (check_forming_remainder < 0) {
-                                check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
-                            } else {
-                                check_forming_part = check_forming_remainder;
-                            }
-                            const int32_t check_forming_first =
-                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
-                            const int32_t check_forming_second =
-                                (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
-                            state->check_forming_first =
-                                ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
-                            state->check_forming_second =
-                                ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
-                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
-                            if (check_forming_is_complete) {
-                                state->check_forming_pieces = 0u;
-                                state->check_forming_left_over =
-                                    state->check_forming_left_over + state->check_forming_rest;
-                            } else {
-                                state->check_forming_pieces = state->check_forming_pieces + 1u;
-                            }
-                            bool check_is_done;
-                            if (check_forming_is_complete) {
-                                state->check_two_before = state->check_before;
-                                state->check_before = check_number_2;
-                                state->check_turn = state->check_turn + 1u;
-                                check_is_done = state->check_turn >= 7u;
-                            } else {
-                                check_is_done = false;
-                            }
-                            if (check_is_done) {
-                                const uint32_t check_set_id = state->check_set_id;
-                                const uint32_t check_quotient = check_set_id / 46337u;
-                                const float check_first =
-                                    (float)check_quotient - (float)state->check_forming_first - 1.0f;
-                                const float check_second =
-                                    (float)(check_set_id % 46337u) - (float)state->check_forming_second;
-                                const bool check_is_word =
-                                    axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
-                                        && axis_x_ipc_is_zero(state->check_forming_left_over);
-                                if (check_is_word) {
-                                    refused = AXIS_X_IPC_ERROR_NONE;
-                                } else {
-                                    refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
-                                }
-                            } else {
-                                refused = AXIS_X_IPC_ERROR_NONE;
-                            }
-                        } else {
-                            refused = AXIS_X_IPC_ERROR_SET_UNSOUND;
-                        }
-                        uint32_t turn_5;
-                        if (is_copied) {
-                            turn_5 = state->check_turn;
-                        } else {
-                            turn_5 = state->turn;
-                        }
-                        state->turn = turn_5;
+                    bool check_is_in_order;
+                    if (is_copied) {
+                        check_is_in_order = true;
                     } else {
-                        if (is_copied) {
-                            state->copied_set = 0u;
-                            state->turn = 0u;
-                            state->set_id = state->offered_set;
-                            state->acting_set = state->offered_set;
-                        } else {
-                            state->refused = AXIS_X_IPC_ERROR_NONE;
-                            if (state->ipc_fade == 0u) {
-                                state->now_limit = inputs->params->limit;
-                                state->now_lower_limit = inputs->params->lower_limit;
-                                state->now_sum_limit = inputs->params->sum_limit;
-                                state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                                state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                                state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                                state->now_stage0_gain = inputs->params->stage0_gain;
-                                state->copy_limit = state->now_limit;
-                                state->copy_lower_limit = state->now_lower_limit;
-                                state->copy_sum_limit = state->now_sum_limit;
-                                state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-                                state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-                                state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-                                state->copy_stage0_gain = state->now_stage0_gain;
-                                state->copied_set = state->offered_set;
-                                state->check_set_id = 0u;
-                                state->set_id = 0u;
-                                state->acting_set = 0u;
-                                state->turn = 0u;
-                                state->ipc_preset = false;
+                        const float check_number = state->check_picked_number;
+                        const int32_t check_role = state->check_picked_role;
+                        if (check_role == role_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
+                        } else if (check_role == role_lower_limit) {
+                            check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
+                        } else if (check_role == role_sum_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
+                                    && check_number >= state->check_two_before;
+                        } else if (check_role == role_gain) {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
+                        } else if (check_role == role_c) {
+                            const float check_a = state->check_two_before;
+                            const float check_b = state->check_before;
+                            if (axis_x_ipc_magnitude(check_a) <= largest_number
+                                    && axis_x_ipc_magnitude(check_b) <= pole_limit
+                                    && axis_x_ipc_magnitude(check_number) <= largest_number) {
+                                const float check_product = check_a * check_number;
+                                check_is_in_order =
+                                    0.0f < check_product && check_product < check_b && check_b < pole_limit;
                             } else {
-                                state->acting_set = 0u;
+                                check_is_in_order = false;
                             }
+                        } else if (check_role == role_g2) {
+                            const float check_a_2 = state->check_before * state->check_three_before;
+                            const float check_b_2 = state->check_before * state->check_two_before;
+                            const float check_product_2 = check_a_2 * check_number;
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= largest_number
+                                    && 0.0f < check_product_2 && check_product_2 < check_b_2 && check_b_2 < pole_limit;
+                        } else {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
                         }
-                        refused = AXIS_X_IPC_ERROR_NONE;
                     }
+                    if (check_is_in_order) {
+                        const float check_number_2 = state->check_picked_number;
+                        const bool check_is_limit = state->check_turn < 3u;
+                        float check_scaled;
+                        if (check_is_limit) {
+                            check_scaled = check_number_2 * limit_scale;
+                        } else {
+                            check_scaled = check_number_2;
+                        }
+                        float check_forming_rest;
+                        if (state->check_forming_pieces == 0u) {
+                            check_forming_rest = check_scaled * first_cut;
+                        } else {
+                            check_forming_rest = state->check_forming_rest;
+                        }
+                        int32_t check_forming_piece;
+                        if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
+                            check_forming_piece = (int32_t)check_forming_rest;
+                        } else {
+                            /* reached only if the block's memory was corrupted */
+                            check_forming_piece = 0;
+                        }
+                        state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                        const int32_t check_forming_remainder = check_forming_piece % 46337;
+                        int32_t check_forming_part;
+                        if (check_forming_remainder < 0) {
+                            check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
+                        } else {
+                            check_forming_part = check_forming_remainder;
+                        }
+                        const int32_t check_forming_first =
+                            (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                        const int32_t check_forming_second =
+                            (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
+                        state->check_forming_first =
+                            ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
+                        state->check_forming_second =
+                            ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
+                        const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                        if (check_forming_is_complete) {
+                            state->check_forming_pieces = 0u;
+                            state->check_forming_left_over = state->check_forming_left_over + state->check_forming_rest;
+                        } else {
+                            state->check_forming_pieces = state->check_forming_pieces + 1u;
+                        }
+                        bool check_is_done;
+                        if (check_forming_is_complete) {
+                            state->check_three_before = state->check_two_before;
+                            state->check_two_before = state->check_before;
+                            state->check_before = check_number_2;
+                            state->check_turn = state->check_turn + 1u;
+                            check_is_done = state->check_turn >= 7u;
+                        } else {
+                            check_is_done = false;
+                        }
+                        if (check_is_done) {
+                            const uint32_t check_set_id = state->check_set_id;
+                            const uint32_t check_quotient = check_set_id / 46337u;
+                            const float check_first = (float)check_quotient - (float)state->check_forming_first - 1.0f;
+                            const float check_second =
+                                (float)(check_set_id % 46337u) - (float)state->check_forming_second;
+                            const bool check_is_word =
+                                axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
+                                    && axis_x_ipc_is_zero(state->check_forming_left_over);
+                            if (check_is_word) {
+                                refused = AXIS_X_IPC_ERROR_NONE;
+                            } else {
+                                refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
+                            }
+                        } else {
+                            refused = AXIS_X_IPC_ERROR_NONE;
+                        }
+                    } else {
+                        refused = AXIS_X_IPC_ERROR_SET_UNSOUND;
+                    }
+                    uint32_t turn_4;
+                    if (is_copied) {
+                        turn_4 = state->check_turn;
+                    } else {
+                        turn_4 = state->turn;
+                    }
+                    state->turn = turn_4;
+                } else {
+                    if (is_copied) {
+                        state->copied_set = 0u;
+                        state->turn = 0u;
+                        state->set_id = state->offered_set;
+                        state->acting_set = state->offered_set;
+                    } else {
+                        state->refused = AXIS_X_IPC_ERROR_NONE;
+                        if (state->ipc_fade == 0u) {
+                            state->now_limit = inputs->params->limit;
+                            state->now_lower_limit = inputs->params->lower_limit;
+                            state->now_sum_limit = inputs->params->sum_limit;
+                            state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
+                            state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
+                            state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
+                            state->now_stage0_gain = inputs->params->stage0_gain;
+                            state->copy_limit = state->now_limit;
+                            state->copy_lower_limit = state->now_lower_limit;
+                            state->copy_sum_limit = state->now_sum_limit;
+                            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+                            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+                            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+                            state->copy_stage0_gain = state->now_stage0_gain;
+                            state->copied_set = state->offered_set;
+                            state->check_set_id = 0u;
+                            state->set_id = 0u;
+                            state->acting_set = 0u;
+                            state->turn = 0u;
+                            state->ipc_preset = false;
+                        } else {
+                            state->acting_set = 0u;
+                        }
+                    }
+                    refused = AXIS_X_IPC_ERROR_NONE;
                 }
                 if (refused != AXIS_X_IPC_ERROR_NONE) {
                     state->refused = refused;
@@ -632,41 +629,30 @@ void axis_x_ipc_step(
         const uint32_t turn = state->turn;
         if (turn == 0u) {
             state->picked_number = state->now_limit;
+            state->picked_copy = state->copy_limit;
         } else if (turn == 1u) {
             state->picked_number = state->now_lower_limit;
+            state->picked_copy = state->copy_lower_limit;
         } else if (turn == 2u) {
             state->picked_number = state->now_sum_limit;
+            state->picked_copy = state->copy_sum_limit;
         } else if (turn == 3u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_a;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_a;
         } else if (turn == 4u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_b;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_b;
         } else if (turn == 5u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_c;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_c;
         } else if (turn == 6u) {
             state->picked_number = state->now_stage0_gain;
+            state->picked_copy = state->copy_stage0_gain;
         } else {
             /* no action */
         }
         if (state->set_id != 0u) {
-            const uint32_t turn_2 = state->turn;
-            if (turn_2 == 0u) {
-                state->picked_copy_number = state->copy_limit;
-            } else if (turn_2 == 1u) {
-                state->picked_copy_number = state->copy_lower_limit;
-            } else if (turn_2 == 2u) {
-                state->picked_copy_number = state->copy_sum_limit;
-            } else if (turn_2 == 3u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_a;
-            } else if (turn_2 == 4u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_b;
-            } else if (turn_2 == 5u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_c;
-            } else if (turn_2 == 6u) {
-                state->picked_copy_number = state->copy_stage0_gain;
-            } else {
-                /* no action */
-            }
-            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy_number)) {
+            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy)) {
                 state->turn = state->turn + 1u;
             } else {
                 /* a number in use was corrupted: this cycle reports it, then the block takes the offered set over
