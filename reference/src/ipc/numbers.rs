@@ -1,5 +1,4 @@
 //! The numbers of a parameter set: the limits and the numbers of the stages. They are copied, and picked one by one.
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::STAGES;
 use super::{Coeffs, watch};

@@ -138,12 +138,12 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
             refused = error_set_structure();
         }
     } else {
+        if is_copied {
+            state.check.picked.number = state.picked.number;
+        } else {
+            numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
+        }
         if state.check.turn < check::length(coeffs) {
-            if is_copied {
-                state.check.picked.number = state.picked.number;
-            } else {
-                numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
-            }
             refused = check::step(&mut state.check, coeffs, is_copied);
             state.turn = if is_copied { state.check.turn } else { state.turn };
         } else if is_copied {

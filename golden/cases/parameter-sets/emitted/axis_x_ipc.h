@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   906f0a3ab212d68bbe18cc6645bfe166
- * checksum    dc03c592a33790819055bd202d30904a
+ * structure   44bb974ad06004ecacf615dab26bf093
+ * checksum    c6aecfb31f1d9db1ee181b7c02279ce0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -44,10 +44,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x906f0a3au
-#define AXIS_X_IPC_STRUCTURE_1 0xb212d68bu
-#define AXIS_X_IPC_STRUCTURE_2 0xbe18cc66u
-#define AXIS_X_IPC_STRUCTURE_3 0x45bfe166u
+#define AXIS_X_IPC_STRUCTURE_0 0x44bb974au
+#define AXIS_X_IPC_STRUCTURE_1 0xd06004ecu
+#define AXIS_X_IPC_STRUCTURE_2 0xacf615dau
+#define AXIS_X_IPC_STRUCTURE_3 0xb26bf093u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
