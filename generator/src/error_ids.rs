@@ -102,7 +102,8 @@ static ROWS: &[Row] = rows! {
                                operation_mode_display. Then a reset.";
     error_brake: STAYS, "The drive does not follow velocity_command, v_actual is wrong or noisy, or spindle.window or spindle.brake_timeout is too small. \
                          Then a reset.";
-    error_to_position: STAYS, "As for 41, on the way to position control. Then a reset.";
+    error_to_position: STAYS, "A drive that does not display the mode: as for 41. At the start: v_actual must be valid, and at most Voff and the \
+                               window, in three consecutive cycles, and x_actual valid. Then a reset.";
     error_half_turn: "The spindle brakes with spindle.deceleration to standstill by its velocity command and stays there, with this id, until a reset. The \
                       block axis of a spindle without a changeover holds x_drive, for as long as the fault lasts.", "Command less than 180 degrees a cycle under position control: a lower speed, a shorter cycle, or velocity control above \
                              P-AXIS-00767. Then a reset.";

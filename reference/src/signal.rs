@@ -197,7 +197,7 @@ pub fn error_brake() -> u32 {
     42u32
 }
 
-/// error_id: spindle: the drive does not display position control within the time; stays until reset
+/// error_id: spindle: position control does not begin within the time; stays until reset
 #[portable]
 pub fn error_to_position() -> u32 {
     43u32

@@ -8,6 +8,8 @@
 extern "C" {
 #endif
 
+/* {{ block.purpose }} */
+
 {% if !block.certificate.is_empty() -%}
 /* {{ block.certificate }} */
 

@@ -8,6 +8,8 @@
 // checksum    {{ crate::digest::NO_CHECKSUM }}
 // licence     {{ crate::target::LICENCE }}
 
+// {{ purpose }}
+
 {% if !certificate.is_empty() -%}
 // {{ certificate }}
 

@@ -181,13 +181,14 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
         outputs->manipulated_variable = increments > 0.0 ? INT32_MAX : INT32_MIN;
         limited = limited || increments > 0.0 || increments <= lowest;
     }
+    if (gives_up) {
+        give_up(spindle, v_command);
+        cycle.error_id = 48u;
+    }
     outputs->error_id = cycle.error_id;
     outputs->loop_closed = cycle.loop_closed;
     outputs->limited = limited;
     outputs->fault = cycle.error_id != 0u;
-    if (gives_up) {
-        give_up(spindle, v_command);
-    }
 }
 
 /* The manipulated variable beyond the range, or at its lower end. */
@@ -248,6 +249,8 @@ OFTEN void run_in_position(
     put_out(spindle, outputs, x, v, v_command + v_add, limited, true);
     if (gives_up) {
         give_up(spindle, v_command);
+        outputs->error_id = 48u;
+        outputs->fault = true;
     }
 }
 

@@ -32,9 +32,9 @@ pub struct Control {
 }
 
 impl Control {
-    /// The units of a path, of a fine path, and of a velocity as scalings have it.
-    pub(crate) fn scaling_units(&self) -> [&'static str; 3] {
-        if self.is_rotary { ["0.001 deg", "0.0001 deg", "1000 deg/min"] } else { ["um", "0.1 um", "1 m/min"] }
+    /// The units of a fine path, and of a velocity as scalings have it.
+    pub(crate) fn scaling_units(&self) -> [&'static str; 2] {
+        if self.is_rotary { ["0.0001 deg", "1000 deg/min"] } else { ["0.1 um", "1 m/min"] }
     }
 
     /// Whether only improved position control is asked for.

@@ -14,6 +14,8 @@ pub struct Block {
     pub program: Program,
     /// the same with the signals that the axis has
     pub for_axis: AxisProgram,
+    /// what it is for, what its first call does, and what happens while it is not called
+    pub(crate) purpose: String,
     /// what the coefficients under a path mean, for a reviewer
     pub(crate) notes: BTreeMap<String, String>,
     pub(crate) exercise: Arc<Exercise>,

@@ -17,6 +17,9 @@ pub trait BlockKind: Typed {
     /// Its name where names have to be short.
     fn short_name(&self) -> &'static str;
 
+    /// What it is for, what its first call does, and what happens while it is not called: for the head of its files.
+    fn purpose(&self, designed: &Designed) -> String;
+
     /// The meanings of its coefficients: a path among them, or the beginning of one, and a text.
     fn notes(&self, designed: &Designed) -> Vec<(String, String)>;
 

@@ -139,7 +139,8 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
     let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
     let shown = shown(kind, designed, &program);
     shown.refuse(program.block)?;
-    Ok(Block { program, for_axis, notes, exercise, self_test, trial, answers, certificate, shown, structure })
+    let purpose = kind.purpose(designed);
+    Ok(Block { program, for_axis, purpose, notes, exercise, self_test, trial, answers, certificate, shown, structure })
 }
 
 /// The ranges of the outputs of a program.

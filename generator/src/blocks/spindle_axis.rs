@@ -1,6 +1,6 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{BlockKind, Certified, Design, Drill, Figure, Summary, ipc};
+use super::{BlockKind, Certified, Design, Drill, Figure, Summary, axis, ipc, spindle};
 use crate::blocks::designed::Designed;
 use compiler::pass::Defect;
 use compiler::program::Program;
@@ -26,6 +26,11 @@ impl BlockKind for SpindleAxis {
 
     fn short_name(&self) -> &'static str {
         "sx"
+    }
+
+    fn purpose(&self, designed: &Designed) -> String {
+        let (parts, changeover) = (axis::parts(designed), spindle::changeover(&designed.spindle));
+        format!("The whole axis of a spindle: changeover between position and velocity control, {parts}. {changeover}")
     }
 
     /// The notes of its parts.

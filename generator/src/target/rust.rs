@@ -34,6 +34,8 @@ struct RustFile<'a> {
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
+    /// what it is for, and what its first call does
+    purpose: String,
     /// its proven range, and its measured response
     certificate: String,
     uses_nearest: bool,
@@ -109,6 +111,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         constants,
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
+        purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, outline.next_line),
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         nearly_half: (LANGUAGE.literal)(nearly_half),

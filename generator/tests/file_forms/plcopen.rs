@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 const TYPES: [&str; 7] = ["BOOL", "DINT", "UDINT", "REAL", "LREAL", "pointer", "derived"];
 
 /// What a list of variables holds.
-const VARIABLES: Inside = Elements(&[(&["variable"], Any)]);
+const VARIABLES: Inside = Elements(&[(&["variable"], Any), (&["documentation"], Perhaps)]);
 
 /// What holds text for people.
 const FORMATTED: Inside = Elements(&[(&["xhtml"], Once)]);
@@ -70,7 +70,7 @@ const RULES: [Rule; 46] = [
     rule("documentation", &[], FORMATTED),
     rule("pointer", &[], Elements(&[(&["baseType"], Once)])),
     rule("baseType", &[], Elements(&[(&["DWORD", "LWORD", "DINT", "enum", "struct"], Once)])),
-    rule("struct", &[], VARIABLES),
+    rule("struct", &[], Elements(&[(&["variable"], Any)])),
     rule("body", &[], Elements(&[(&["ST"], Once)])),
     rule("ST", &[], FORMATTED),
     rule("xhtml", &[("xmlns", |value| value == "http://www.w3.org/1999/xhtml")], Text),

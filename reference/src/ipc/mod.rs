@@ -371,11 +371,13 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             && (!coeffs.ride_through.active || state.ride_through.bad == 0u32)
             && are_followed(&state.tuning, &coeffs.tuning, &coeffs.stage, inputs)
         {
+            note("the fast path: the mode is ON, the fade is full, and the factors have reached their inputs");
             outputs.held = false;
             call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
             act_in_full(state, coeffs, inputs, outputs);
             tell_trip(state, coeffs, outputs);
         } else {
+            note("any other cycle: the start, a fade, a change of a factor, a fault");
             any_cycle(state, coeffs, inputs, outputs);
         }
     } else {

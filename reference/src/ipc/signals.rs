@@ -17,11 +17,11 @@ pub struct Inputs<R> {
     /// velocity of the direct measuring system, v_ist2 [um/s or 0.001 deg/s]; input of DIRECT (P-AXIS-00753) by the key
     /// direct_source
     pub v_direct: R,
-    /// with the key tunable: factor of each stage's weight, 0 to 1; outside this range the last valid value stays active and
-    /// error_id reports it: not a fault
+    /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays active, with the
+    /// id 4, which is not a fault
     pub tuning_weight: [R; STAGES],
-    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
-    /// and error_id reports it: not a fault
+    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active,
+    /// with the id 4, which is not a fault
     pub tuning_limit: R,
     /// 0 OFF, 1 ON, 2 DRYRUN; any other value is a fault; starts with the value of P-AXIS-00758
     pub mode: i32,

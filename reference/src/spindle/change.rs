@@ -15,13 +15,13 @@ pub fn is_displayed<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, mode: i32) 
 /// The time by which the position command leads the actual position [s].
 #[portable]
 pub fn lead_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> R {
-    let mut time = coeffs.lead_time;
+    let mut lead = coeffs.lead_time;
     let is_active = coeffs.default_active || inputs.feedforward_active;
     if coeffs.has_feedforward && is_active && inputs.feedforward_percentage > 0i32 {
         let percentage = if inputs.feedforward_percentage < 100i32 { inputs.feedforward_percentage } else { 100i32 };
-        time = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
+        lead = coeffs.lead_time - coeffs.lead_time_per_percent * from_i32(percentage);
     }
-    time
+    lead
 }
 
 /// Position control begins in the next cycle: at the actual position when the command arrives, with the lag that the
@@ -38,7 +38,7 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
     state.catches = false;
 }
 
-/// The drive has the requested mode: the interpolator takes over.
+/// The drive has the requested mode, or need not change it: the interpolator takes over.
 #[portable]
 pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>) {
     state.takes_over = true;
@@ -46,7 +46,11 @@ pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut C
         note("TO_POSITION -> VELOCITY: the drive has no position control");
         cycle.next = SpindleState::Velocity;
     } else {
-        note("TO_POSITION -> POSITION: the drive displays position control");
+        if coeffs.in_drive {
+            note("TO_POSITION -> POSITION: the drive displays position control");
+        } else {
+            note("TO_POSITION -> POSITION: the CNC closes its position loop");
+        }
         cycle.next = SpindleState::Position;
     }
 }

@@ -23,7 +23,7 @@ pub fn speed_of<R: Real>(inputs: &Inputs<R>) -> R {
 
 /// The reason why a request is refused.
 #[portable]
-pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, waiting_now: u32) -> u32 {
+pub fn refusal<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job) -> u32 {
     let has_speed = wanted == Job::Turn || wanted == Job::Orient;
     if has_speed && inputs.m3 && inputs.m4 {
         error_direction()
@@ -35,7 +35,7 @@ pub fn refusal<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>, wanted: Job, wai
         error_only_velocity()
     } else if !inputs.drive_on {
         error_drive_off()
-    } else if waiting_now >= 4u32 {
+    } else if state.queued >= 4u32 {
         error_waiting()
     } else {
         error_none()
@@ -69,7 +69,7 @@ pub fn take<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
             wanted = Job::Stop;
             has_others = new_turn;
         }
-        let why = refusal(coeffs, inputs, wanted, state.queued);
+        let why = refusal(state, coeffs, inputs, wanted);
         if why != error_none() {
             error_taken = why;
         } else {
@@ -95,6 +95,7 @@ pub fn look<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     let mut request_error = error_none();
     // In most cycles there is no request, now or in the previous cycle.
     if is_any || state.before.any {
+        note("requests: each counts in the cycle in which its input becomes TRUE");
         request_error = take(state, coeffs, inputs);
         state.before.any = is_any;
     }
@@ -131,8 +132,9 @@ pub fn serve<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, job_done: bool) 
 /// The first waiting request becomes the job.
 #[portable]
 pub fn next<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    if !is_request(&state.request[0]) {
-        note("something has overwritten it");
+    let is_intact = is_request(&state.request[0]);
+    if !is_intact {
+        note("the request was corrupted");
         fill(&mut state.request[0], Job::Stop, R::ZERO, R::ZERO);
     }
     let is_fast =

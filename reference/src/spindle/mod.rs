@@ -37,7 +37,7 @@ use calls::look_at_calls;
 use change::resynchronise;
 use jobs::WAITING;
 use motion::{advance, slow_down};
-use portable::{Block, Brake, Enable, Fn, Off, Real, in_range, portable};
+use portable::{Block, Brake, Enable, Fn, Off, Real, in_range, note, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
 use start::{follow, hold_back, release, seize};
@@ -92,34 +92,36 @@ pub fn init<R: Real>(state: &mut State<R>) {
 
 /// Whether the block does not move the spindle yet: the drive is off, or has just been switched on.
 #[portable]
-pub fn is_at_start(control: SpindleState, is_moving: bool) -> bool {
-    control == SpindleState::ToPosition && !is_moving
+pub fn is_at_start<R: Real>(state: &State<R>, control: SpindleState) -> bool {
+    control == SpindleState::ToPosition && !state.is_moving
 }
 
 /// A reset: an error that stays is gone.
 #[portable]
 pub fn reset<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>, drive_on: bool) {
     if state.lasting_error != error_none() {
+        note("the reset ends the error that stayed");
         state.lasting_error = error_none();
-        state.returns = false;
         if drive_on {
             cycle.begins = true;
-            if is_at_start(cycle.control, state.is_moving) {
+            let at_start = is_at_start(state, cycle.control);
+            if at_start {
                 cycle.forgets = true;
             } else {
                 cycle.control = SpindleState::Brake;
             }
         }
     } else if cycle.control == SpindleState::ToVelocity || cycle.control == SpindleState::Velocity {
+        note("the reset leads back to position control");
         state.returns = true;
     }
 }
 
 /// The error of a cycle: first one that stays, then one of a sample, then one of a request.
 #[portable]
-pub fn error_of(lasting: u32, of_sample: u32, of_request: u32) -> u32 {
-    if lasting != error_none() {
-        lasting
+pub fn error_of<R: Real>(state: &State<R>, of_sample: u32, of_request: u32) -> u32 {
+    if state.lasting_error != error_none() {
+        state.lasting_error
     } else if of_sample != error_none() {
         of_sample
     } else {
@@ -155,8 +157,9 @@ pub fn begin<R: Real>(
     state.control = cycle.control;
     state.control_copy = cycle.control;
     cycle.next = cycle.control;
-    if cycle.begins {
+    if cycle.begins || !inputs.drive_on {
         enter(state);
+        state.returns = false;
     }
     request_error
 }
@@ -166,8 +169,12 @@ pub fn begin<R: Real>(
 #[portable]
 pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &Cycle<R>, is_stopped: bool, drive_on: bool) {
     if is_stopped || cycle.brakes || !drive_on {
-        let v_end = if cycle.brakes { coeffs.v_position_control_on } else { R::ZERO };
-        let v_end_negative = if cycle.brakes { coeffs.v_position_control_on_negative } else { R::ZERO };
+        let mut v_end = R::ZERO;
+        let mut v_end_negative = R::ZERO;
+        if cycle.brakes {
+            v_end = coeffs.v_position_control_on;
+            v_end_negative = coeffs.v_position_control_on_negative;
+        }
         slow_down(state, coeffs, v_end, v_end_negative);
     }
     if cycle.holds_back {
@@ -198,21 +205,21 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     let is_job = repair::is_request(&state.present);
     let request_error = begin(state, coeffs, inputs, &mut cycle, is_job);
     outputs.spindle_state = cycle.control;
-    let begins = is_at_start(cycle.control, state.is_moving);
-    let is_sound = state.lasting_error == error_none();
+    let at_start = is_at_start(state, cycle.control);
+    let may_act = state.lasting_error == error_none();
     // In the cycle in which the block takes over the spindle, the spindle keeps its velocity.
-    let is_seized = inputs.drive_on && !is_sound && begins && state.cycles == 0u32;
-    let follows = begins && (!inputs.drive_on || is_sound || is_seized);
+    let is_seized = inputs.drive_on && !may_act && at_start && state.cycles == 0u32;
+    let is_followed = at_start && (!inputs.drive_on || may_act || is_seized);
     let is_known = in_range(inputs.v_actual, sample_limit());
-    if cycle.forgets || follows && !is_known {
+    if cycle.forgets || is_followed && !is_known {
         forget(&mut state.seen);
     }
-    if follows {
+    if is_followed {
         follow(state, coeffs, inputs, &mut cycle, is_known);
     }
     if is_seized {
         seize(state);
-    } else if inputs.drive_on && is_sound {
+    } else if inputs.drive_on && may_act {
         act(state, coeffs, inputs, &mut cycle, is_known);
     }
     let has_failed = state.lasting_error != error_none();
@@ -222,7 +229,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     state.x = x_wrapped;
     put_out_motion(state, coeffs, outputs);
     put_out_mode(coeffs, outputs, state.asks_velocity);
-    let error_now = error_of(state.lasting_error, cycle.sample_error, request_error);
+    let error_now = error_of(state, cycle.sample_error, request_error);
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
     outputs.loop_closed =
@@ -248,6 +255,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         if in_velocity {
             remain_in_velocity(state, coeffs, inputs, outputs);
         } else {
+            note("any other cycle: requests, changes of the state, missing samples, errors");
             any_cycle(state, coeffs, inputs, outputs);
         }
     }

@@ -8,27 +8,27 @@ use crate::signal::{
     error_state, error_takeover, error_to_position, error_to_velocity, error_v_interpolator, error_x_actual,
     error_x_command, sample_limit,
 };
-use portable::{Real, in_range, portable};
+use portable::{Real, in_range, note, portable};
 
-/// Whether an error may stay in this block.
+/// Whether the error that stays is one that may stay in this block.
 #[portable]
-pub fn may_stay<R: Real>(coeffs: &Coeffs<R>, id: u32) -> bool {
-    id == error_none()
-        || coeffs.call_rate.active && id == error_call_rate()
-        || id == error_cycle_time()
-        || id == error_state()
-        || id == error_v_interpolator()
-        || id == error_x_command()
-        || id == error_x_actual()
-        || id == error_brake()
-        || id == error_to_position()
-        || id == error_takeover()
+pub fn may_stay<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    state.lasting_error == error_none()
+        || coeffs.call_rate.active && state.lasting_error == error_call_rate()
+        || state.lasting_error == error_cycle_time()
+        || state.lasting_error == error_state()
+        || state.lasting_error == error_v_interpolator()
+        || state.lasting_error == error_x_command()
+        || state.lasting_error == error_x_actual()
+        || state.lasting_error == error_brake()
+        || state.lasting_error == error_to_position()
+        || state.lasting_error == error_takeover()
         // A drive with only one mode is not asked to change its mode.
         || coeffs.in_drive
-            && (!coeffs.only_velocity && id == error_to_velocity()
-                || id == error_half_turn()
-                || !coeffs.only_velocity && id == error_mode_display())
-        || coeffs.closes_loop && id == error_lag()
+            && (!coeffs.only_velocity && state.lasting_error == error_to_velocity()
+                || state.lasting_error == error_half_turn()
+                || !coeffs.only_velocity && state.lasting_error == error_mode_display())
+        || coeffs.closes_loop && state.lasting_error == error_lag()
 }
 
 /// Whether the job exists.
@@ -47,14 +47,15 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
     is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
-/// Whether the state exists.
+/// Whether the state of the changeover exists, and is that of its copy.
 #[portable]
-pub fn is_state(control: SpindleState) -> bool {
-    control == SpindleState::Position
-        || control == SpindleState::ToVelocity
-        || control == SpindleState::Velocity
-        || control == SpindleState::Brake
-        || control == SpindleState::ToPosition
+pub fn is_state<R: Real>(state: &State<R>) -> bool {
+    (state.control == SpindleState::Position
+        || state.control == SpindleState::ToVelocity
+        || state.control == SpindleState::Velocity
+        || state.control == SpindleState::Brake
+        || state.control == SpindleState::ToPosition)
+        && state.control_copy == state.control
 }
 
 /// Limits the counts to their ranges: no count may take for ever.
@@ -93,29 +94,27 @@ pub fn is_motion<R: Real>(state: &State<R>) -> bool {
 /// Repairs an impossible state: the spindle stops.
 #[portable]
 pub fn repair<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>, is_job: bool) {
+    note("memory that no cycle can have left is repaired, and the spindle stops");
     hold_counts(state);
-    let is_error = may_stay(coeffs, state.lasting_error);
-    let is_control = is_state(state.control) && state.control_copy == state.control;
-    let is_sound = is_motion(state);
-    if !(is_error && is_control && is_sound && is_job && state.queued <= 4u32) {
+    let is_error = may_stay(state, coeffs);
+    let is_control = is_state(state);
+    let is_motion_sound = is_motion(state);
+    let is_intact = is_error && is_control && is_motion_sound && is_job && state.queued <= 4u32;
+    if !is_intact {
         state.lasting_error = error_state();
     }
     if state.queued > 4u32 {
         state.queued = 0u32;
     }
-    if is_control {
-        cycle.control = state.control;
-    } else {
-        cycle.control = SpindleState::ToPosition;
-        cycle.begins = true;
-    }
-    if !is_sound {
+    cycle.control = if is_control { state.control } else { SpindleState::ToPosition };
+    cycle.begins = !is_control;
+    if !is_motion_sound {
         state.x = R::ZERO;
         state.x_start = R::ZERO;
         state.v = R::ZERO;
         state.seen.v = R::ZERO;
         state.seen.v_last = R::ZERO;
         state.seen.v_before = R::ZERO;
-        cycle.forgets = true;
     }
+    cycle.forgets = !is_motion_sound;
 }

@@ -3,12 +3,16 @@
 use super::state::{Coeffs, Seen};
 use portable::{Real, portable, within};
 
-/// The median of three numbers.
+/// The median of this sample and the two before it.
 #[portable]
-pub fn median<R: Real>(a: R, b: R, c: R) -> R {
-    let low = if a < b { a } else { b };
-    let high = if a < b { b } else { a };
-    let below_high = if c < high { c } else { high };
+pub fn median<R: Real>(seen: &Seen<R>, v_actual: R) -> R {
+    let mut low = seen.v_last;
+    let mut high = seen.v_before;
+    if seen.v_before < seen.v_last {
+        low = seen.v_before;
+        high = seen.v_last;
+    }
+    let below_high = if v_actual < high { v_actual } else { high };
     if below_high < low { low } else { below_high }
 }
 
@@ -26,7 +30,7 @@ pub fn look<R: Real>(seen: &mut Seen<R>, coeffs: &Coeffs<R>, v_actual: R) {
         seen.v_last = v_actual;
         seen.v_before = v_actual;
     }
-    let v_middle = median(seen.v_before, seen.v_last, v_actual);
+    let v_middle = median(seen, v_actual);
     seen.v = v_middle;
     seen.v_before = seen.v_last;
     seen.v_last = v_actual;

@@ -7,27 +7,24 @@ use super::seen::{look, turns_with};
 use super::signals::Inputs;
 use super::state::{Coeffs, Cycle, SpindleState, State};
 use crate::angle::{position_limit, wrapped};
-use crate::signal::{error_none, error_too_fast, error_v_actual, error_x_actual};
+use crate::signal::{error_none, error_to_position, error_too_fast, error_v_actual, error_x_actual};
 use portable::{Real, in_range, note, portable, within};
 
 /// The position command for this cycle with which a drive that follows it continues to turn with `v`: it leads by one cycle
 /// less than the command for the next cycle. Without a velocity the actual position.
 #[portable]
 pub fn show<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, v: R) {
-    let lead = lead_time(coeffs, inputs) - coeffs.cycle_time;
-    let x_shown = wrapped(ahead(inputs.x_actual, v * lead));
+    let lead_shown = lead_time(coeffs, inputs) - coeffs.cycle_time;
+    let x_shown = wrapped(ahead(inputs.x_actual, v * lead_shown));
     state.x = x_shown;
 }
 
 /// The drive is off: nothing is asked for, and what was is forgotten.
 #[portable]
 pub fn release<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
-    if cycle.control != SpindleState::ToPosition || state.is_moving {
-        cycle.forgets = true;
-    }
+    note("the drive is off: the start begins again");
+    cycle.forgets = cycle.forgets || cycle.control != SpindleState::ToPosition || state.is_moving;
     cycle.control = SpindleState::ToPosition;
-    cycle.begins = true;
-    state.returns = false;
     state.catches = false;
     state.is_moving = false;
     state.takes_over = false;
@@ -36,8 +33,12 @@ pub fn release<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
 /// Limits the velocity command to a velocity, in the same direction.
 #[portable]
 pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
-    let v_low = if v_turning < R::ZERO { v_turning } else { R::ZERO };
-    let v_high = if v_turning < R::ZERO { R::ZERO } else { v_turning };
+    let mut v_low = R::ZERO;
+    let mut v_high = v_turning;
+    if v_turning < R::ZERO {
+        v_low = v_turning;
+        v_high = R::ZERO;
+    }
     if state.v > v_high {
         state.v = v_high;
     } else if state.v < v_low {
@@ -56,6 +57,7 @@ pub fn follow<R: Real>(
     cycle: &mut Cycle<R>,
     is_known: bool,
 ) {
+    note("the block does not move the spindle yet: the commands follow it");
     if is_known {
         look(&mut state.seen, coeffs, inputs.v_actual);
         let v_turning = turns_with(&state.seen, coeffs);
@@ -88,13 +90,14 @@ pub fn seize<R: Real>(state: &mut State<R>) {
     state.is_moving = true;
 }
 
-/// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle. Whether it has position control.
+/// TO_POSITION at the start: the drive is on, and the block takes hold of the spindle. Returns whether position control begins.
+/// The test of three samples takes two cycles more than a change of the mode.
 #[portable]
 pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) -> bool {
-    let is_known = state.seen.samples >= 3u32 && cycle.sample_error == error_none();
-    let is_slow = is_known && state.seen.slow >= 3u32;
+    let is_measured = state.seen.samples >= 3u32 && cycle.sample_error == error_none();
+    let turns_slowly = is_measured && state.seen.slow >= 3u32;
     let mut completes = false;
-    if is_known && !within(state.v, coeffs.v_taken_up) {
+    if is_measured && !within(state.v, coeffs.v_taken_up) {
         if coeffs.only_position {
             cycle.sample_error = error_too_fast();
             state.cycles = 0u32;
@@ -104,11 +107,14 @@ pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
             state.is_moving = true;
             cycle.next = SpindleState::Brake;
         }
-    } else if is_slow && !within(state.v, R::ZERO) {
+    } else if turns_slowly && !within(state.v, R::ZERO) {
         note("TO_POSITION: the spindle turns slowly, and goes on doing so");
         cycle.resynchronises = true;
     } else {
-        completes = is_slow && is_displayed(coeffs, inputs, coeffs.position_mode);
+        completes = turns_slowly && is_displayed(coeffs, inputs, coeffs.position_mode);
+        if !completes && state.cycles > coeffs.start_cycles {
+            state.lasting_error = error_to_position();
+        }
     }
     completes
 }

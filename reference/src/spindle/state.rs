@@ -51,7 +51,7 @@ pub struct Coeffs<R> {
     pub v_step: R,
     /// largest velocity below 180 deg / T: a drive can tell its direction [0.001 deg/s]
     pub v_largest: R,
-    /// lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s]
+    /// lead of the position command over the actual position where position control begins [s]
     pub lead_time: R,
     /// whether the CNC's feedforward shortens that time
     pub has_feedforward: bool,
@@ -63,7 +63,7 @@ pub struct Coeffs<R> {
     pub takeover_window: R,
     /// cycles within which the drive displays a new mode
     pub mode_cycles: u32,
-    /// cycles within which the drive displays a new mode after it is switched on: two more than otherwise
+    /// cycles within which position control begins after the drive is switched on
     pub start_cycles: u32,
     /// cycles within which the spindle has braked
     pub brake_cycles: u32,

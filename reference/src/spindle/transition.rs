@@ -21,6 +21,7 @@ pub fn is_half_turn<R: Real>(coeffs: &Coeffs<R>, v: R) -> bool {
 /// A cycle without a sample that its state needs: the spindle continues as before, and stops if this lasts.
 #[portable]
 pub fn coast<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
+    note("a sample is missing: the spindle goes on as before, and stops if this lasts");
     cycle.sample_error = cycle.lacking;
     state.missing += 1u32;
     state.takes_over = true;
@@ -114,22 +115,29 @@ pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &
             }
         } else if is_changing {
             if is_velocity_displayed {
-                note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
+                if coeffs.in_drive {
+                    note("TO_VELOCITY -> VELOCITY: the drive displays velocity control");
+                } else {
+                    note("TO_VELOCITY -> VELOCITY: the CNC opens its position loop");
+                }
                 cycle.next = SpindleState::Velocity;
             }
-        } else if state.returns || state.queued > 0u32 && !is_free(&state.request[0]) {
-            note("VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset");
-            state.returns = false;
-            cycle.next = SpindleState::Brake;
+        } else {
+            let first_is_free = is_free(&state.request[0]);
+            if state.returns || state.queued > 0u32 && !first_is_free {
+                note("VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset");
+                state.returns = false;
+                cycle.next = SpindleState::Brake;
+            }
         }
     }
 }
 
 /// Whether the previous velocity command is at most Voff, and the actual velocity exceeds it by at most the window.
 #[portable]
-pub fn has_slowed_down<R: Real>(coeffs: &Coeffs<R>, v_before: R, v_actual: R) -> bool {
-    let v_magnitude = if v_before < R::ZERO { -v_before } else { v_before };
-    within(v_before, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
+pub fn has_slowed_down<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
+    let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
+    within(state.v, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
 }
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs
@@ -145,11 +153,11 @@ pub fn brake<R: Real>(
     if is_displayed(coeffs, inputs, coeffs.velocity_mode) {
         state.catches = false;
     }
-    let mut is_slow = false;
+    let mut has_slowed = false;
     if is_known {
-        is_slow = has_slowed_down(coeffs, state.v, inputs.v_actual);
+        has_slowed = has_slowed_down(state, coeffs, inputs.v_actual);
     }
-    if is_slow {
+    if has_slowed {
         state.settled += 1u32;
     } else {
         state.settled = 0u32;
@@ -176,31 +184,29 @@ pub fn brake<R: Real>(
     }
 }
 
-/// TO_POSITION after BRAKE: the drive may obey the velocity or the position.
+/// TO_POSITION after BRAKE: the drive may obey the velocity or the position. Returns whether position control begins.
 #[portable]
-pub fn take_up<R: Real>(state: &mut State<R>, cycle: &mut Cycle<R>) {
+pub fn take_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) -> bool {
     state.asks_velocity = false;
     if state.cycles == 1u32 {
         state.x = state.x_start;
     } else {
         cycle.advances = true;
     }
+    let completes = is_displayed(coeffs, inputs, coeffs.position_mode);
+    if !completes && state.cycles > coeffs.mode_cycles {
+        state.lasting_error = error_to_position();
+    }
+    completes
 }
 
-/// TO_POSITION: after BRAKE, or at the start, whose test takes two cycles more.
+/// TO_POSITION: after BRAKE, or at the start.
 #[portable]
 pub fn to_position<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, cycle: &mut Cycle<R>) {
-    let time = if state.is_moving { coeffs.mode_cycles } else { coeffs.start_cycles };
-    let completes = if state.is_moving {
-        take_up(state, cycle);
-        is_displayed(coeffs, inputs, coeffs.position_mode)
-    } else {
-        start(state, coeffs, inputs, cycle)
-    };
+    let completes =
+        if state.is_moving { take_up(state, coeffs, inputs, cycle) } else { start(state, coeffs, inputs, cycle) };
     if completes {
         complete(state, coeffs, cycle);
-    } else if state.cycles > time && cycle.next == SpindleState::ToPosition && !cycle.resynchronises {
-        state.lasting_error = error_to_position();
     }
 }
 

@@ -28,7 +28,12 @@ pub fn next_usual<R: Real>(state: &State<R>) -> u32 {
 /// Whether no input requests a change.
 #[portable]
 pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    !(inputs.m3 || inputs.m4 || inputs.m5 || inputs.m19 || inputs.putax || inputs.g74)
+    !inputs.m3
+        && !inputs.m4
+        && !inputs.m5
+        && !inputs.m19
+        && !inputs.putax
+        && !inputs.g74
         && inputs.drive_on
         && !inputs.reset
         && (inputs.task_cycle_ns == 0u32 || inputs.task_cycle_ns == coeffs.cycle_time_ns)
@@ -68,7 +73,7 @@ pub fn remain_in_position<R: Real>(
     inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
 ) {
-    note("a usual cycle in POSITION");
+    note("the fast path of POSITION: nothing is requested, and all samples are valid");
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     state.x = inputs.x_command;
     state.v = inputs.v_interpolator;
@@ -86,7 +91,7 @@ pub fn remain_in_velocity<R: Real>(
     inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
 ) {
-    note("a usual cycle in VELOCITY");
+    note("the fast path of VELOCITY: nothing is requested, and all samples are valid");
     call_rate::go_on(&mut state.call_rate, &coeffs.call_rate, inputs.cycle_counter);
     state.x = inputs.x_actual;
     state.v = inputs.v_interpolator;

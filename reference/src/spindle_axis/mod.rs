@@ -71,8 +71,8 @@ pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
 }
 
-/// The lag is near half a turn: the loop opens in the next cycle, and the spindle brakes from the velocity of the drive's
-/// command, if that is slower.
+/// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes from the velocity of
+/// the drive's command, if that is slower.
 #[portable]
 pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
     let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
@@ -83,7 +83,7 @@ pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
     state.usual = spindle::usual_none();
 }
 
-/// The axis follows the spindle's commands.
+/// The axis follows the spindle's commands. Returns whether the lag is near half a turn.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -91,7 +91,7 @@ pub fn act<R: Real>(
     inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     axis_outputs: &mut axis::Outputs<R>,
-) {
+) -> bool {
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
     let mut gives_up = false;
@@ -110,9 +110,7 @@ pub fn act<R: Real>(
         a_interpolator, j_interpolator, v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active,
         feedforward_percentage);
     axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
-    if gives_up {
-        give_up(&mut state.spindle, axis_outputs.v_command);
-    }
+    gives_up
 }
 
 /// Writes the outputs of the changeover.
@@ -167,7 +165,8 @@ pub fn open<R: Real>(
         axis_outputs.limited = open_datum.limited;
     }
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
-    copy!(outputs = spindle_outputs: error_id, fault);
+    outputs.error_id = spindle_outputs.error_id;
+    outputs.fault = spindle_outputs.error_id != error_none();
     tell_trip(coeffs, &axis_outputs, outputs);
 }
 
@@ -181,9 +180,13 @@ pub fn close<R: Real>(
     outputs: &mut Outputs<R>,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
-    act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs);
+    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs);
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
-    let error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
+    let mut error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
+    if gives_up {
+        give_up(&mut state.spindle, axis_outputs.v_command);
+        error_now = error_lag();
+    }
     outputs.error_id = error_now;
     outputs.fault = error_now != error_none();
     if coeffs.axis.ipc.tuning.active && error_now == error_none() {
@@ -236,6 +239,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         open(state, coeffs, &spindle_outputs, outputs);
         put_out_changeover(&spindle_outputs, outputs);
     } else {
+        note("any other cycle: requests, changes of the state, missing samples, errors");
         any_cycle(state, coeffs, inputs, &spindle_inputs, outputs);
     }
 }

@@ -24,11 +24,11 @@ pub struct Inputs<R> {
     pub v_motor: R,
     /// velocity of the direct measuring system, v_ist2 [0.001 deg/s]
     pub v_direct: R,
-    /// with the key tunable: factor of each stage's weight, 0 to 1; outside this range the last valid value stays active and
-    /// error_id reports it: not a fault
+    /// with the key tunable: factor of the stage's weight, 0 to 1; outside this range the last valid value stays active, with the
+    /// id 4, which is not a fault
     pub tuning_weight: [R; STAGES],
-    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active
-    /// and error_id reports it: not a fault
+    /// with the key tunable: factor of the limit (P-AXIS-00757), 0 to 1; outside this range the last valid value stays active,
+    /// with the id 4, which is not a fault
     pub tuning_limit: R,
     /// speed of a request, S word; its sign does not matter [0.001 deg/s]
     pub s_word: R,
@@ -111,10 +111,9 @@ pub struct Outputs<R> {
     /// reason of the fault; of several faults, improved position control comes before feedforward, position control,
     /// changeover; 31 to 36 last one cycle, other faults of the changeover may stay until reset: 0 none
     pub error_id: u32,
-    /// state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and position may be
-    /// monitored
+    /// state POSITION, and the interpolator moves the spindle: position lag and position may be monitored
     pub loop_closed: bool,
-    /// v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle
+    /// an output is at its limit, or at the end of the range of its process-data type, in this cycle
     pub limited: bool,
     /// a velocity sample of improved position control is bad and is replaced by the last good one (key ride_through)
     pub held: bool,

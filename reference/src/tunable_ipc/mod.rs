@@ -84,8 +84,8 @@ pub const ROUND: u32 = 4;
 
 /// Whether the fade is on its way to 0, because of a set or of the watch.
 #[portable]
-pub fn is_leaving<R: Real>(coeffs: &Coeffs<R>, fade: u32, acting_set: u32, tripped: bool) -> bool {
-    fade > 0u32 && (acting_set == 0u32 || coeffs.ipc.watch.active && tripped)
+pub fn is_leaving<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
+    state.ipc.fade > 0u32 && (state.acting_set == 0u32 || coeffs.ipc.watch.active && state.ipc.watch.tripped)
 }
 
 /// Whether the offered set is the one that was refused last. A corrupted state cannot produce an id that is not a refusal.
@@ -105,6 +105,7 @@ pub fn is_paused<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
 /// Takes the numbers of the offered set, twice. No set is in use until they have been checked.
 #[portable]
 pub fn copy_offered<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) {
+    note("the offered set is copied; it is in use as soon as the copy has been checked");
     numbers::read(&mut state.now, &coeffs.ipc, params);
     numbers::take(&mut state.copy, &coeffs.ipc, &state.now);
     state.copied_set = state.offered_set;
@@ -129,13 +130,15 @@ pub fn use_copied<R: Real>(state: &mut State<R>) {
 /// and checks these. Returns the reason if it is refused.
 #[portable]
 pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
-    let mut refused = error_none();
+    let mut refusal_found = error_none();
     let is_copied = state.copied_set == state.offered_set && state.set_id == 0u32;
     if state.check.set_id != state.offered_set || state.offered_set == 0u32 {
-        state.turn = if is_copied { 0u32 } else { state.turn };
+        if is_copied {
+            state.turn = 0u32;
+        }
         check::start(&mut state.check, coeffs, state.offered_set);
         if params.structure != coeffs.structure || state.offered_set == 0u32 {
-            refused = error_set_structure();
+            refusal_found = error_set_structure();
         }
     } else {
         if is_copied {
@@ -144,8 +147,10 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
             numbers::pick_offered(&mut state.check.picked, state.check.turn, &coeffs.ipc, params);
         }
         if state.check.turn < check::length(coeffs) {
-            refused = check::step(&mut state.check, coeffs, is_copied);
-            state.turn = if is_copied { state.check.turn } else { state.turn };
+            refusal_found = check::step(&mut state.check, coeffs, is_copied);
+            if is_copied {
+                state.turn = state.check.turn;
+            }
         } else if is_copied {
             use_copied(state);
         } else {
@@ -157,24 +162,25 @@ pub fn look_at<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Param
             }
         }
     }
-    refused
+    refusal_found
 }
 
 /// Handles an offered set. Returns the reason if it is refused.
 #[portable]
 pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<R>) -> u32 {
-    let mut refused = error_none();
+    let mut reason = error_none();
     let must_wait = is_paused(state, coeffs);
+    let leaves = is_leaving(state, coeffs);
     if state.offered_set == state.set_id && state.set_id != 0u32 {
         state.acting_set = state.set_id;
         state.check.set_id = 0u32;
     } else if must_wait {
         state.pause -= 1u32;
-        refused = state.refused;
-    } else if !is_leaving(coeffs, state.ipc.fade, state.acting_set, state.ipc.watch.tripped) {
-        refused = look_at(state, coeffs, params);
-        if refused != error_none() {
-            state.refused = refused;
+        reason = state.refused;
+    } else if !leaves {
+        reason = look_at(state, coeffs, params);
+        if reason != error_none() {
+            state.refused = reason;
             state.refused_set = state.offered_set;
             state.pause = coeffs.ipc.fade_cycles;
             state.acting_set = state.set_id;
@@ -183,10 +189,10 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
         } else {
             // It is checked again, and is refused until it has passed.
             let stays_refused = is_refused(state);
-            refused = if stays_refused { state.refused } else { error_none() };
+            reason = if stays_refused { state.refused } else { error_none() };
         }
     }
-    refused
+    reason
 }
 
 /// No set is in use, and an offered set is checked without a pause.
@@ -205,6 +211,7 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let numbers = check::length(coeffs);
     if state.turn <= numbers {
+        note("one number in use is compared with its copy in each cycle");
         numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now, &state.copy);
         if state.set_id != 0u32 {
             if in_range(state.picked.number - state.picked.copy, R::ZERO) {
@@ -270,14 +277,14 @@ pub fn hold_limit<R: Real>(state: &mut ipc::State<R>, coeffs: &ipc::Coeffs<R>, o
 #[portable]
 pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
     let mut mode = inputs.mode;
-    let mut refused = error_none();
+    let mut reason = error_none();
     state.offered_set = inputs.params.set_id;
     ipc::count_call(&mut state.ipc, &coeffs.ipc, inputs.cycle_counter);
     if state.ipc.fade > coeffs.ipc.fade_cycles {
         // The numbers in use may be corrupted, too. This cycle reports the fault; the next one checks the offered set.
         drop_set(state);
     } else if state.offered_set != state.acting_set || state.acting_set == 0u32 {
-        refused = offer(state, coeffs, &inputs.params);
+        reason = offer(state, coeffs, &inputs.params);
         if state.set_id == 0u32 && ipc::is_mode(mode) {
             // No set is in use.
             mode = ipc::mode_off();
@@ -294,7 +301,7 @@ pub fn any_cycle<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inp
     ipc::rearm(&mut state.ipc, &coeffs.ipc, inputs.mode, inputs.reset);
     ipc::go_on(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
     hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
-    put_out(state.set_id, &ipc_outputs, refused, outputs);
+    put_out(state.set_id, &ipc_outputs, reason, outputs);
 }
 
 /// One cycle. It starts with the fast path: the set in use is the offered one, and only the sections change. It has the same
@@ -311,6 +318,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         && !(coeffs.ipc.watch.active && state.ipc.watch.tripped)
         && (!coeffs.ipc.ride_through.active || state.ipc.ride_through.bad == 0u32)
     {
+        note("the fast path: the offered set is in use, the mode is ON, and the fade is full");
         let mut ipc_outputs = ipc::Outputs::<R>::default();
         call_rate::go_on(&mut state.ipc.call_rate, &coeffs.ipc.call_rate, inputs.cycle_counter);
         ipc::act_in_full(&mut state.ipc, &with_numbers(&coeffs.ipc, &state.now), &ipc_inputs, &mut ipc_outputs);
@@ -318,6 +326,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         hold_limit(&mut state.ipc, &coeffs.ipc, &mut ipc_outputs);
         put_out(state.acting_set, &ipc_outputs, error_none(), outputs);
     } else {
+        note("any other cycle: an offered set, the start, a fade, a fault");
         any_cycle(state, coeffs, inputs, outputs);
     }
 }

@@ -2,7 +2,8 @@
  *
  *   drive            prints a line for each kind of run: how many, the highest speed at which position control began, how far any
  *                    spindle turned backwards, the longest time to standstill, runs that did not arrive in POSITION
- *   drive lag RPM    M3 with a speed, no feedforward: prints the last error, the lowest command of the drive, the last speed
+ *   drive lag RPM    M3 with a speed, no feedforward: prints the last error, the lowest command of the drive, the last speed,
+ *                    and the largest lag of a cycle of the closed loop without an error [deg]
  *
  * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position. Speeds are in rpm.
  */
@@ -51,6 +52,7 @@ static bool obeyed; /* the drive has controlled the position in the cycle before
 static double began; /* highest speed at which position control began */
 static double backwards; /* highest speed against the first direction */
 static double lowest; /* lowest command of a drive in velocity control, times the direction */
+static double largest_lag;
 
 static double wrap(double x)
 {
@@ -148,6 +150,9 @@ static void cycle(bool is_on, double direction)
 #endif
     interpolate();
     JOIN(AXIS, _spindle_axis_step)(&state, &inputs, &outputs);
+    if (outputs.loop_closed && outputs.error_id == 0u) {
+        largest_lag = fmax(largest_lag, fabs(remainder(outputs.x_spindle - inputs.x_actual, 360000.0)));
+    }
 }
 
 static void start(double v, bool is_on, int32_t mode)
@@ -226,7 +231,8 @@ int main(int argc, char **argv)
         for (int i = 0; i < 2000; i++) {
             cycle(true, 1.0);
         }
-        printf("%u %.3f %.3f\n", (unsigned)outputs.error_id, lowest / RPM, drive.v / RPM);
+        printf(
+            "%u %.3f %.3f %.1f\n", (unsigned)outputs.error_id, lowest / RPM, drive.v / RPM, largest_lag / 1000.0);
         return 0;
     }
     static const int drops[] = { 1, 2, 3, 4, 5, 10, 50, 200, 1000 };

@@ -72,8 +72,10 @@ fn a_lag_of_half_a_turn_in_the_cnc_is_an_error_and_never_a_reversal() {
     let (_folder, program) = built(&slow, "c", false);
     let text = said(&program, &["lag", "500"]);
     let numbers: Vec<f64> = text.split_whitespace().map(|text| text.parse().expect("a number")).collect();
-    let [_, lowest, last] = numbers[..] else { panic!("{text}") };
+    let [_, lowest, last, lag] = numbers[..] else { panic!("{text}") };
     assert!(text.starts_with("48 ") && lowest >= 0.0 && last.abs() < 0.1, "error, lowest command, last speed: {text}");
+    // The cycle with a larger lag reports the error itself.
+    assert!((160.0..=170.0).contains(&lag), "the largest lag without an error: {text}");
     let text = said(&program, &["lag", "250"]);
     assert!(text.starts_with("0 0.000 250.0"), "{text}");
 }

@@ -8,12 +8,12 @@ use crate::pass::Defect;
 use crate::program::{Constant, Expr, Program, map_expressions};
 use portable::{Binary, Intrinsic, Literal, Unary};
 
-/// For languages in which a function checks a sample, or in which the bound has a name.
+/// For languages in which a function checks a sample.
 pub(super) fn run(program: Program) -> Result<Program, Defect> {
     Ok(change(program, &[Intrinsic::Within]))
 }
 
-/// For languages in which a sample may also be compared with digits.
+/// For languages in which a sample is compared.
 pub(super) fn run_digits(program: Program) -> Result<Program, Defect> {
     Ok(change(program, &[Intrinsic::Within, Intrinsic::InRange]))
 }

@@ -15,17 +15,26 @@ const LEAST_ARMS: usize = 3;
 const LEAST_NUMBERS: usize = 8;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
-    in_list(&mut program.step, &mut program.constants);
+    in_list(&mut program.step, None, &mut program.constants);
     Ok(program)
 }
 
-fn in_list(list: &mut [Statement], constants: &mut Vec<Constant>) {
+/// `within`: the variable of the choice around the list, with the values that lead to it.
+fn in_list(list: &mut [Statement], within: Option<(Var, &[Expr])>, constants: &mut Vec<Constant>) {
     for statement in list {
         if let Some(by) = by(statement, constants) {
+            let possible = within.filter(|(outer, _)| *outer == by).map(|(_, labels)| labels);
             let chain = std::mem::replace(statement, Statement::Note(String::new()));
-            *statement = Statement::Choose { by: Expr::Var(by), arms: arms(chain, by, constants) };
+            *statement = Statement::Choose { by: Expr::Var(by), arms: arms(chain, by, possible, constants) };
         }
-        statement.branches_mut().for_each(|list| in_list(list, constants));
+        if let Statement::Choose { by: Expr::Var(by), arms } = statement {
+            for Arm { labels, body } in arms {
+                let is_fixed = !body.iter().any(|inner| inner.writes(*by));
+                in_list(body, is_fixed.then_some((*by, &**labels)), constants);
+            }
+        } else {
+            statement.branches_mut().for_each(|list| in_list(list, within, constants));
+        }
     }
 }
 
@@ -48,8 +57,8 @@ fn by(statement: &Statement, constants: &[Constant]) -> Option<Var> {
     (arms >= least).then_some(by)
 }
 
-/// The arms of a chain; the last one is for the variants that no question names.
-fn arms(chain: Statement, by: Var, constants: &mut Vec<Constant>) -> Vec<Arm> {
+/// The arms of a chain; the last one is for the variants that no question names, of those that are possible there.
+fn arms(chain: Statement, by: Var, possible: Option<&[Expr]>, constants: &mut Vec<Constant>) -> Vec<Arm> {
     let (mut arms, mut rest) = (Vec::new(), vec![chain]);
     while let [link] = &rest[..]
         && let Some((_, labels)) = asked(link, constants).filter(|(same, _)| *same == by)
@@ -58,7 +67,11 @@ fn arms(chain: Statement, by: Var, constants: &mut Vec<Constant>) -> Vec<Arm> {
         arms.push(Arm { labels, body: then });
         rest = otherwise;
     }
-    arms.push(Arm { labels: others(&arms, constants), body: rest });
+    let mut labels = others(&arms, constants);
+    if let Some(possible) = possible {
+        labels.retain(|label| possible.contains(label));
+    }
+    arms.push(Arm { labels, body: rest });
     arms
 }
 

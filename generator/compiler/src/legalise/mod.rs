@@ -6,12 +6,15 @@ mod axis_program;
 mod before;
 mod bound;
 mod choose;
+mod copied;
 mod early;
 mod enable;
+mod joined;
 mod nearest;
 mod negation;
 mod operands;
 mod presumed;
+mod repeated;
 mod settle;
 mod share;
 mod single;
@@ -38,7 +41,9 @@ pub const WITH_OUTPUTS: &[Stage] = &[
 /// The passes for Structured Text if digits of an LREAL may be in an expression.
 pub const WITH_DIGITS: &[Stage] = &[
     ("settled", settle::run),
+    ("copied", copied::run),
     (presumed::NAME, presumed::run),
+    ("joined", joined::run),
     ("started", start::run),
     ("rounded", nearest::run),
     ("bounded", bound::run_digits),
@@ -47,27 +52,31 @@ pub const WITH_DIGITS: &[Stage] = &[
     ("single", single::run),
     ("chosen", choose::run),
     ("shared", share::run),
+    ("repeated", repeated::run),
 ];
 
 /// The passes for its dialects with declared constants, with the signals of PLCopen around the block.
-pub const WITH_ENABLE: &[Stage] = &with_enable(("named", operands::run_single));
+pub const WITH_ENABLE: &[Stage] = &with_enable(("bounded", bound::run), ("named", operands::run_single));
 
 /// The passes for SCL: digits need not be LREAL, so numbers have names.
-pub const WITH_NAMES: &[Stage] = &with_enable(("all named", operands::run));
+pub const WITH_NAMES: &[Stage] = &with_enable(("bounded", bound::run_digits), ("all named", operands::run));
 
-const fn with_enable(named: Stage) -> [Stage; 11] {
+const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 14] {
     [
         ("enabled", enable::run),
         ("settled", settle::run),
+        ("copied", copied::run),
         (presumed::NAME, presumed::run),
+        ("joined", joined::run),
         ("started", start::run),
         ("rounded", nearest::run),
-        ("bounded", bound::run),
+        bounded,
         ("negated", negation::run),
         named,
         ("single", single::run),
         ("chosen", choose::run),
         ("shared", share::run),
+        ("repeated", repeated::run),
     ]
 }
 

@@ -7,7 +7,7 @@
 use super::before::{self, Before};
 use crate::pass::Defect;
 use crate::program::{Expr, Program, Type, Var};
-use portable::Unary;
+use portable::{Binary, Intrinsic, Literal, Unary};
 use std::collections::BTreeSet;
 
 pub(super) fn run(program: Program) -> Result<Program, Defect> {
@@ -23,7 +23,7 @@ fn name(part: &mut Expr, before: &mut Before<'_>) {
     }
 }
 
-/// The name of a condition: from the variable in it, if there is only one.
+/// The name of a condition: from the variable in it, if there is only one, and from the limit that it compares it with.
 fn name_of(condition: &Expr, before: &Before<'_>) -> String {
     let mut asked = BTreeSet::new();
     condition.variables(&mut |var| {
@@ -33,7 +33,39 @@ fn name_of(condition: &Expr, before: &Before<'_>) -> String {
     });
     let mut asked = asked.into_iter();
     match (asked.next(), asked.next()) {
-        (Some(only), None) => format!("{}_condition", before.program.path(only)),
+        (Some(only), None) => {
+            let path = before.program.path(only);
+            match limit(condition) {
+                Some(Expr::Var(limit)) => {
+                    format!("{path}_within_{}", before.program.path(*limit).rsplit('.').next().unwrap_or_default())
+                }
+                Some(_) => format!("{path}_within_limit"),
+                None if is_zero(condition) => format!("{path}_is_zero"),
+                None => format!("{path}_condition"),
+            }
+        }
         _ => "condition".to_owned(),
+    }
+}
+
+/// Whether a condition asks if a variable is 0.
+fn is_zero(condition: &Expr) -> bool {
+    let Expr::Binary(Binary::Equal, _, with) = condition else { return false };
+    matches!(**with, Expr::Literal(Literal::F64(0.0) | Literal::F32(0.0)))
+}
+
+/// The limit of a condition that a magnitude is within a limit.
+fn limit(condition: &Expr) -> Option<&Expr> {
+    match condition {
+        Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) => operands.last(),
+        Expr::Binary(Binary::And, lower, upper) => match (&**lower, &**upper) {
+            (Expr::Binary(Binary::LessEqual, _, value), Expr::Binary(Binary::LessEqual, same, limit))
+                if value == same =>
+            {
+                Some(limit)
+            }
+            _ => None,
+        },
+        _ => None,
     }
 }

@@ -132,7 +132,7 @@ fn variables(locals: usize, copies: &[[usize; 2]], conflicts: &[Set]) -> Vec<usi
 }
 
 /// Removes the locals that no statement mentions any more.
-fn drop_unused(program: &mut Program) {
+pub(super) fn drop_unused(program: &mut Program) {
     let mut is_used = vec![false; program.locals.len()];
     program.statements().for_each(|statement| {
         statement.variables(&mut |var| {

@@ -454,6 +454,83 @@ fn what_most_branches_leave_in_a_local_stands_before_them() {
     assert!(verify(twice).is_err_and(|defect| defect.message.contains("assigned twice")));
 }
 
+#[test]
+fn what_all_branches_assign_last_stands_after_them() {
+    let joined = |step| legal("joined", with_locals(["c"], step)).step;
+    let s_is = |value| assign(S, value);
+    let note = || Statement::Note("why".to_owned());
+    // Of a chain all branches, the last one without a condition.
+    let chain = |last: Vec<Statement>| {
+        let inner = choose(vec![s_is(real(2.0)), assign(Y, X)], last);
+        vec![choose(vec![assign(Y, X), s_is(real(1.0))], vec![inner])]
+    };
+    let shorter = |last| vec![choose(vec![s_is(real(1.0))], vec![choose(vec![s_is(real(2.0))], last)])];
+    assert_eq!(joined(chain(vec![assign(Y, X)])), [shorter(vec![]), vec![assign(Y, X)]].concat());
+    // A condition that decides nothing is left out, with the local that only it reads.
+    let asked = if_(local(0), vec![assign(Y, X)], vec![assign(Y, X)]);
+    assert_eq!(joined(vec![assign(Var::Local(0), ON), asked]), [assign(Y, X)]);
+    for step in [
+        chain(vec![]),
+        chain(vec![assign(Y, real(0.0))]),
+        // The first branch would be empty, the value changes afterwards, the target is read afterwards, a comment explains it.
+        vec![choose(vec![assign(Y, X)], vec![s_is(X), assign(Y, X)])],
+        vec![choose(vec![assign(Y, Expr::Var(S)), s_is(X)], vec![s_is(real(1.0)), assign(Y, Expr::Var(S))])],
+        vec![choose(vec![s_is(X), assign(Y, Expr::Var(S))], vec![s_is(X), assign(Y, real(1.0))])],
+        vec![choose(vec![s_is(X), note(), assign(Y, X)], vec![s_is(real(1.0)), assign(Y, X)])],
+    ] {
+        assert_eq!(joined(step.clone()), step);
+    }
+}
+
+#[test]
+fn a_variable_is_not_given_the_value_that_it_has() {
+    let repeated = |step| legal("repeated", program(0, step)).step;
+    let s_is = |value| assign(S, value);
+    let inside = |list: Vec<Statement>| vec![s_is(X), choose(list, vec![assign(Y, real(1.0))]), s_is(X)];
+    let shorter = vec![s_is(X), choose(vec![assign(Y, X)], vec![assign(Y, real(1.0))])];
+    assert_eq!(repeated(inside(vec![s_is(X), assign(Y, X)])), shorter);
+    for step in [
+        inside(vec![s_is(real(0.0)), assign(Y, X)]),
+        vec![choose(vec![s_is(X)], vec![]), s_is(X)],
+        vec![s_is(real(0.0)), s_is(real(-0.0))],
+        vec![s_is(binary(Binary::Add, Expr::Var(S), X)), s_is(binary(Binary::Add, Expr::Var(S), X))],
+        // A branch keeps a statement.
+        vec![s_is(X), choose(vec![s_is(X)], vec![assign(Y, X)])],
+    ] {
+        assert_eq!(repeated(step.clone()), step);
+    }
+}
+
+#[test]
+fn a_copy_of_what_does_not_change_is_not_read() {
+    let copied = |step| legal("copied", with_locals(["c"], step)).step;
+    let (c_is, s_is) = (|value| assign(Var::Local(0), value), |value| assign(S, value));
+    let state = || Expr::Var(S);
+    let used = |value: Expr| vec![assign(Y, value.clone()), s_is(binary(Binary::Add, value, X))];
+    assert_eq!(copied([vec![c_is(state())], used(local(0))].concat()), used(state()));
+    for step in [
+        vec![c_is(state()), s_is(X), assign(Y, local(0))],
+        vec![c_is(state()), choose(vec![s_is(X), assign(Y, local(0))], vec![assign(Y, X)])],
+        vec![choose(vec![c_is(state())], vec![c_is(X)]), assign(Y, local(0))],
+        // Another task may change an input.
+        vec![c_is(X), assign(Y, local(0))],
+    ] {
+        assert_eq!(copied(step.clone()), step);
+    }
+}
+
+#[test]
+fn a_negated_comparison_is_named_after_its_limit() {
+    let limit = Expr::Var(Var::Constant(0));
+    let within = Expr::Intrinsic(Intrinsic::InRange, vec![X, limit]);
+    let zero = binary(Binary::Equal, X, real(0.0));
+    let named = |condition| {
+        let step = vec![if_(not(condition), vec![assign(Y, X)], vec![assign(Y, real(0.0))])];
+        legal("negated", program(0, step)).locals[0].path.clone()
+    };
+    assert_eq!([named(within), named(zero)], ["x_within_a", "x_is_zero"]);
+}
+
 /// Two branches, one of which leaves the value in the local.
 fn inner_of_two(value: Expr) -> Statement {
     choose(vec![assign(Var::Local(0), value)], vec![assign(Var::Local(0), real(1.0))])

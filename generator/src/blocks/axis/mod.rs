@@ -8,7 +8,7 @@ use crate::{blocks::designed::Designed, number::digits};
 use compiler::pass::Defect;
 use compiler::program::Program;
 use portable::Extreme;
-use reference::axis::{Axis, Coeffs};
+use reference::axis::{Addition, Axis, Coeffs};
 use reference::call_rate;
 use reference::feedforward::Feedforward;
 use reference::ipc::Ipc;
@@ -44,6 +44,14 @@ impl BlockKind for Axis {
 
     fn short_name(&self) -> &'static str {
         "ax"
+    }
+
+    fn purpose(&self, designed: &Designed) -> String {
+        format!(
+            "The whole axis: {}. {}",
+            parts(designed),
+            position_control::from_the_first_call(designed.position_control.location)
+        )
     }
 
     /// The notes of the block and of its parts.
@@ -98,4 +106,18 @@ impl BlockKind for Axis {
     fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
         Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
+}
+
+/// The parts of the block that the axis has, in their order.
+pub(super) fn parts(designed: &Designed) -> String {
+    let of: Coeffs<f64> = Axis::design(designed);
+    let parts = [
+        (of.has_feedforward, "feedforward"),
+        (of.position_control.location == Location::Cnc, "position control in the CNC"),
+        (of.position_control.location != Location::Cnc, "commands for the drive, which controls the position"),
+        (of.addition == Addition::Ipc, "improved position control, whose v_add fades in"),
+        (of.addition == Addition::Master, "the v_add of the gantry's master"),
+    ];
+    let parts: Vec<&str> = parts.iter().filter(|(exists, _)| *exists).map(|(_, part)| *part).collect();
+    parts.join(", ")
 }

@@ -29,6 +29,13 @@ impl BlockKind for Excitation {
         "ex"
     }
 
+    fn purpose(&self, _: &Designed) -> String {
+        "Test signal on the velocity command, for measuring the response of the drive: add v_excite. The first call starts nothing, also \
+         with hold_to_run TRUE: each start needs a rising edge. While the block is not called, v_excite keeps its last value and must \
+         not be added."
+            .to_owned()
+    }
+
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(&designed.axis)
     }

@@ -26,6 +26,22 @@ impl BlockKind for Feedforward {
         "ff"
     }
 
+    fn purpose(&self, designed: &Designed) -> String {
+        let of = &designed.feedforward;
+        let has = |sum: &reference::feedforward::Quantities| sum.velocity || sum.acceleration || sum.jerk;
+        let outputs = [
+            (has(&of.conventional), "v_feedforward to the position controller"),
+            (has(&of.additive), "additive_velocity to the drive"),
+            (has(&of.torque), "additive_torque to the drive"),
+        ];
+        let outputs: Vec<&str> = outputs.iter().filter(|(exists, _)| *exists).map(|(_, output)| *output).collect();
+        format!(
+            "Feedforward of the motion that the interpolator plans: {}. The first call already puts out full values, without a ramp. \
+             While the block is not called, its outputs keep the values of an earlier motion: do not use them.",
+            outputs.join(", ")
+        )
+    }
+
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(&designed.axis)
     }

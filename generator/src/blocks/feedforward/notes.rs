@@ -40,10 +40,11 @@ pub(crate) fn of_velocity(velocity: &Velocity, axis: &Axis) -> [(String, String)
         TimeBase::Cycle => "cycle",
     };
     let Ratio { num, denom } = velocity.reso;
-    let [path, _, velocity_unit] = axis.control.scaling_units();
+    let [_, velocity_unit] = axis.control.scaling_units();
+    let path = if axis.control.is_rotary { "0.001 deg" } else { "1 um" };
     let increments = digits(scale::velocity(velocity, axis.cycle_time_ns) * 1e6 / 60.0);
     let text = format!(
-        "additive velocity: {num} increments at {denom} {path} per {time} (P-AXIS-00206/00205, 00207): {increments} for \
+        "additive velocity: {num}/{denom} increments at {path} per {time} (P-AXIS-00206/00205, 00207): {increments} for \
          {velocity_unit}"
     );
     [note("velocity_scale", text), note("velocity_range", of_width(velocity.width))]

@@ -50,6 +50,10 @@ impl BlockKind for Ipc {
         "ipc"
     }
 
+    fn purpose(&self, designed: &Designed) -> String {
+        purpose(designed)
+    }
+
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         let notes = notes::notes(designed);
         if designed.axis.ipc.takes_sets() { with_sets::notes(designed, notes) } else { notes }
@@ -111,6 +115,32 @@ impl BlockKind for Ipc {
         }
         certified(designed, program)
     }
+}
+
+fn purpose(designed: &Designed) -> String {
+    let axis = &designed.axis;
+    if axis.control.master.is_some() {
+        return "Improved position control of a gantry slave: v_add is 0 in every call, because the stages of the master act. Any mode \
+                but OFF is a fault."
+            .to_owned();
+    }
+    if !axis.ipc.is_active() {
+        return "Improved position control without an active stage: v_add is 0 in every call.".to_owned();
+    }
+    let start = match axis.ipc.takes_sets() {
+        true => "The first call begins to check the offered parameter set; until it is in use, v_add is 0.",
+        false => {
+            "The first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0."
+        }
+    };
+    let later = match axis.counts_calls {
+        true => "the first call after a pause starts the filters again",
+        false => "the next call continues the filters from their old state",
+    };
+    format!(
+        "Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. {start} In ON v_add \
+         then fades in. While the block is not called, v_add keeps its last value and must not be added; {later}."
+    )
 }
 
 /// The proven properties of the block with constants.

@@ -7,7 +7,8 @@ mod diff;
 pub(crate) mod notes;
 
 use super::{BlockKind, Design, Summary, effects::Effects};
-use crate::{axis::Axis, blocks::designed::Designed, number::digits};
+use crate::axis::{Axis, Location};
+use crate::{blocks::designed::Designed, number::digits};
 use reference::position_control::{Coeffs, PositionControl};
 
 impl Design for PositionControl {
@@ -23,6 +24,16 @@ impl BlockKind for PositionControl {
 
     fn short_name(&self) -> &'static str {
         "pc"
+    }
+
+    fn purpose(&self, designed: &Designed) -> String {
+        let location = designed.position_control.location;
+        let what = match location {
+            Location::Cnc => "Position controller in the CNC: the velocity command of the drive, manipulated_variable.",
+            Location::Drive => "Position command for a drive that controls the position: x_drive.",
+            Location::Profidrive => "Control deviation for a PROFIdrive that controls the position: xerr.",
+        };
+        format!("{what} {}", from_the_first_call(location))
     }
 
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
@@ -50,5 +61,23 @@ impl BlockKind for PositionControl {
 
     fn effects(&self, designed: &Designed) -> Effects {
         diff::effects(&designed.axis)
+    }
+}
+
+/// What the first call does, and what the drive gets while there is none.
+pub(super) fn from_the_first_call(location: Location) -> &'static str {
+    match location {
+        Location::Cnc => {
+            "The first call already acts on the whole position lag, without a ramp. While the block is not called, the drive keeps the \
+             last velocity command, with which the axis moves on."
+        }
+        Location::Drive => {
+            "The first call already puts out the whole command, without a ramp from the position of the drive. While the block is not \
+             called, the drive keeps its last commands."
+        }
+        Location::Profidrive => {
+            "The first call already puts out the whole deviation, without a ramp. While the block is not called, the drive keeps the \
+             last deviation, which is then wrong."
+        }
     }
 }

@@ -14,7 +14,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         Location::Cnc => {
             notes.push(note("kv", format!("position control in the CNC: Kv = {kv}/s (P-AXIS-00099)")));
             let Ratio { num, denom } = of.multi_gain;
-            let [_, _, velocity] = axis.control.scaling_units();
+            let [_, velocity] = axis.control.scaling_units();
             let gain = format!("{num}/{denom} increments at {velocity} (P-AXIS-00129/00128)");
             notes.push(note("manipulated_scale", gain));
             notes.push(note("manipulated_range", of_width(of.command)));
@@ -26,7 +26,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     }
     if let Some(resolution) = &of.resolution {
         let increments = digits(scale::resolution(resolution));
-        let [_, fine, _] = axis.control.scaling_units();
+        let [fine, _] = axis.control.scaling_units();
         let text = format!(
             "path resolution R = {increments} increments per {fine} (P-AXIS-00092, 00233, 00234, 00362, 00363)"
         );

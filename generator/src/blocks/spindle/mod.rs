@@ -31,6 +31,10 @@ impl BlockKind for Spindle {
         "sp"
     }
 
+    fn purpose(&self, designed: &Designed) -> String {
+        format!("Changeover of a spindle between position and velocity control. {}", changeover(&designed.spindle))
+    }
+
     fn notes(&self, designed: &Designed) -> Vec<(String, String)> {
         notes::notes(&designed.axis)
     }
@@ -52,4 +56,18 @@ impl BlockKind for Spindle {
     fn effects(&self, designed: &Designed) -> Effects {
         diff::effects(&designed.axis)
     }
+}
+
+/// Who changes over, what the first calls do, and what happens while there is none.
+pub(super) fn changeover(coeffs: &Coeffs<f64>) -> String {
+    let how = match coeffs {
+        Coeffs { only_velocity: true, .. } => "The drive has velocity control alone.",
+        Coeffs { in_drive: true, .. } => "The drive changes its operation mode.",
+        Coeffs { .. } => "The CNC opens and closes its position loop; the drive stays in velocity control.",
+    };
+    format!(
+        "{how} It begins in TO_POSITION, where its commands follow the spindle; with the drive on it takes hold of the spindle after \
+         three consecutive valid samples of v_actual. A request that is TRUE in the first call does not count. While the block is not \
+         called, the commands keep their last values: under velocity control the spindle goes on turning."
+    )
 }

@@ -4,7 +4,7 @@ use super::super::feedforward::notes::{of_velocity, of_width};
 use super::super::ipc::notes::{cycle_time, note};
 use super::design::{kv, weight};
 use super::limits::{ramp, window};
-use crate::axis::{Axis, Changeover};
+use crate::axis::{Axis, Bus, Changeover, Spindle};
 use crate::number::digits;
 use crate::parameters::time_text;
 
@@ -15,13 +15,9 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
     let Some(of) = &axis.control.spindle else { return Vec::new() };
     let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
     let window = window(of.v_position_control_on, of.window);
-    let delay = format!("{} cycles (P-AXIS-00191)", of.delay_cycles + 1);
-    let lead = match of.only_velocity() {
-        true => delay,
-        false => format!("{delay} and {} / Kv, Kv = {}/s (P-AXIS-00099)", digits(1.0 - weight(of)), digits(kv(of))),
-    };
+    let timeout = time_text(of.mode_timeout_ns);
     let brake = format!(
-        "{}; from the largest velocity (P-AXIS-00212) the ramp takes {}",
+        "{} (key spindle.brake_timeout); from the largest velocity (P-AXIS-00212) the ramp takes {}",
         time_text(of.brake_timeout_ns),
         time_text(ramp(axis.ipc.v_max, off, of.deceleration))
     );
@@ -32,9 +28,10 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         note("window", format!("{} rpm (key spindle.window)", digits(window / RPM))),
         note("v_step", format!("deceleration {} rpm/s (key spindle.deceleration)", digits(of.deceleration / RPM))),
         note("v_largest", format!("below {} rpm", digits(super::design::half_turn(axis) / RPM))),
-        note("lead_time", lead),
+        note("lead_time", lead(of)),
         note("takeover_window", format!("{} deg (key spindle.takeover_window)", digits(of.takeover_window / 1000.0))),
-        note("mode_cycles", format!("{} (key spindle.mode_timeout)", time_text(of.mode_timeout_ns))),
+        note("mode_cycles", format!("{timeout} (key spindle.mode_timeout)")),
+        note("start_cycles", format!("{timeout} (key spindle.mode_timeout) and two cycles")),
         note("brake_cycles", brake),
     ];
     match &of.drive {
@@ -42,11 +39,32 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
             let weight = digits(weight.value());
             note("lead_time_per_percent", format!("weight of the feedforward {weight} (P-AXIS-00228/00229) / 100 / Kv"))
         })),
-        Changeover::Drive { velocity, .. } => {
+        Changeover::Drive { velocity, bus, .. } => {
+            let modes = match bus {
+                Bus::Sercos => "operation modes of the drive, as in S-0-0134 (P-AXIS-00264)",
+                Bus::CanOpen => "operation modes of the drive, as in 6060h (P-AXIS-00463, 00464)",
+            };
+            notes.push(note("position_mode", modes.to_owned()));
             let [scale, _] = of_velocity(velocity, axis);
             notes.push((scale.0, scale.1.replacen("additive velocity", "velocity command", 1)));
             notes.push(note("velocity_range", of_width(velocity.width)));
         }
     }
     notes
+}
+
+/// The terms of the lead of the position command.
+fn lead(of: &Spindle) -> String {
+    let delay = format!("Nd + 1 = {} cycles (P-AXIS-00191)", of.delay_cycles + 1);
+    let kv = format!("Kv = {}/s (P-AXIS-00099)", digits(kv(of)));
+    match of.drive {
+        Changeover::Cnc { feedforward, .. } => {
+            let shorter = if feedforward.is_some() { "; an active feedforward shortens it" } else { "" };
+            format!("T + 1 / Kv, {kv}{shorter}")
+        }
+        Changeover::Drive { .. } if of.only_velocity() => format!("(Nd + 1) T, {delay}"),
+        Changeover::Drive { .. } => {
+            format!("(Nd + 1) T + (1 - w) / Kv, {delay}, w = {} (P-AXIS-00833, 00766), {kv}", digits(weight(of)))
+        }
+    }
 }

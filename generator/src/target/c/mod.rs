@@ -81,6 +81,8 @@ struct CBlock {
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
+    /// what it is for, and what its first call does
+    purpose: String,
     /// its proven range, and its measured response
     certificate: String,
 }
@@ -161,6 +163,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         init: printer.body(&program.init, 1),
         any_cycle: printer.body(apart, 1),
         step: printer.body(&program.step, 1),
+        purpose: comment::wrapped(&[&outline.block.block.purpose], COMMENT_WIDTH, outline.next_line),
         certificate: comment::wrapped(&outline.block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
     }
 }

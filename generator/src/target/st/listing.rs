@@ -18,6 +18,8 @@ pub(super) struct Origin<'a> {
     axis: &'a BlockIdentity,
     block: &'static str,
     real: &'a str,
+    /// what the block is for, and what its first call does
+    purpose: String,
     /// the proven range of the block, and its measured response
     certificate: String,
     /// an instance with its type
@@ -120,6 +122,7 @@ pub(super) fn origin<'a>(
         axis,
         block: block.program.block,
         real: dialect.language.ty(Type::Real, axis.real),
+        purpose: String::new(),
         certificate: String::new(),
         instance: Default::default(),
         set: String::new(),
@@ -128,7 +131,7 @@ pub(super) fn origin<'a>(
 }
 
 impl Origin<'_> {
-    /// Adds the comment of the file that holds the block itself: its guaranteed range, and how to call it.
+    /// Adds the comment of the file that holds the block itself: its purpose, its guaranteed range, and how to call it.
     pub(super) fn with_call(self, block: &TargetBlock<'_>, dialect: &Dialect) -> Self {
         let [mode, cycle, counter] = dialect.arguments;
         let [inputs, _] = signals(&block.program, dialect.language);
@@ -152,6 +155,7 @@ impl Origin<'_> {
             quote => format!("a data block {quote}{SET}{quote} of the type {quote}{set}{quote}"),
         };
         Self {
+            purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, "\n   "),
             certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n   "),
             instance: [format!("{}{instance}", dialect.mark), format!("{instance} : {ty}")],
             set: if block.program.has_set() { set } else { String::new() },

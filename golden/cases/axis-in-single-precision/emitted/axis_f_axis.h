@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  729469a68c1da346c7ec146f131f7f79
  * structure   3ac15a771f94c29310e4aea9ca399807
- * checksum    0675f12f27f8215bba2a4d536572f28a
+ * checksum    5c2514937bd01419db90d40162ab8f2f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_AXIS_H
@@ -18,6 +18,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The whole axis: feedforward, position control in the CNC, improved position control, whose v_add fades in. The
+ * first call already acts on the whole position lag, without a ramp. While the block is not called, the drive
+ * keeps the last velocity command, with which the axis moves on. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */
@@ -107,7 +111,7 @@ typedef struct {
      * cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none, 1
      * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 24 following_error */
     uint32_t error_id;
-    /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
+    /* an output is at its limit, or at the end of the range of its process-data type, in this cycle */
     bool limited;
     bool fault; /* a part of the block cannot act in this cycle; the error id gives the reason */
 } axis_f_axis_outputs;

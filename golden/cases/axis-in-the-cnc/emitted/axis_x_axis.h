@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    093170267dfe41500a81d31c358cbd4b
+ * checksum    47c7b7ffd86392404c71cd577c68e8ba
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -18,6 +18,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The whole axis: feedforward, position control in the CNC, improved position control, whose v_add fades in. The
+ * first call already acts on the whole position lag, without a ramp. While the block is not called, the drive
+ * keeps the last velocity command, with which the axis moves on. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */
@@ -109,7 +113,7 @@ typedef struct {
      * cycle_time, x_command and x_actual stop the axis, the others stop the part that reads the input: 0 none, 1
      * cycle_time, 2 mode, 3 state, 12 v_motor, 14 v_interpolator, 15 a_interpolator, 17 x_command, 18 x_actual */
     uint32_t error_id;
-    /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
+    /* an output is at its limit, or at the end of the range of its process-data type, in this cycle */
     bool limited;
     bool fault; /* a part of the block cannot act in this cycle; the error id gives the reason */
 } axis_x_axis_outputs;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
  * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    3f69a15369c013c0a8b8bc89b9866292
+ * checksum    641f51a22f7be93c4327ac0dddc1038f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_EXCITATION_H
@@ -18,6 +18,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Test signal on the velocity command, for measuring the response of the drive: add v_excite. The first call
+ * starts nothing, also with hold_to_run TRUE: each start needs a rising edge. While the block is not called,
+ * v_excite keeps its last value and must not be added. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    68dd5d60cee4a014dc082df1fadfe495
+ * checksum    1a9a0bd0f089207c5edaa9c9cfecda5a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_FEEDFORWARD_H
@@ -18,6 +18,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Feedforward of the motion that the interpolator plans: v_feedforward to the position controller. The first
+ * call already puts out full values, without a ramp. While the block is not called, its outputs keep the values
+ * of an earlier motion: do not use them. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */

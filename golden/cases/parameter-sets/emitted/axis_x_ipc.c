@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   44bb974ad06004ecacf615dab26bf093
- * checksum    ac8539c7cf04ff4904f8946431f3a905
+ * structure   05f362d744a21ffc060cc92ef672ff90
+ * checksum    c2004ba16ee6c639bd44c4afa5421611
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -183,9 +183,10 @@ static void axis_x_ipc_any_cycle(
     static const float next_cut = 2147483600.0f;
     static const uint32_t last_piece = 2u; /* the last piece of a number, counted from 0 */
 
+    /* any other cycle: an offered set, the start, a fade, a fault */
     state->offered_set = inputs->params->set_id;
     int32_t mode;
-    uint32_t refused_2;
+    uint32_t reason;
     if (state->ipc_fade > axis_x_ipc_ipc_fade_cycles) {
         state->set_id = 0u;
         state->acting_set = 0u;
@@ -193,255 +194,242 @@ static void axis_x_ipc_any_cycle(
         state->pause = 0u;
         state->check_set_id = 0u;
         mode = inputs->mode;
-        refused_2 = AXIS_X_IPC_ERROR_NONE;
+        reason = AXIS_X_IPC_ERROR_NONE;
     } else if (state->offered_set != state->acting_set || state->acting_set == 0u) {
         const bool must_wait =
             state->pause > 0u && state->pause <= axis_x_ipc_ipc_fade_cycles
                 && state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
                 && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+        const bool leaves = state->ipc_fade > 0u && state->acting_set == 0u;
         if (state->offered_set == state->set_id && state->set_id != 0u) {
             state->acting_set = state->set_id;
             state->check_set_id = 0u;
-            refused_2 = AXIS_X_IPC_ERROR_NONE;
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else if (must_wait) {
             state->pause = state->pause - 1u;
-            refused_2 = state->refused;
+            reason = state->refused;
+        } else if (leaves) {
+            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            const uint32_t fade = state->ipc_fade;
-            const uint32_t acting_set = state->acting_set;
-            if (fade > 0u && acting_set == 0u) {
-                refused_2 = AXIS_X_IPC_ERROR_NONE;
-            } else {
-                const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
-                uint32_t refused;
-                if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
-                    state->check_forming_left_over = 0.0f;
-                    state->check_forming_pieces = 0u;
-                    state->check_forming_second = empty_second;
-                    state->check_forming_first = empty_first;
-                    state->check_turn = 0u;
-                    uint32_t turn_2;
-                    if (is_copied) {
-                        turn_2 = 0u;
-                    } else {
-                        turn_2 = state->turn;
-                    }
-                    state->turn = turn_2;
-                    const uint32_t set_id = state->offered_set;
-                    state->check_set_id = set_id;
-                    if (inputs->params->structure != structure || state->offered_set == 0u) {
-                        refused = AXIS_X_IPC_ERROR_SET_STRUCTURE;
-                    } else {
-                        refused = AXIS_X_IPC_ERROR_NONE;
-                    }
+            const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+            uint32_t refusal_found;
+            if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
+                state->check_forming_left_over = 0.0f;
+                state->check_forming_pieces = 0u;
+                state->check_forming_second = empty_second;
+                state->check_forming_first = empty_first;
+                state->check_turn = 0u;
+                if (is_copied) {
+                    state->turn = 0u;
+                }
+                const uint32_t set_id = state->offered_set;
+                state->check_set_id = set_id;
+                if (inputs->params->structure != structure || state->offered_set == 0u) {
+                    refusal_found = AXIS_X_IPC_ERROR_SET_STRUCTURE;
                 } else {
-                    if (is_copied) {
-                        state->check_picked_number = state->picked_number;
+                    refusal_found = AXIS_X_IPC_ERROR_NONE;
+                }
+            } else {
+                if (is_copied) {
+                    state->check_picked_number = state->picked_number;
+                } else {
+                    const uint32_t turn_2 = state->check_turn;
+                    state->check_picked_role = role_coefficient;
+                    if (turn_2 == 0u) {
+                        state->check_picked_number = inputs->params->limit;
+                        state->check_picked_role = role_limit;
+                    } else if (turn_2 == 1u) {
+                        state->check_picked_number = inputs->params->lower_limit;
+                        state->check_picked_role = role_lower_limit;
+                    } else if (turn_2 == 2u) {
+                        state->check_picked_number = inputs->params->sum_limit;
+                        state->check_picked_role = role_sum_limit;
+                    } else if (turn_2 == 3u) {
+                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
+                    } else if (turn_2 == 4u) {
+                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
+                    } else if (turn_2 == 5u) {
+                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
+                        state->check_picked_role = role_c;
+                    } else if (turn_2 == 6u) {
+                        state->check_picked_number = inputs->params->stage0_gain;
+                        state->check_picked_role = role_gain;
                     } else {
-                        const uint32_t turn_3 = state->check_turn;
-                        state->check_picked_role = role_coefficient;
-                        if (turn_3 == 0u) {
-                            state->check_picked_number = inputs->params->limit;
-                            state->check_picked_role = role_limit;
-                        } else if (turn_3 == 1u) {
-                            state->check_picked_number = inputs->params->lower_limit;
-                            state->check_picked_role = role_lower_limit;
-                        } else if (turn_3 == 2u) {
-                            state->check_picked_number = inputs->params->sum_limit;
-                            state->check_picked_role = role_sum_limit;
-                        } else if (turn_3 == 3u) {
-                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                        } else if (turn_3 == 4u) {
-                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                        } else if (turn_3 == 5u) {
-                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                            state->check_picked_role = role_c;
-                        } else if (turn_3 == 6u) {
-                            state->check_picked_number = inputs->params->stage0_gain;
-                            state->check_picked_role = role_gain;
-                        } else {
-                            /* no action */
-                        }
-                    }
-                    if (state->check_turn < 7u) {
-                        bool check_is_in_order;
-                        if (is_copied) {
-                            check_is_in_order = true;
-                        } else {
-                            const float check_number = state->check_picked_number;
-                            const int32_t check_role = state->check_picked_role;
-                            if (check_role == role_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
-                            } else if (check_role == role_lower_limit) {
-                                check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
-                            } else if (check_role == role_sum_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
-                                        && check_number >= state->check_two_before;
-                            } else if (check_role == role_gain) {
-                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
-                            } else if (check_role == role_c) {
-                                const float check_a = state->check_two_before;
-                                const float check_b = state->check_before;
-                                if (axis_x_ipc_magnitude(check_a) <= largest_number
-                                        && axis_x_ipc_magnitude(check_b) <= pole_limit
-                                        && axis_x_ipc_magnitude(check_number) <= largest_number) {
-                                    const float check_product = check_a * check_number;
-                                    check_is_in_order =
-                                        0.0f < check_product && check_product < check_b && check_b < pole_limit;
-                                } else {
-                                    check_is_in_order = false;
-                                }
-                            } else if (check_role == role_g2) {
-                                const float check_a_2 = state->check_before * state->check_three_before;
-                                const float check_b_2 = state->check_before * state->check_two_before;
-                                const float check_product_2 = check_a_2 * check_number;
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number) <= largest_number
-                                        && 0.0f < check_product_2 && check_product_2 < check_b_2
-                                        && check_b_2 < pole_limit;
-                            } else {
-                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
-                            }
-                        }
-                        if (check_is_in_order) {
-                            const float check_number_2 = state->check_picked_number;
-                            const bool check_is_limit = state->check_turn < 3u;
-                            float check_scaled;
-                            if (check_is_limit) {
-                                check_scaled = check_number_2 * limit_scale;
-                            } else {
-                                check_scaled = check_number_2;
-                            }
-                            float check_forming_rest;
-                            if (state->check_forming_pieces == 0u) {
-                                check_forming_rest = check_scaled * first_cut;
-                            } else {
-                                check_forming_rest = state->check_forming_rest;
-                            }
-                            int32_t check_forming_piece;
-                            if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
-                                check_forming_piece = (int32_t)check_forming_rest;
-                            } else {
-                                /* reached only if the block's memory was corrupted */
-                                check_forming_piece = 0;
-                            }
-                            state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
-                            const int32_t check_forming_remainder = check_forming_piece % 46337;
-                            int32_t check_forming_part;
-                            if (check_forming_remainder < 0) {
-                                check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
-                            } else {
-                                check_forming_part = check_forming_remainder;
-                            }
-                            const int32_t check_forming_first =
-                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
-                            const int32_t check_forming_second =
-                                (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
-                            state->check_forming_first =
-                                ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
-                            state->check_forming_second =
-                                ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
-                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
-                            if (check_forming_is_complete) {
-                                state->check_forming_pieces = 0u;
-                                state->check_forming_left_over =
-                                    state->check_forming_left_over + state->check_forming_rest;
-                            } else {
-                                state->check_forming_pieces = state->check_forming_pieces + 1u;
-                            }
-                            bool check_is_done;
-                            if (check_forming_is_complete) {
-                                state->check_three_before = state->check_two_before;
-                                state->check_two_before = state->check_before;
-                                state->check_before = check_number_2;
-                                state->check_turn = state->check_turn + 1u;
-                                check_is_done = state->check_turn >= 7u;
-                            } else {
-                                check_is_done = false;
-                            }
-                            if (check_is_done) {
-                                const uint32_t check_set_id = state->check_set_id;
-                                const uint32_t check_quotient = check_set_id / 46337u;
-                                const float check_first =
-                                    (float)check_quotient - (float)state->check_forming_first - 1.0f;
-                                const float check_second =
-                                    (float)(check_set_id % 46337u) - (float)state->check_forming_second;
-                                const bool check_is_word =
-                                    axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
-                                        && axis_x_ipc_is_zero(state->check_forming_left_over);
-                                if (check_is_word) {
-                                    refused = AXIS_X_IPC_ERROR_NONE;
-                                } else {
-                                    refused = AXIS_X_IPC_ERROR_SET_DAMAGED;
-                                }
-                            } else {
-                                refused = AXIS_X_IPC_ERROR_NONE;
-                            }
-                        } else {
-                            refused = AXIS_X_IPC_ERROR_SET_UNSOUND;
-                        }
-                        uint32_t turn_4;
-                        if (is_copied) {
-                            turn_4 = state->check_turn;
-                        } else {
-                            turn_4 = state->turn;
-                        }
-                        state->turn = turn_4;
-                    } else {
-                        if (is_copied) {
-                            state->copied_set = 0u;
-                            state->turn = 0u;
-                            state->set_id = state->offered_set;
-                            state->acting_set = state->offered_set;
-                        } else {
-                            state->refused = AXIS_X_IPC_ERROR_NONE;
-                            if (state->ipc_fade == 0u) {
-                                state->now_limit = inputs->params->limit;
-                                state->now_lower_limit = inputs->params->lower_limit;
-                                state->now_sum_limit = inputs->params->sum_limit;
-                                state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                                state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                                state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                                state->now_stage0_gain = inputs->params->stage0_gain;
-                                state->copy_limit = state->now_limit;
-                                state->copy_lower_limit = state->now_lower_limit;
-                                state->copy_sum_limit = state->now_sum_limit;
-                                state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-                                state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-                                state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-                                state->copy_stage0_gain = state->now_stage0_gain;
-                                state->copied_set = state->offered_set;
-                                state->check_set_id = 0u;
-                                state->set_id = 0u;
-                                state->acting_set = 0u;
-                                state->turn = 0u;
-                                state->ipc_preset = false;
-                            } else {
-                                state->acting_set = 0u;
-                            }
-                        }
-                        refused = AXIS_X_IPC_ERROR_NONE;
+                        /* no action */
                     }
                 }
-                if (refused != AXIS_X_IPC_ERROR_NONE) {
-                    state->refused = refused;
-                    state->refused_set = state->offered_set;
-                    state->pause = axis_x_ipc_ipc_fade_cycles;
-                    state->acting_set = state->set_id;
-                    state->copied_set = 0u;
-                    state->check_set_id = 0u;
-                    refused_2 = refused;
-                } else {
-                    const bool stays_refused =
-                        state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
-                            && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
-                    if (stays_refused) {
-                        refused_2 = state->refused;
+                if (state->check_turn < 7u) {
+                    bool check_is_in_order;
+                    if (is_copied) {
+                        check_is_in_order = true;
                     } else {
-                        refused_2 = AXIS_X_IPC_ERROR_NONE;
+                        const float check_number = state->check_picked_number;
+                        const int32_t check_role = state->check_picked_role;
+                        if (check_role == role_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
+                        } else if (check_role == role_lower_limit) {
+                            check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
+                        } else if (check_role == role_sum_limit) {
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
+                                    && check_number >= state->check_two_before;
+                        } else if (check_role == role_gain) {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
+                        } else if (check_role == role_c) {
+                            const float check_a = state->check_two_before;
+                            const float check_b = state->check_before;
+                            if (axis_x_ipc_magnitude(check_a) <= largest_number
+                                    && axis_x_ipc_magnitude(check_b) <= pole_limit
+                                    && axis_x_ipc_magnitude(check_number) <= largest_number) {
+                                const float check_product = check_a * check_number;
+                                check_is_in_order =
+                                    0.0f < check_product && check_product < check_b && check_b < pole_limit;
+                            } else {
+                                check_is_in_order = false;
+                            }
+                        } else if (check_role == role_g2) {
+                            const float check_a_2 = state->check_before * state->check_three_before;
+                            const float check_b_2 = state->check_before * state->check_two_before;
+                            const float check_product_2 = check_a_2 * check_number;
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= largest_number
+                                    && 0.0f < check_product_2 && check_product_2 < check_b_2 && check_b_2 < pole_limit;
+                        } else {
+                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
+                        }
                     }
+                    if (check_is_in_order) {
+                        const float check_number_2 = state->check_picked_number;
+                        const bool check_is_limit = state->check_turn < 3u;
+                        float check_scaled;
+                        if (check_is_limit) {
+                            check_scaled = check_number_2 * limit_scale;
+                        } else {
+                            check_scaled = check_number_2;
+                        }
+                        float check_forming_rest;
+                        if (state->check_forming_pieces == 0u) {
+                            check_forming_rest = check_scaled * first_cut;
+                        } else {
+                            check_forming_rest = state->check_forming_rest;
+                        }
+                        int32_t check_forming_piece;
+                        if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
+                            check_forming_piece = (int32_t)check_forming_rest;
+                        } else {
+                            /* reached only if the block's memory was corrupted */
+                            check_forming_piece = 0;
+                        }
+                        state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                        const int32_t check_forming_remainder = check_forming_piece % 46337;
+                        int32_t check_forming_part;
+                        if (check_forming_remainder < 0) {
+                            check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
+                        } else {
+                            check_forming_part = check_forming_remainder;
+                        }
+                        const int32_t check_forming_first =
+                            (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                        const int32_t check_forming_second =
+                            (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
+                        state->check_forming_first =
+                            ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
+                        state->check_forming_second =
+                            ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
+                        const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                        if (check_forming_is_complete) {
+                            state->check_forming_pieces = 0u;
+                            state->check_forming_left_over = state->check_forming_left_over + state->check_forming_rest;
+                        } else {
+                            state->check_forming_pieces = state->check_forming_pieces + 1u;
+                        }
+                        bool check_is_done;
+                        if (check_forming_is_complete) {
+                            state->check_three_before = state->check_two_before;
+                            state->check_two_before = state->check_before;
+                            state->check_before = check_number_2;
+                            state->check_turn = state->check_turn + 1u;
+                            check_is_done = state->check_turn >= 7u;
+                        } else {
+                            check_is_done = false;
+                        }
+                        if (check_is_done) {
+                            const uint32_t check_set_id = state->check_set_id;
+                            const uint32_t check_quotient = check_set_id / 46337u;
+                            const float check_first = (float)check_quotient - (float)state->check_forming_first - 1.0f;
+                            const float check_second =
+                                (float)(check_set_id % 46337u) - (float)state->check_forming_second;
+                            const bool check_is_word =
+                                axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
+                                    && axis_x_ipc_is_zero(state->check_forming_left_over);
+                            if (check_is_word) {
+                                refusal_found = AXIS_X_IPC_ERROR_NONE;
+                            } else {
+                                refusal_found = AXIS_X_IPC_ERROR_SET_DAMAGED;
+                            }
+                        } else {
+                            refusal_found = AXIS_X_IPC_ERROR_NONE;
+                        }
+                    } else {
+                        refusal_found = AXIS_X_IPC_ERROR_SET_UNSOUND;
+                    }
+                    if (is_copied) {
+                        state->turn = state->check_turn;
+                    }
+                } else {
+                    if (is_copied) {
+                        state->copied_set = 0u;
+                        state->turn = 0u;
+                        state->set_id = state->offered_set;
+                        state->acting_set = state->offered_set;
+                    } else {
+                        state->refused = AXIS_X_IPC_ERROR_NONE;
+                        if (state->ipc_fade == 0u) {
+                            /* the offered set is copied; it is in use as soon as the copy has been checked */
+                            state->now_limit = inputs->params->limit;
+                            state->now_lower_limit = inputs->params->lower_limit;
+                            state->now_sum_limit = inputs->params->sum_limit;
+                            state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
+                            state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
+                            state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
+                            state->now_stage0_gain = inputs->params->stage0_gain;
+                            state->copy_limit = state->now_limit;
+                            state->copy_lower_limit = state->now_lower_limit;
+                            state->copy_sum_limit = state->now_sum_limit;
+                            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
+                            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
+                            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
+                            state->copy_stage0_gain = state->now_stage0_gain;
+                            state->copied_set = state->offered_set;
+                            state->check_set_id = 0u;
+                            state->set_id = 0u;
+                            state->acting_set = 0u;
+                            state->turn = 0u;
+                            state->ipc_preset = false;
+                        } else {
+                            state->acting_set = 0u;
+                        }
+                    }
+                    refusal_found = AXIS_X_IPC_ERROR_NONE;
+                }
+            }
+            if (refusal_found != AXIS_X_IPC_ERROR_NONE) {
+                state->refused = refusal_found;
+                state->refused_set = state->offered_set;
+                state->pause = axis_x_ipc_ipc_fade_cycles;
+                state->acting_set = state->set_id;
+                state->copied_set = 0u;
+                state->check_set_id = 0u;
+                reason = refusal_found;
+            } else {
+                const bool stays_refused =
+                    state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                        && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+                if (stays_refused) {
+                    reason = state->refused;
+                } else {
+                    reason = AXIS_X_IPC_ERROR_NONE;
                 }
             }
         }
@@ -457,7 +445,7 @@ static void axis_x_ipc_any_cycle(
     } else {
         state->set_id = state->acting_set;
         mode = inputs->mode;
-        refused_2 = AXIS_X_IPC_ERROR_NONE;
+        reason = AXIS_X_IPC_ERROR_NONE;
     }
     bool ipc_runs;
     uint32_t ipc_reason;
@@ -616,9 +604,9 @@ static void axis_x_ipc_any_cycle(
     }
     const uint32_t set_id_2 = state->set_id;
     outputs->active_set = set_id_2;
-    if (refused_2 != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
+    if (reason != AXIS_X_IPC_ERROR_NONE && !ipc_fault) {
         outputs->fault = set_id_2 == 0u;
-        outputs->error_id = refused_2;
+        outputs->error_id = reason;
     } else {
         outputs->error_id = error_id_so_far;
         outputs->fault = ipc_fault;
@@ -631,6 +619,7 @@ void axis_x_ipc_step(
     axis_x_ipc_outputs *restrict outputs)
 {
     if (state->turn <= 7u) {
+        /* one number in use is compared with its copy in each cycle */
         const uint32_t turn = state->turn;
         if (turn == 0u) {
             state->picked_number = state->now_limit;
@@ -679,6 +668,7 @@ void axis_x_ipc_step(
             && state->ipc_fade == axis_x_ipc_ipc_fade_cycles) {
         outputs->error_id = AXIS_X_IPC_ERROR_NONE;
         outputs->fault = false;
+        /* the fast path: the offered set is in use, the mode is ON, and the fade is full */
         const float ipc_source_v_motor_change = inputs->v_motor - state->ipc_source_v_motor_before;
         state->ipc_source_v_motor_before = inputs->v_motor;
         const float ipc_source_v_motor = ipc_source_v_motor_change + axis_x_ipc_least_change;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   44bb974ad06004ecacf615dab26bf093
- * checksum    c6aecfb31f1d9db1ee181b7c02279ce0
+ * structure   05f362d744a21ffc060cc92ef672ff90
+ * checksum    03ef745b5801acd9836e9cf33dc1c128
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -18,6 +18,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+ * first call begins to check the offered parameter set; until it is in use, v_add is 0. In ON v_add then fades
+ * in. While the block is not called, v_add keeps its last value and must not be added; the next call continues
+ * the filters from their old state. */
 
 /* Of the parameter set that the block was generated with:
  * range: |v| <= 400000 gives |v_add| <= 1528678 before the limit and no |state| above 2947769; for |v| <=
@@ -44,10 +49,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x44bb974au
-#define AXIS_X_IPC_STRUCTURE_1 0xd06004ecu
-#define AXIS_X_IPC_STRUCTURE_2 0xacf615dau
-#define AXIS_X_IPC_STRUCTURE_3 0xb26bf093u
+#define AXIS_X_IPC_STRUCTURE_0 0x05f362d7u
+#define AXIS_X_IPC_STRUCTURE_1 0x44a21ffcu
+#define AXIS_X_IPC_STRUCTURE_2 0x060cc92eu
+#define AXIS_X_IPC_STRUCTURE_3 0xf672ff90u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

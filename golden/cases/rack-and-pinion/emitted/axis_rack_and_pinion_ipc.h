@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    00ac66cb663e5c4a47031909d1563f04
+ * checksum    1cb47f656b938b5b7da5ee57ebf8799e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -18,6 +18,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+ * first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
+ * v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
+ * call continues the filters from their old state. */
 
 /* range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
  * 4.355187e15, within double precision

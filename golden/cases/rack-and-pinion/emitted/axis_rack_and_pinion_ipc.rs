@@ -5,8 +5,13 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    40b22e98e925db2ac92aa28abe48b0d8
+// checksum    13b05bb1bb18351693c0ff7f207117eb
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
+
+// Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+// first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
+// v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
+// call continues the filters from their old state.
 
 // range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
 // 4.355187e15, within double precision

@@ -6,7 +6,7 @@
  * cycle time  2000000 ns
  * parameters  3a154cd186faf36d5b7438ab27a47ecf
  * structure   7a6d81ec8a8cbd342dd255d033e5eeb5
- * checksum    327ad395d1c8f29c44e19498f85a03a6
+ * checksum    fd628132979d15acfd1473efd5745165
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_F_POSITION_CONTROL_H
@@ -18,6 +18,10 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Position controller in the CNC: the velocity command of the drive, manipulated_variable. The first call
+ * already acts on the whole position lag, without a ramp. While the block is not called, the drive keeps the
+ * last velocity command, with which the axis moves on. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    ddb2c396c1181db5365c94d9485a1c08
+ * checksum    e3fbeed3c0fdf60e5c47c95ce0a11cec
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -18,6 +18,11 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+ * first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
+ * v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
+ * call continues the filters from their old state. */
 
 /* range: |v| <= 180000 gives |v_add| <= 1090501 before the limit and no |state| above 1505472; for |v| <=
  * 1000000000: 8363732000, within single precision

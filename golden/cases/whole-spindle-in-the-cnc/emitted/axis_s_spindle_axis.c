@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   8460acc2bc66c2cc00537a7873a212df
- * checksum    18499a8e334a0aa14aa47ac3836fc742
+ * structure   35984cbae348854795e867e977de15ae
+ * checksum    41c30e403c9471d367800d17c1153b1b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -251,8 +251,8 @@ static void axis_s_spindle_axis_any_cycle(
     /* deceleration 5000 rpm/s (key spindle.deceleration) */
     static const double spindle_v_step = 30000.0; /* deceleration * T: largest change of the velocity in a cycle [0.001 deg/s] */
 
-    /* 1 cycles (P-AXIS-00191) and 1 / Kv, Kv = 100/s (P-AXIS-00099) */
-    /* lead of the position command: (Nd + 1) T + (1 - w) / Kv, in the CNC T + 1 / Kv [s] */
+    /* T + 1 / Kv, Kv = 100/s (P-AXIS-00099); an active feedforward shortens it */
+    /* lead of the position command over the actual position where position control begins [s] */
     static const double spindle_lead_time = 0.011;
 
     /* weight of the feedforward 1 (P-AXIS-00228/00229) / 100 / Kv */
@@ -262,12 +262,10 @@ static void axis_s_spindle_axis_any_cycle(
     /* largest step of the position command when the interpolator takes over [0.001 deg] */
     static const double spindle_takeover_window = 1000.0;
 
-    /* 100ms (key spindle.mode_timeout) */
-    static const uint32_t spindle_mode_cycles = 100u; /* cycles within which the drive displays a new mode */
-    /* cycles within which the drive displays a new mode after it is switched on: two more than otherwise */
-    static const uint32_t spindle_start_cycles = 102u;
+    /* 100ms (key spindle.mode_timeout) and two cycles */
+    static const uint32_t spindle_start_cycles = 102u; /* cycles within which position control begins after the drive is switched on */
 
-    /* 1.08s; from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
+    /* 1.08s (key spindle.brake_timeout); from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
     static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
 
     /* fade from OFF to ON: 0.1 s (key fade) */
@@ -278,6 +276,7 @@ static void axis_s_spindle_axis_any_cycle(
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
 
+    /* any other cycle: requests, changes of the state, missing samples, errors */
     const bool spindle_is_job =
         (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
@@ -286,6 +285,7 @@ static void axis_s_spindle_axis_any_cycle(
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit;
+    /* memory that no cycle can have left is repaired, and the spindle stops */
     if (state->spindle_missing > 4u) {
         state->spindle_missing = 4u;
     }
@@ -295,60 +295,61 @@ static void axis_s_spindle_axis_any_cycle(
     if (state->spindle_cycles > largest_count) {
         state->spindle_cycles = largest_count;
     }
-    const uint32_t spindle_id = state->spindle_lasting_error;
     const bool spindle_is_error =
-        spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_NONE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
-            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_STATE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
-            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
-            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
-            || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER || spindle_id == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-    const int32_t spindle_control = state->spindle_control;
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_STATE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
     const bool spindle_is_control =
-        (spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-                || spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
+        (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
             && state->spindle_control_copy == state->spindle_control;
-    const bool spindle_is_sound =
+    const bool spindle_is_motion_sound =
         state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
             && state->spindle_x_start < axis_s_spindle_axis_full_turn
             && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
-    if (!(spindle_is_error && spindle_is_control && spindle_is_sound && spindle_is_job
-            && state->spindle_queued <= 4u)) {
+    const bool spindle_is_intact =
+        spindle_is_error && spindle_is_control && spindle_is_motion_sound && spindle_is_job
+            && state->spindle_queued <= 4u;
+    if (!spindle_is_intact) {
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
     }
     if (state->spindle_queued > 4u) {
         state->spindle_queued = 0u;
     }
     int32_t spindle_cycle_control;
-    bool spindle_begins;
     if (spindle_is_control) {
         spindle_cycle_control = state->spindle_control;
-        spindle_begins = false;
     } else {
         spindle_cycle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        spindle_begins = true;
     }
-    bool spindle_forgets;
-    if (spindle_is_sound) {
-        spindle_forgets = false;
-    } else {
+    const bool spindle_begins = !spindle_is_control;
+    if (!spindle_is_motion_sound) {
         state->spindle_x = 0.0;
         state->spindle_x_start = 0.0;
         state->spindle_v = 0.0;
         state->spindle_seen_v = 0.0;
         state->spindle_seen_v_last = 0.0;
         state->spindle_seen_v_before = 0.0;
-        spindle_forgets = true;
     }
+    const bool spindle_forgets = !spindle_is_motion_sound;
     const bool spindle_is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
     uint32_t spindle_request_error;
     if (spindle_is_any || state->spindle_before_any) {
         state->spindle_before_any = spindle_is_any;
+        /* requests: each counts in the cycle in which its input becomes TRUE */
         const bool spindle_new_m19 = inputs->m19 && !state->spindle_before_m19;
         const bool spindle_new_turn =
             !spindle_new_m19
@@ -382,7 +383,6 @@ static void axis_s_spindle_axis_any_cycle(
                 spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_TURN;
                 spindle_has_others = false;
             }
-            const uint32_t spindle_waiting_now = state->spindle_queued;
             const bool spindle_has_speed =
                 spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
             uint32_t spindle_why;
@@ -396,7 +396,7 @@ static void axis_s_spindle_axis_any_cycle(
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
             } else if (!inputs->drive_on) {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
-            } else if (spindle_waiting_now >= 4u) {
+            } else if (state->spindle_queued >= 4u) {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_WAITING;
             } else {
                 spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
@@ -457,11 +457,12 @@ static void axis_s_spindle_axis_any_cycle(
     bool spindle_begins_2;
     if (inputs->reset) {
         if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            /* the reset ends the error that stayed */
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            state->spindle_returns = false;
             if (inputs->drive_on) {
-                const bool spindle_is_moving = state->spindle_is_moving;
-                if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving) {
+                const bool spindle_at_start =
+                    spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+                if (spindle_at_start) {
                     spindle_cycle_control_2 = spindle_cycle_control;
                     spindle_forgets_2 = true;
                 } else {
@@ -477,6 +478,7 @@ static void axis_s_spindle_axis_any_cycle(
         } else {
             if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
                     || spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                /* the reset leads back to position control */
                 state->spindle_returns = true;
             }
             spindle_cycle_control_2 = spindle_cycle_control;
@@ -494,23 +496,18 @@ static void axis_s_spindle_axis_any_cycle(
         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
     }
     int32_t spindle_cycle_control_3;
-    bool spindle_begins_3;
     bool spindle_forgets_3;
     if (inputs->drive_on) {
         spindle_cycle_control_3 = spindle_cycle_control_2;
-        spindle_begins_3 = spindle_begins_2;
         spindle_forgets_3 = spindle_forgets_2;
     } else {
-        state->spindle_takes_over = false;
-        state->spindle_returns = false;
-        if (spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION || state->spindle_is_moving) {
-            spindle_forgets_3 = true;
-        } else {
-            spindle_forgets_3 = spindle_forgets_2;
-        }
+        /* the drive is off: the start begins again */
+        spindle_forgets_3 =
+            spindle_forgets_2 || spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+                || state->spindle_is_moving;
         state->spindle_is_moving = false;
+        state->spindle_takes_over = false;
         spindle_cycle_control_3 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        spindle_begins_3 = true;
     }
     outputs->spindle_state = spindle_cycle_control_3;
     state->spindle_control_copy = spindle_cycle_control_3;
@@ -518,55 +515,53 @@ static void axis_s_spindle_axis_any_cycle(
     if (inputs->reset || !inputs->drive_on) {
         state->spindle_queued = 0u;
     }
-    if (spindle_begins_3) {
+    if (spindle_begins_2 || !inputs->drive_on) {
         state->spindle_cycles = 0u;
         state->spindle_settled = 0u;
         state->spindle_missing = 0u;
+        state->spindle_returns = false;
     }
-    const bool spindle_is_moving_2 = state->spindle_is_moving;
-    const bool spindle_begins_4 =
-        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !spindle_is_moving_2;
-    const bool spindle_is_sound_2 = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_at_start_2 =
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    const bool spindle_may_act = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_seized =
-        inputs->drive_on && !spindle_is_sound_2 && spindle_begins_4 && state->spindle_cycles == 0u;
-    const bool spindle_follows = spindle_begins_4 && (!inputs->drive_on || spindle_is_sound_2 || spindle_is_seized);
+        inputs->drive_on && !spindle_may_act && spindle_at_start_2 && state->spindle_cycles == 0u;
+    const bool spindle_is_followed = spindle_at_start_2 && (!inputs->drive_on || spindle_may_act || spindle_is_seized);
     const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-    if (spindle_forgets_3 || (spindle_follows && !spindle_is_known)) {
+    if (spindle_forgets_3 || (spindle_is_followed && !spindle_is_known)) {
         state->spindle_seen_samples = 0u;
         state->spindle_seen_slow = 0u;
     }
     double spindle_v_turning;
     bool spindle_holds_back;
     uint32_t spindle_sample_error;
-    if (spindle_follows) {
+    if (spindle_is_followed) {
+        /* the block does not move the spindle yet: the commands follow it */
         if (spindle_is_known) {
             if (state->spindle_seen_samples == 0u) {
                 state->spindle_seen_v_last = inputs->v_actual;
                 state->spindle_seen_v_before = inputs->v_actual;
             }
-            const double spindle_seen_a = state->spindle_seen_v_before;
-            const double spindle_seen_b = state->spindle_seen_v_last;
-            double spindle_seen_low;
-            if (spindle_seen_a < spindle_seen_b) {
-                spindle_seen_low = spindle_seen_a;
+            const double spindle_seen_low = state->spindle_seen_v_last;
+            const double spindle_seen_high = state->spindle_seen_v_before;
+            double spindle_seen_low_2;
+            double spindle_seen_high_2;
+            if (state->spindle_seen_v_before < state->spindle_seen_v_last) {
+                spindle_seen_low_2 = state->spindle_seen_v_before;
+                spindle_seen_high_2 = state->spindle_seen_v_last;
             } else {
-                spindle_seen_low = spindle_seen_b;
-            }
-            double spindle_seen_high;
-            if (spindle_seen_a < spindle_seen_b) {
-                spindle_seen_high = spindle_seen_b;
-            } else {
-                spindle_seen_high = spindle_seen_a;
+                spindle_seen_low_2 = spindle_seen_low;
+                spindle_seen_high_2 = spindle_seen_high;
             }
             double spindle_seen_below_high;
-            if (inputs->v_actual < spindle_seen_high) {
+            if (inputs->v_actual < spindle_seen_high_2) {
                 spindle_seen_below_high = inputs->v_actual;
             } else {
-                spindle_seen_below_high = spindle_seen_high;
+                spindle_seen_below_high = spindle_seen_high_2;
             }
             double spindle_seen_v_middle;
-            if (spindle_seen_below_high < spindle_seen_low) {
-                spindle_seen_v_middle = spindle_seen_low;
+            if (spindle_seen_below_high < spindle_seen_low_2) {
+                spindle_seen_v_middle = spindle_seen_low_2;
             } else {
                 spindle_seen_v_middle = spindle_seen_below_high;
             }
@@ -601,7 +596,7 @@ static void axis_s_spindle_axis_any_cycle(
         const bool spindle_is_found =
             axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
         if (spindle_is_found && (spindle_is_known || !inputs->drive_on)) {
-            double spindle_time;
+            double spindle_lead;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
                 if (inputs->feedforward_percentage < 100) {
@@ -609,12 +604,12 @@ static void axis_s_spindle_axis_any_cycle(
                 } else {
                     spindle_percentage = 100;
                 }
-                spindle_time = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
+                spindle_lead = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
             } else {
-                spindle_time = spindle_lead_time;
+                spindle_lead = spindle_lead_time;
             }
-            const double spindle_lead = spindle_time - spindle_cycle_time;
-            const double spindle_way = spindle_v_turning * spindle_lead;
+            const double spindle_lead_shown = spindle_lead - spindle_cycle_time;
+            const double spindle_way = spindle_v_turning * spindle_lead_shown;
             double spindle_ahead;
             if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
                 spindle_ahead = inputs->x_actual + spindle_way;
@@ -673,7 +668,7 @@ static void axis_s_spindle_axis_any_cycle(
         spindle_advances_2 = false;
         spindle_resynchronises = false;
         spindle_next_2 = spindle_cycle_control_3;
-    } else if (inputs->drive_on && spindle_is_sound_2) {
+    } else if (inputs->drive_on && spindle_may_act) {
         if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
                 && spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
             state->spindle_cycles = state->spindle_cycles + 1u;
@@ -745,17 +740,19 @@ static void axis_s_spindle_axis_any_cycle(
                         spindle_next_2 = spindle_cycle_control_3;
                     }
                 } else if (spindle_is_changing) {
-                    /* TO_VELOCITY -> VELOCITY: the drive displays velocity control */
+                    /* TO_VELOCITY -> VELOCITY: the CNC opens its position loop */
                     spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                } else if (state->spindle_returns
-                        || (state->spindle_queued > 0u
-                            && !(state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN))) {
-                    /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                    state->spindle_returns = false;
-                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                 } else {
-                    spindle_next_2 = spindle_cycle_control_3;
+                    const bool spindle_first_is_free =
+                        state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN;
+                    if (state->spindle_returns || (state->spindle_queued > 0u && !spindle_first_is_free)) {
+                        /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                        state->spindle_returns = false;
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    } else {
+                        spindle_next_2 = spindle_cycle_control_3;
+                    }
                 }
             } else {
                 spindle_advances = false;
@@ -766,23 +763,22 @@ static void axis_s_spindle_axis_any_cycle(
             spindle_resynchronises = false;
         } else {
             if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-                bool spindle_is_slow;
+                bool spindle_has_slowed;
                 if (spindle_is_known) {
-                    const double spindle_v_before = state->spindle_v;
                     double spindle_v_magnitude_2;
-                    if (spindle_v_before < 0.0) {
-                        spindle_v_magnitude_2 = -spindle_v_before;
+                    if (state->spindle_v < 0.0) {
+                        spindle_v_magnitude_2 = -state->spindle_v;
                     } else {
-                        spindle_v_magnitude_2 = spindle_v_before;
+                        spindle_v_magnitude_2 = state->spindle_v;
                     }
-                    spindle_is_slow =
-                        axis_s_spindle_axis_magnitude(spindle_v_before) <= spindle_v_position_control_on
+                    spindle_has_slowed =
+                        axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
                             && axis_s_spindle_axis_magnitude(inputs->v_actual)
                             <= spindle_v_magnitude_2 + spindle_window;
                 } else {
-                    spindle_is_slow = false;
+                    spindle_has_slowed = false;
                 }
-                if (spindle_is_slow) {
+                if (spindle_has_slowed) {
                     state->spindle_settled = state->spindle_settled + 1u;
                 } else {
                     state->spindle_settled = 0u;
@@ -817,12 +813,6 @@ static void axis_s_spindle_axis_any_cycle(
                     spindle_advances = true;
                 }
             } else {
-                uint32_t spindle_time_2;
-                if (state->spindle_is_moving) {
-                    spindle_time_2 = spindle_mode_cycles;
-                } else {
-                    spindle_time_2 = spindle_start_cycles;
-                }
                 bool spindle_completes;
                 int32_t spindle_next;
                 if (state->spindle_is_moving) {
@@ -836,10 +826,10 @@ static void axis_s_spindle_axis_any_cycle(
                     spindle_resynchronises = false;
                     spindle_next = spindle_cycle_control_3;
                 } else {
-                    const bool spindle_is_known_2 =
+                    const bool spindle_is_measured =
                         state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                    const bool spindle_is_slow_2 = spindle_is_known_2 && state->spindle_seen_slow >= 3u;
-                    if (spindle_is_known_2
+                    const bool spindle_turns_slowly = spindle_is_measured && state->spindle_seen_slow >= 3u;
+                    if (spindle_is_measured
                             && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
                         /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
                         state->spindle_is_moving = true;
@@ -847,13 +837,16 @@ static void axis_s_spindle_axis_any_cycle(
                         spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
                         spindle_completes = false;
                     } else {
-                        if (spindle_is_slow_2 && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                        if (spindle_turns_slowly && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
                             /* TO_POSITION: the spindle turns slowly, and goes on doing so */
                             spindle_resynchronises = true;
                             spindle_completes = false;
                         } else {
+                            if (!spindle_turns_slowly && state->spindle_cycles > spindle_start_cycles) {
+                                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
+                            }
                             spindle_resynchronises = false;
-                            spindle_completes = spindle_is_slow_2;
+                            spindle_completes = spindle_turns_slowly;
                         }
                         spindle_next = spindle_cycle_control_3;
                     }
@@ -861,14 +854,9 @@ static void axis_s_spindle_axis_any_cycle(
                 }
                 if (spindle_completes) {
                     state->spindle_takes_over = true;
-                    /* TO_POSITION -> POSITION: the drive displays position control */
+                    /* TO_POSITION -> POSITION: the CNC closes its position loop */
                     spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                 } else {
-                    if (state->spindle_cycles > spindle_time_2
-                            && spindle_next == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
-                            && !spindle_resynchronises) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
-                    }
                     spindle_next_2 = spindle_next;
                 }
                 spindle_sample_error_2 = spindle_sample_error;
@@ -877,6 +865,7 @@ static void axis_s_spindle_axis_any_cycle(
             spindle_lacking = 0u;
         }
         if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            /* a sample is missing: the spindle goes on as before, and stops if this lasts */
             state->spindle_missing = state->spindle_missing + 1u;
             state->spindle_takes_over = true;
             if (state->spindle_missing > 3u) {
@@ -901,15 +890,12 @@ static void axis_s_spindle_axis_any_cycle(
     const bool spindle_is_stopped = spindle_has_failed && inputs->drive_on && !spindle_is_seized;
     if (spindle_is_stopped || spindle_brakes || !inputs->drive_on) {
         double spindle_v_end;
-        if (spindle_brakes) {
-            spindle_v_end = spindle_v_position_control_on;
-        } else {
-            spindle_v_end = 0.0;
-        }
         double spindle_v_end_negative;
         if (spindle_brakes) {
+            spindle_v_end = spindle_v_position_control_on;
             spindle_v_end_negative = spindle_v_position_control_on_negative;
         } else {
+            spindle_v_end = 0.0;
             spindle_v_end_negative = 0.0;
         }
         if (state->spindle_v > spindle_v_end) {
@@ -928,15 +914,12 @@ static void axis_s_spindle_axis_any_cycle(
     }
     if (spindle_holds_back) {
         double spindle_v_low;
-        if (spindle_v_turning < 0.0) {
-            spindle_v_low = spindle_v_turning;
-        } else {
-            spindle_v_low = 0.0;
-        }
         double spindle_v_high;
         if (spindle_v_turning < 0.0) {
+            spindle_v_low = spindle_v_turning;
             spindle_v_high = 0.0;
         } else {
+            spindle_v_low = 0.0;
             spindle_v_high = spindle_v_turning;
         }
         if (state->spindle_v > spindle_v_high) {
@@ -952,7 +935,7 @@ static void axis_s_spindle_axis_any_cycle(
     }
     if (spindle_resynchronises) {
         state->spindle_is_moving = true;
-        double spindle_time_3;
+        double spindle_lead_2;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             int32_t spindle_percentage_2;
             if (inputs->feedforward_percentage < 100) {
@@ -960,11 +943,11 @@ static void axis_s_spindle_axis_any_cycle(
             } else {
                 spindle_percentage_2 = 100;
             }
-            spindle_time_3 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
+            spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
         } else {
-            spindle_time_3 = spindle_lead_time;
+            spindle_lead_2 = spindle_lead_time;
         }
-        const double spindle_way_2 = state->spindle_v * spindle_time_3;
+        const double spindle_way_2 = state->spindle_v * spindle_lead_2;
         double spindle_ahead_2;
         if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
             spindle_ahead_2 = inputs->x_actual + spindle_way_2;
@@ -1029,16 +1012,14 @@ static void axis_s_spindle_axis_any_cycle(
     outputs->x_spindle = spindle_x_spindle_2;
     const double spindle_v_spindle_3 = state->spindle_v;
     outputs->v_spindle = spindle_v_spindle_3;
-    const uint32_t spindle_lasting = state->spindle_lasting_error;
     uint32_t spindle_error_now;
-    if (spindle_lasting != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-        spindle_error_now = spindle_lasting;
+    if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = state->spindle_lasting_error;
     } else if (spindle_sample_error_3 != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = spindle_sample_error_3;
     } else {
         spindle_error_now = spindle_request_error;
     }
-    const bool spindle_fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_loop_closed =
         spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
             && spindle_sample_error_3 == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
@@ -1068,15 +1049,17 @@ static void axis_s_spindle_axis_any_cycle(
                     && (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN));
         if (spindle_is_over && spindle_can_serve) {
-            if (!((state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+            const bool spindle_is_intact_2 =
+                (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
                         || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
                     && axis_s_spindle_axis_magnitude(state->spindle_request0_speed) <= axis_s_spindle_axis_sample_limit
                     && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
-                    <= axis_s_spindle_axis_position_limit)) {
-                /* something has overwritten it */
+                    <= axis_s_spindle_axis_position_limit;
+            if (!spindle_is_intact_2) {
+                /* the request was corrupted */
                 state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
                 state->spindle_request0_speed = 0.0;
                 state->spindle_request0_position = 0.0;
@@ -1345,6 +1328,13 @@ static void axis_s_spindle_axis_any_cycle(
             axis_position_control_limited_2 = true;
         }
         outputs->limited = axis_position_control_limited_2 || axis_limited_2;
+        uint32_t error_now_3;
+        if (axis_fault_2) {
+            error_now_3 = axis_error_id_2;
+        } else {
+            error_now_3 = spindle_error_now;
+        }
+        uint32_t error_now_4;
         if (gives_up_2) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1357,17 +1347,13 @@ static void axis_s_spindle_axis_any_cycle(
             if (axis_s_spindle_axis_magnitude(axis_v_controller_2) <= spindle_v_magnitude_3) {
                 state->spindle_v = axis_v_controller_2;
             }
-        }
-        uint32_t error_now;
-        if (axis_fault_2) {
-            error_now = axis_error_id_2;
+            error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {
-            error_now = spindle_error_now;
+            error_now_4 = error_now_3;
         }
-        outputs->error_id = error_now;
-        outputs->fault = error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        outputs->error_id = error_now_4;
+        outputs->fault = error_now_4 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
-        outputs->fault = spindle_fault;
         outputs->error_id = spindle_error_now;
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
@@ -1391,6 +1377,7 @@ static void axis_s_spindle_axis_any_cycle(
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }
+        outputs->fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     }
 }
 
@@ -1401,7 +1388,7 @@ void axis_s_spindle_axis_step(
 {
     const bool in_position =
         state->spindle_usual == axis_s_spindle_axis_usual_position
-            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
+            && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
@@ -1421,9 +1408,7 @@ void axis_s_spindle_axis_step(
         outputs->loop_closed = true;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-        outputs->fault = false;
-        outputs->error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        /* a usual cycle in POSITION */
+        /* the fast path of POSITION: nothing is requested, and all samples are valid */
         state->spindle_x = inputs->x_command;
         state->spindle_v = inputs->v_interpolator;
         const double spindle_x_spindle = state->spindle_x;
@@ -1529,6 +1514,8 @@ void axis_s_spindle_axis_step(
             axis_position_control_limited = true;
         }
         outputs->limited = axis_position_control_limited || axis_limited;
+        const uint32_t error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        uint32_t error_now_2;
         if (gives_up) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
@@ -1541,9 +1528,14 @@ void axis_s_spindle_axis_step(
             if (axis_s_spindle_axis_magnitude(axis_v_controller) <= spindle_v_magnitude) {
                 state->spindle_v = axis_v_controller;
             }
+            error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+        } else {
+            error_now_2 = error_now;
         }
+        outputs->error_id = error_now_2;
+        outputs->fault = error_now_2 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
-            && !(inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74)
+            && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
             && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
@@ -1563,7 +1555,7 @@ void axis_s_spindle_axis_step(
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
-        /* a usual cycle in VELOCITY */
+        /* the fast path of VELOCITY: nothing is requested, and all samples are valid */
         state->spindle_x = inputs->x_actual;
         state->spindle_v = inputs->v_interpolator;
         outputs->x_spindle = state->spindle_x;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   8460acc2bc66c2cc00537a7873a212df
- * checksum    50500aec5e3d96a5671df4fe464b2a55
+ * structure   35984cbae348854795e867e977de15ae
+ * checksum    ec82acfc55eb3f3cb098645371645d90
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -18,6 +18,13 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/* The whole axis of a spindle: changeover between position and velocity control, feedforward, position control
+ * in the CNC, improved position control, whose v_add fades in. The CNC opens and closes its position loop; the
+ * drive stays in velocity control. It begins in TO_POSITION, where its commands follow the spindle; with the
+ * drive on it takes hold of the spindle after three consecutive valid samples of v_actual. A request that is
+ * TRUE in the first call does not count. While the block is not called, the commands keep their last values:
+ * under velocity control the spindle goes on turning. */
 
 /* Constants that the caller can check, at start-up or in an #if. */
 /* cycle time that the block was designed for [ns] */
@@ -32,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x8460acc2u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xbc66c2ccu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x00537a78u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x73a212dfu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x35984cbau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xe3488547u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x95e867e9u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x77de15aeu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -98,7 +105,7 @@ enum {
     AXIS_S_SPINDLE_AXIS_ERROR_WAITING = 35, /* spindle: four requests wait already, the request is lost */
     AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF = 36, /* spindle: the drive is off, the request is lost */
     AXIS_S_SPINDLE_AXIS_ERROR_BRAKE = 42, /* spindle: the spindle has not braked within the time; stays until reset */
-    /* spindle: the drive does not display position control within the time; stays until reset */
+    /* spindle: position control does not begin within the time; stays until reset */
     AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION = 43,
     AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER = 46, /* spindle: x_command does not go on from x_spindle; stays until reset */
     /* spindle: the position lag is near half a turn, beyond which the loop would turn the other way; stays until
@@ -159,10 +166,9 @@ typedef struct {
      * requests, 32 direction, 33 s_word, 34 s_position, 35 waiting, 36 drive_off, 42 brake, 43 to_position, 46
      * takeover, 48 lag */
     uint32_t error_id;
-    /* state POSITION, and the interpolator moves the spindle: improved position control acts, position lag and
-     * position may be monitored */
+    /* state POSITION, and the interpolator moves the spindle: position lag and position may be monitored */
     bool loop_closed;
-    /* v_add is at its limit, or an output is limited to the range of its process-data type, in this cycle */
+    /* an output is at its limit, or at the end of the range of its process-data type, in this cycle */
     bool limited;
     /* a part of the block cannot act in this cycle, or the spindle is stopped; the error id gives the reason */
     bool fault;
