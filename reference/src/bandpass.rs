@@ -100,39 +100,38 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
+/// one.
 #[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>) -> u32 {
+pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
     if is_driven_by_change::<R>() {
         if turn == first {
             picked.number = numbers.a;
+            picked.copy = copy.a;
         }
         if turn == first + 1u32 {
             picked.number = numbers.b;
+            picked.copy = copy.b;
         }
         if turn == first + 2u32 {
             picked.number = numbers.c;
+            picked.copy = copy.c;
+            picked.role = role_c();
         }
     } else {
         if turn == first {
             picked.number = numbers.b2;
+            picked.copy = copy.b2;
         }
         if turn == first + 1u32 {
             picked.number = numbers.a1;
+            picked.copy = copy.a1;
         }
         if turn == first + 2u32 {
             picked.number = numbers.a2;
+            picked.copy = copy.a2;
+            picked.role = role_a2();
         }
-    }
-    first + 3u32
-}
-
-/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
-#[portable]
-pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32) -> u32 {
-    let completed = first + 2u32;
-    if turn == completed {
-        picked.role = if is_driven_by_change::<R>() { role_c() } else { role_a2() };
     }
     first + 3u32
 }

@@ -125,7 +125,8 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     }
 }
 
-/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
+/// one.
 #[portable]
 pub fn pick<R: Real>(
     picked: &mut Picked<R>,
@@ -133,6 +134,7 @@ pub fn pick<R: Real>(
     first: u32,
     structure: &Coeffs<R>,
     numbers: &Numbers<R>,
+    copy: &Numbers<R>,
 ) -> u32 {
     let mut at = first;
     match structure.kind {
@@ -140,32 +142,12 @@ pub fn pick<R: Real>(
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < structure.order {
-                    at = bandpass::pick(picked, turn, at, &numbers.bandpass[i]);
+                    at = bandpass::pick(picked, turn, at, &numbers.bandpass[i], &copy.bandpass[i]);
                 }
             }
         }
         Type::Allpass => {
-            at = allpass::pick(picked, turn, at, &numbers.allpass);
-        }
-    }
-    at
-}
-
-/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
-#[portable]
-pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, structure: &Coeffs<R>) -> u32 {
-    let mut at = first;
-    match structure.kind {
-        Type::NoFilter => {}
-        Type::Bandpass => {
-            for i in 0..MAX_ORDER {
-                if i < structure.order {
-                    at = bandpass::find_role(picked, turn, at);
-                }
-            }
-        }
-        Type::Allpass => {
-            at = allpass::find_role(picked, turn, at);
+            at = allpass::pick(picked, turn, at, &numbers.allpass, &copy.allpass);
         }
     }
     at

@@ -105,54 +105,58 @@ pub fn take<R: Real>(coeffs: &mut Coeffs<R>, offered: &Coeffs<R>) {
     }
 }
 
-/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
+/// one.
 #[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>) -> u32 {
+pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, numbers: &Coeffs<R>, copy: &Coeffs<R>) -> u32 {
     if is_driven_by_change::<R>() {
         if turn == first {
             picked.number = numbers.h;
+            picked.copy = copy.h;
         }
         if turn == first + 1u32 {
             picked.number = numbers.r;
+            picked.copy = copy.r;
         }
         if turn == first + 2u32 {
             picked.number = numbers.g;
+            picked.copy = copy.g;
         }
         if turn == first + 3u32 {
             picked.number = numbers.g2;
+            picked.copy = copy.g2;
+            picked.role = role_g2();
         }
     } else {
         if turn == first {
             picked.number = numbers.b0;
+            picked.copy = copy.b0;
         }
         if turn == first + 1u32 {
             picked.number = numbers.b1;
+            picked.copy = copy.b1;
         }
         if turn == first + 2u32 {
             picked.number = numbers.b2;
+            picked.copy = copy.b2;
         }
         if turn == first + 3u32 {
             picked.number = numbers.a1;
+            picked.copy = copy.a1;
         }
         if turn == first + 4u32 {
             picked.number = numbers.a2;
+            picked.copy = copy.a2;
+            picked.role = role_a2();
         }
         if turn == first + 5u32 {
             picked.number = numbers.preset_s1;
+            picked.copy = copy.preset_s1;
         }
         if turn == first + 6u32 {
             picked.number = numbers.preset_s2;
+            picked.copy = copy.preset_s2;
         }
-    }
-    if is_driven_by_change::<R>() { first + 4u32 } else { first + 7u32 }
-}
-
-/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
-#[portable]
-pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32) -> u32 {
-    let completed = if is_driven_by_change::<R>() { first + 3u32 } else { first + 4u32 };
-    if turn == completed {
-        picked.role = if is_driven_by_change::<R>() { role_g2() } else { role_a2() };
     }
     if is_driven_by_change::<R>() { first + 4u32 } else { first + 7u32 }
 }

@@ -178,7 +178,8 @@ pub fn take<R: Real>(now: &mut Numbers<R>, structure: &Coeffs<R>, offered: &Numb
     now.gain = offered.gain;
 }
 
-/// Picks the number whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
+/// Picks the number whose turn it is, its copy, and what it is; turns are numbered from `first`. Returns the turn after the last
+/// one.
 #[portable]
 pub fn pick<R: Real>(
     picked: &mut Picked<R>,
@@ -186,31 +187,18 @@ pub fn pick<R: Real>(
     first: u32,
     structure: &Coeffs<R>,
     numbers: &Numbers<R>,
+    copy: &Numbers<R>,
 ) -> u32 {
     let mut at = first;
     if structure.mode != Mode::Direct {
-        at = oscillation::pick(picked, turn, at, &numbers.oscillation);
+        at = oscillation::pick(picked, turn, at, &numbers.oscillation, &copy.oscillation);
     }
     for k in 0..FILTERS {
-        at = filter::pick(picked, turn, at, &structure.filter[k], &numbers.filter[k]);
+        at = filter::pick(picked, turn, at, &structure.filter[k], &numbers.filter[k], &copy.filter[k]);
     }
     if turn == at {
         picked.number = numbers.gain;
-    }
-    at + 1u32
-}
-
-/// Finds what the number is whose turn it is; turns are numbered from `first`. Returns the turn after the last one.
-#[portable]
-pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, first: u32, structure: &Coeffs<R>) -> u32 {
-    let mut at = first;
-    if structure.mode != Mode::Direct {
-        at = oscillation::find_role(picked, turn, at);
-    }
-    for k in 0..FILTERS {
-        at = filter::find_role(picked, turn, at, &structure.filter[k]);
-    }
-    if turn == at {
+        picked.copy = copy.gain;
         picked.role = role_gain();
     }
     at + 1u32

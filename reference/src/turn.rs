@@ -62,6 +62,8 @@ pub fn role_g2() -> i32 {
 pub struct Picked<R> {
     /// the number whose turn it is
     pub number: R,
+    /// its copy
+    pub copy: R,
     /// what that number is, which decides what is checked
     pub role: i32,
 }

@@ -1,5 +1,4 @@
 //! The numbers of a parameter set: the limits and the numbers of the stages. They are copied, and picked one by one.
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::signals::STAGES;
 use super::{Coeffs, watch};
@@ -97,6 +96,62 @@ pub fn limits<R: Real>(structure: &Coeffs<R>) -> u32 {
     if structure.watch.active { 4u32 } else { 3u32 }
 }
 
+/// Picks the number whose turn it is, its copy, and what it is. Returns the turn after the last one.
+#[portable]
+pub fn pick<R: Real>(
+    picked: &mut Picked<R>,
+    turn: u32,
+    structure: &Coeffs<R>,
+    numbers: &Numbers<R>,
+    copy: &Numbers<R>,
+) -> u32 {
+    picked.role = role_coefficient();
+    if turn == 0u32 {
+        picked.number = numbers.limit;
+        picked.copy = copy.limit;
+        picked.role = role_limit();
+    }
+    if turn == 1u32 {
+        picked.number = numbers.lower_limit;
+        picked.copy = copy.lower_limit;
+        picked.role = role_lower_limit();
+    }
+    if turn == 2u32 {
+        picked.number = numbers.sum_limit;
+        picked.copy = copy.sum_limit;
+        picked.role = role_sum_limit();
+    }
+    if structure.watch.active && turn == 3u32 {
+        picked.number = numbers.watch.quiet;
+        picked.copy = copy.watch.quiet;
+        picked.role = role_quiet();
+    }
+    pick_in_stages(picked, turn, structure, &numbers.stage, &copy.stage)
+}
+
+/// Picks the number of an offered set whose turn it is, and what it is. Returns the turn after the last one.
+#[portable]
+pub fn pick_offered<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>, offered: &Params<R>) -> u32 {
+    picked.role = role_coefficient();
+    if turn == 0u32 {
+        picked.number = offered.limit;
+        picked.role = role_limit();
+    }
+    if turn == 1u32 {
+        picked.number = offered.lower_limit;
+        picked.role = role_lower_limit();
+    }
+    if turn == 2u32 {
+        picked.number = offered.sum_limit;
+        picked.role = role_sum_limit();
+    }
+    if structure.watch.active && turn == 3u32 {
+        picked.number = offered.watch.quiet;
+        picked.role = role_quiet();
+    }
+    pick_in_stages(picked, turn, structure, &offered.stage, &offered.stage)
+}
+
 /// Picks the number of the stages whose turn it is. Returns the turn after the last one.
 #[portable]
 pub fn pick_in_stages<R: Real>(
@@ -104,72 +159,13 @@ pub fn pick_in_stages<R: Real>(
     turn: u32,
     structure: &Coeffs<R>,
     numbers: &[stage::Numbers<R>; STAGES],
+    copy: &[stage::Numbers<R>; STAGES],
 ) -> u32 {
     let mut at = limits(structure);
     for i in 0..STAGES {
         if structure.stage[i].mode != stage::Mode::NotActive {
-            at = stage::pick(picked, turn, at, &structure.stage[i], &numbers[i]);
+            at = stage::pick(picked, turn, at, &structure.stage[i], &numbers[i], &copy[i]);
         }
     }
     at
-}
-
-/// Picks the number in use whose turn it is. Returns the turn after the last one.
-#[portable]
-pub fn pick<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>, numbers: &Numbers<R>) -> u32 {
-    if turn == 0u32 {
-        picked.number = numbers.limit;
-    }
-    if turn == 1u32 {
-        picked.number = numbers.lower_limit;
-    }
-    if turn == 2u32 {
-        picked.number = numbers.sum_limit;
-    }
-    if structure.watch.active && turn == 3u32 {
-        picked.number = numbers.watch.quiet;
-    }
-    pick_in_stages(picked, turn, structure, &numbers.stage)
-}
-
-/// Picks the number of an offered set whose turn it is. Returns the turn after the last one.
-#[portable]
-pub fn pick_offered<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>, numbers: &Params<R>) -> u32 {
-    if turn == 0u32 {
-        picked.number = numbers.limit;
-    }
-    if turn == 1u32 {
-        picked.number = numbers.lower_limit;
-    }
-    if turn == 2u32 {
-        picked.number = numbers.sum_limit;
-    }
-    if structure.watch.active && turn == 3u32 {
-        picked.number = numbers.watch.quiet;
-    }
-    pick_in_stages(picked, turn, structure, &numbers.stage)
-}
-
-/// Finds what the number is whose turn it is.
-#[portable]
-pub fn find_role<R: Real>(picked: &mut Picked<R>, turn: u32, structure: &Coeffs<R>) {
-    picked.role = role_coefficient();
-    if turn == 0u32 {
-        picked.role = role_limit();
-    }
-    if turn == 1u32 {
-        picked.role = role_lower_limit();
-    }
-    if turn == 2u32 {
-        picked.role = role_sum_limit();
-    }
-    if structure.watch.active && turn == 3u32 {
-        picked.role = role_quiet();
-    }
-    let mut at = limits(structure);
-    for i in 0..STAGES {
-        if structure.stage[i].mode != stage::Mode::NotActive {
-            at = stage::find_role(picked, turn, at, &structure.stage[i]);
-        }
-    }
 }

@@ -46,7 +46,7 @@ pub fn start<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, set_id: u32) {
 pub fn length<R: Real>(coeffs: &Coeffs<R>) -> u32 {
     let mut picked = Picked::<R>::default();
     let none = Numbers::<R>::default();
-    numbers::pick(&mut picked, u32::MAX, &coeffs.ipc, &none)
+    numbers::pick(&mut picked, u32::MAX, &coeffs.ipc, &none, &none)
 }
 
 /// Whether the picked number is within its range, and the section that it completes is stable. The limit is at most that of the
@@ -101,7 +101,6 @@ pub fn add<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) -> bool {
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, is_copied: bool) -> u32 {
     let mut is_in_order = true;
     if !is_copied {
-        numbers::find_role(&mut state.picked, state.turn, &coeffs.ipc);
         is_in_order = is_sound(state, &coeffs.ipc);
     }
     let mut refused = error_none();

@@ -72,8 +72,6 @@ pub struct State<R> {
     pub turn: u32,
     /// the number in use whose turn it is
     pub picked: Picked<R>,
-    /// its copy
-    pub picked_copy: Picked<R>,
     /// the check of an offered set, or of the numbers that were copied
     pub check: check::State<R>,
     /// the cycle
@@ -214,10 +212,9 @@ pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let numbers = check::length(coeffs);
     if state.turn <= numbers {
         note("one number in use is compared with its copy in each cycle");
-        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now);
+        numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now, &state.copy);
         if state.set_id != 0u32 {
-            numbers::pick(&mut state.picked_copy, state.turn, &coeffs.ipc, &state.copy);
-            if in_range(state.picked.number - state.picked_copy.number, R::ZERO) {
+            if in_range(state.picked.number - state.picked.copy, R::ZERO) {
                 state.turn += 1u32;
             } else {
                 note(

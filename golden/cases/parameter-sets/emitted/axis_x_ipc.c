@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   08722a557a5e25c2eba8886b8dc9d0ab
- * checksum    3af581196dbea1af5b551c2370dd236f
+ * structure   05f362d744a21ffc060cc92ef672ff90
+ * checksum    c2004ba16ee6c639bd44c4afa5421611
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -117,13 +117,14 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->copy_stage0_gain = 0.0f;
     state->turn = 0u;
     state->picked_number = 0.0f;
-    state->picked_copy_number = 0.0f;
+    state->picked_copy = 0.0f;
     state->check_set_id = 0u;
     state->check_turn = 0u;
     state->check_picked_number = 0.0f;
     state->check_picked_role = 0;
     state->check_before = 0.0f;
     state->check_two_before = 0.0f;
+    state->check_three_before = 0.0f;
     state->check_forming_first = 0;
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
@@ -174,6 +175,7 @@ static void axis_x_ipc_any_cycle(
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled by 2^-20 */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
     static const float pole_limit = 2.0f; /* 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section */
+    static const int32_t role_g2 = 8; /* what a number of a set is: G2 of the simulated oscillation, after its H, R and G */
     static const float first_cut = 32768.0f; /* 2^15: scales a number before its first integer for the check word is taken */
     /* largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken */
     static const float largest_piece = 2147483500.0f;
@@ -231,21 +233,27 @@ static void axis_x_ipc_any_cycle(
                 if (is_copied) {
                     state->check_picked_number = state->picked_number;
                 } else {
-                    const uint32_t turn_3 = state->check_turn;
-                    if (turn_3 == 0u) {
+                    const uint32_t turn_2 = state->check_turn;
+                    state->check_picked_role = role_coefficient;
+                    if (turn_2 == 0u) {
                         state->check_picked_number = inputs->params->limit;
-                    } else if (turn_3 == 1u) {
+                        state->check_picked_role = role_limit;
+                    } else if (turn_2 == 1u) {
                         state->check_picked_number = inputs->params->lower_limit;
-                    } else if (turn_3 == 2u) {
+                        state->check_picked_role = role_lower_limit;
+                    } else if (turn_2 == 2u) {
                         state->check_picked_number = inputs->params->sum_limit;
-                    } else if (turn_3 == 3u) {
+                        state->check_picked_role = role_sum_limit;
+                    } else if (turn_2 == 3u) {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                    } else if (turn_3 == 4u) {
+                    } else if (turn_2 == 4u) {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                    } else if (turn_3 == 5u) {
+                    } else if (turn_2 == 5u) {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                    } else if (turn_3 == 6u) {
+                        state->check_picked_role = role_c;
+                    } else if (turn_2 == 6u) {
                         state->check_picked_number = inputs->params->stage0_gain;
+                        state->check_picked_role = role_gain;
                     } else {
                         /* no action */
                     }
@@ -255,21 +263,6 @@ static void axis_x_ipc_any_cycle(
                     if (is_copied) {
                         check_is_in_order = true;
                     } else {
-                        const uint32_t check_turn = state->check_turn;
-                        state->check_picked_role = role_coefficient;
-                        if (check_turn == 0u) {
-                            state->check_picked_role = role_limit;
-                        } else if (check_turn == 1u) {
-                            state->check_picked_role = role_lower_limit;
-                        } else if (check_turn == 2u) {
-                            state->check_picked_role = role_sum_limit;
-                        } else if (check_turn == 5u) {
-                            state->check_picked_role = role_c;
-                        } else if (check_turn == 6u) {
-                            state->check_picked_role = role_gain;
-                        } else {
-                            /* no action */
-                        }
                         const float check_number = state->check_picked_number;
                         const int32_t check_role = state->check_picked_role;
                         if (check_role == role_limit) {
@@ -295,6 +288,13 @@ static void axis_x_ipc_any_cycle(
                             } else {
                                 check_is_in_order = false;
                             }
+                        } else if (check_role == role_g2) {
+                            const float check_a_2 = state->check_before * state->check_three_before;
+                            const float check_b_2 = state->check_before * state->check_two_before;
+                            const float check_product_2 = check_a_2 * check_number;
+                            check_is_in_order =
+                                axis_x_ipc_magnitude(check_number) <= largest_number
+                                    && 0.0f < check_product_2 && check_product_2 < check_b_2 && check_b_2 < pole_limit;
                         } else {
                             check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
                         }
@@ -346,6 +346,7 @@ static void axis_x_ipc_any_cycle(
                         }
                         bool check_is_done;
                         if (check_forming_is_complete) {
+                            state->check_three_before = state->check_two_before;
                             state->check_two_before = state->check_before;
                             state->check_before = check_number_2;
                             state->check_turn = state->check_turn + 1u;
@@ -622,41 +623,30 @@ void axis_x_ipc_step(
         const uint32_t turn = state->turn;
         if (turn == 0u) {
             state->picked_number = state->now_limit;
+            state->picked_copy = state->copy_limit;
         } else if (turn == 1u) {
             state->picked_number = state->now_lower_limit;
+            state->picked_copy = state->copy_lower_limit;
         } else if (turn == 2u) {
             state->picked_number = state->now_sum_limit;
+            state->picked_copy = state->copy_sum_limit;
         } else if (turn == 3u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_a;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_a;
         } else if (turn == 4u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_b;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_b;
         } else if (turn == 5u) {
             state->picked_number = state->now_stage0_filter0_bandpass0_c;
+            state->picked_copy = state->copy_stage0_filter0_bandpass0_c;
         } else if (turn == 6u) {
             state->picked_number = state->now_stage0_gain;
+            state->picked_copy = state->copy_stage0_gain;
         } else {
             /* no action */
         }
         if (state->set_id != 0u) {
-            const uint32_t turn_2 = state->turn;
-            if (turn_2 == 0u) {
-                state->picked_copy_number = state->copy_limit;
-            } else if (turn_2 == 1u) {
-                state->picked_copy_number = state->copy_lower_limit;
-            } else if (turn_2 == 2u) {
-                state->picked_copy_number = state->copy_sum_limit;
-            } else if (turn_2 == 3u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_a;
-            } else if (turn_2 == 4u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_b;
-            } else if (turn_2 == 5u) {
-                state->picked_copy_number = state->copy_stage0_filter0_bandpass0_c;
-            } else if (turn_2 == 6u) {
-                state->picked_copy_number = state->copy_stage0_gain;
-            } else {
-                /* no action */
-            }
-            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy_number)) {
+            if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy)) {
                 state->turn = state->turn + 1u;
             } else {
                 /* a number in use was corrupted: this cycle reports it, then the block takes the offered set over

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   08722a557a5e25c2eba8886b8dc9d0ab
- * checksum    dcce24f5d3730959b2673f7c5472b399
+ * structure   05f362d744a21ffc060cc92ef672ff90
+ * checksum    03ef745b5801acd9836e9cf33dc1c128
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,14 +49,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x08722a55u
-#define AXIS_X_IPC_STRUCTURE_1 0x7a5e25c2u
-#define AXIS_X_IPC_STRUCTURE_2 0xeba8886bu
-#define AXIS_X_IPC_STRUCTURE_3 0x8dc9d0abu
+#define AXIS_X_IPC_STRUCTURE_0 0x05f362d7u
+#define AXIS_X_IPC_STRUCTURE_1 0x44a21ffcu
+#define AXIS_X_IPC_STRUCTURE_2 0x060cc92eu
+#define AXIS_X_IPC_STRUCTURE_3 0xf672ff90u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 160u
+#define AXIS_X_IPC_STATE_SIZE 164u
 
 /* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
  * alignment of members. */
@@ -165,13 +165,14 @@ typedef struct {
     float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
     uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
     float picked_number; /* the number whose turn it is */
-    float picked_copy_number; /* the number whose turn it is */
+    float picked_copy; /* its copy */
     uint32_t check_set_id; /* number of the set that is checked; 0: none */
     uint32_t check_turn; /* the number whose turn it is; after the last one, the check is complete */
     float check_picked_number; /* the number whose turn it is */
     int32_t check_picked_role; /* what that number is, which decides what is checked */
     float check_before; /* the number before it */
     float check_two_before; /* the number two before it */
+    float check_three_before; /* the number three before it */
     int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
     int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
     uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
