@@ -15,6 +15,7 @@ use crate::ipc::{STAGES, numbers, watch};
 use crate::precision::is_single;
 use crate::stage::FILTERS;
 use crate::tunable_ipc::check;
+use crate::turn::Picked;
 use portable::{Real, in_range, note, portable};
 
 /// The limit. Returns whether it is outside its range.
@@ -256,7 +257,9 @@ pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
 pub fn seal<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let mut is_done = false;
     if state.check.turn < check::length(&coeffs.set) {
-        numbers::pick(&mut state.check.picked, state.check.turn, &coeffs.set.ipc, &state.numbers);
+        let mut picked = Picked::<R>::default();
+        numbers::pick(&mut picked, state.check.turn, &coeffs.set.ipc, &state.numbers, &state.numbers);
+        state.check.picked.number = picked.number;
         is_done = check::add(&mut state.check, &coeffs.set);
     } else {
         note("the state was corrupted: the design ends without a set");
