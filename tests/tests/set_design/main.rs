@@ -2,6 +2,8 @@
 //! what is refused gives no set.
 #![expect(clippy::unwrap_used, clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a test's small numbers")]
 
+mod closed_loop;
+
 use axgen_tests::engines::agree;
 use axgen_tests::environment::by_depth;
 use axgen_tests::model::subject;
