@@ -36,7 +36,7 @@ const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling 
 const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
 const PART: &str = "Check the connection: the signal is an output of another block.";
 /// For an input of the design of a set.
-const REFUSED: &str = "The design ends without a set: designed is FALSE and set_id is 0. wrong_stage and wrong_filter name the input. The set in use \
+const REFUSED: &str = "The design ends without a set: designed is FALSE and params is 0. wrong_stage and wrong_filter name the input. The set in use \
                        goes on.";
 /// For a request to a spindle.
 const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";

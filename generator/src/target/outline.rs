@@ -89,7 +89,7 @@ impl Outline<'_> {
         members.retain(|_| !outputs.next().is_some_and(is_part));
         members.extend(program.made.filter(|_| program.outputs.iter().any(is_part)).map(|name| {
             let [ty, value] = made;
-            let doc = "the parameter set; its set_id is 0 unless it is complete".to_owned();
+            let doc = "the parameter set; all of it is 0 unless designed is TRUE".to_owned();
             Member { ty: ty.into(), name: name.to_owned(), doc, value }
         }));
         members

@@ -57,8 +57,7 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
     };
     // With a limit of 0 nothing is added.
     let is_constant = |name: &str| designed.ipc.limit == 0.0 && ["v_add", "v_add_calculated"].contains(&name);
-    let is_of_set = |place: usize| block.program.in_made(&block.program.outputs[place]) == Some("structure");
-    let can_change = |place: &&usize| !is_constant(&block.program.outputs[**place].path) && !is_of_set(**place);
+    let can_change = |place: &&usize| !is_constant(&block.program.outputs[**place].path);
     let changing: Vec<usize> = block.for_axis.outputs.iter().filter(can_change).copied().collect();
     let mut rows = vec![
         ("inputs moved", block.for_axis.inputs.len(), still(inputs, &block.for_axis.inputs)),

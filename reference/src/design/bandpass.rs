@@ -73,12 +73,16 @@ pub struct Pair<R> {
     pub omega: R,
     /// G
     pub root: R,
+    /// sqrt((4 + e + G) / 2)
+    pub width: R,
     /// Qs
     pub quality: R,
     /// m
     pub m: R,
-    /// W
-    pub w: R,
+    /// sqrt(1 + m)
+    pub rise: R,
+    /// sqrt(m)
+    pub fall: R,
     /// c
     pub c: R,
 }
@@ -98,42 +102,58 @@ pub fn distance<R: Real>(of: &Pair<R>, qq: R) -> R {
     if m < R::ZERO { R::ZERO } else { m }
 }
 
-/// Takes the square root whose turn it is, from 0 to 4.
+/// The argument of the square root whose turn it is, from 0 to 4.
+#[portable]
+pub fn argument<R: Real>(of: &mut Pair<R>, turn: u32, band: &Band<R>) -> R {
+    let mut x = of.m;
+    if turn < 3u32 {
+        let q = quality(band);
+        let qq = q * q;
+        let e = spread(of, qq);
+        if turn == 0u32 {
+            x = (R::lit(4.0) + e) * (R::lit(4.0) + e) - R::lit(16.0) * of.sigma * of.sigma / qq;
+        } else if turn == 1u32 {
+            x = (R::lit(4.0) + e + of.root) / R::lit(2.0);
+        } else {
+            of.quality = of.width * q / (R::lit(2.0) * of.sigma);
+            let m = distance(of, qq);
+            of.m = m;
+            x = R::ONE + m;
+        }
+    } else if turn == 4u32 {
+        x = R::ONE + R::lit(4.0) * of.quality * of.quality * of.m;
+    }
+    x
+}
+
+/// Keeps the square root whose turn it is.
+#[portable]
+pub fn keep<R: Real>(of: &mut Pair<R>, turn: u32, root: R) {
+    if turn == 0u32 {
+        of.root = root;
+    } else if turn == 1u32 {
+        of.width = root;
+    } else if turn == 2u32 {
+        of.rise = root;
+    } else if turn == 3u32 {
+        of.fall = root;
+    } else {
+        of.c = root;
+    }
+}
+
+/// Takes a square root.
 #[portable]
 pub fn root<R: Real>(of: &mut Pair<R>, turn: u32, band: &Band<R>) {
-    let q = quality(band);
-    let qq = q * q;
-    let e = spread(of, qq);
-    let mut x = R::ONE + R::lit(4.0) * of.quality * of.quality * of.m;
-    if turn == 0u32 {
-        x = (R::lit(4.0) + e) * (R::lit(4.0) + e) - R::lit(16.0) * of.sigma * of.sigma / qq;
-    } else if turn == 1u32 {
-        x = (R::lit(4.0) + e + of.root) / R::lit(2.0);
-    } else if turn == 2u32 {
-        x = R::ONE + of.m;
-    } else if turn == 3u32 {
-        x = of.m;
-    }
+    let x = argument(of, turn, band);
     let y = square_root(x);
-    if turn == 0u32 {
-        of.root = y;
-    } else if turn == 1u32 {
-        of.quality = y * q / (R::lit(2.0) * of.sigma);
-        let m = distance(of, qq);
-        of.m = m;
-    } else if turn == 2u32 {
-        of.w = y;
-    } else if turn == 3u32 {
-        of.w = of.w + y;
-    } else {
-        of.c = y;
-    }
+    keep(of, turn, y);
 }
 
 /// The section with the lower centre.
 #[portable]
 pub fn lower_section<R: Real>(shape: &mut Shape<R>, of: &Pair<R>, band: &Band<R>) {
-    shape.g = band.omega0 / of.w;
+    shape.g = band.omega0 / (of.rise + of.fall);
     shape.k = R::ONE / of.quality;
     shape.c = of.c;
 }
@@ -141,7 +161,7 @@ pub fn lower_section<R: Real>(shape: &mut Shape<R>, of: &Pair<R>, band: &Band<R>
 /// The section with the upper centre.
 #[portable]
 pub fn upper_section<R: Real>(shape: &mut Shape<R>, of: &Pair<R>, band: &Band<R>) {
-    shape.g = band.omega0 * of.w;
+    shape.g = band.omega0 * (of.rise + of.fall);
     shape.k = R::ONE / of.quality;
     shape.c = of.c;
 }

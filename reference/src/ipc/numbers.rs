@@ -63,12 +63,9 @@ pub fn take<R: Real>(numbers: &mut Numbers<R>, structure: &Coeffs<R>, others: &N
     take_stages(&mut numbers.stage, structure, &others.stage);
 }
 
-/// Shows the numbers as a parameter set; those that the structure does not have are 0.
+/// Shows the numbers as a parameter set.
 #[portable]
 pub fn show<R: Real>(params: &mut Params<R>, structure: &Coeffs<R>, numbers: &Numbers<R>) {
-    let none = Numbers::<R>::default();
-    params.watch = none.watch;
-    params.stage = none.stage;
     copy!(params = numbers: limit, lower_limit, sum_limit);
     if structure.watch.active {
         params.watch.quiet = numbers.watch.quiet;

@@ -8,7 +8,8 @@
 //! element        for each filter: reads its inputs, and tests their ranges
 //!   centre       Omega0 = tan(pi f0 Ts)
 //!   bandwidth    B = (1 + Omega0^2) tan(pi f0 Ts / Q)
-//!   root         of a pair of poles: one of five square roots
+//!   argument     of a pair of poles: the argument of one of five square roots
+//!   root         that square root
 //!   section      one section of the filter
 //!   oscillation  the simulated oscillation that has its centre
 //!   end          the norm; after the last filter of a stage its gain
@@ -29,7 +30,7 @@ pub use signals::{Inputs, Outputs};
 pub use state::{Piece, State};
 
 use crate::design::inputs::Wrong;
-use crate::ipc::numbers;
+use crate::ipc::numbers::{self, Params};
 use crate::signal::{error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight};
 use portable::{Block, Enable, Fn, Off, Real, note, portable};
 
@@ -62,6 +63,7 @@ pub fn go_on<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
         Piece::Limit => wrong = piece::limit(state, coeffs, inputs),
         Piece::Element => wrong = piece::inputs(state, coeffs, inputs),
         Piece::Centre | Piece::Bandwidth => piece::tangent(state, coeffs),
+        Piece::Argument => piece::argument(state, coeffs),
         Piece::Root => piece::root(state, coeffs),
         Piece::Section => piece::section(state, coeffs),
         Piece::Oscillation => piece::oscillation_section(state, coeffs),
@@ -107,9 +109,13 @@ pub fn put_out<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Outp
     if element::has_later_filters(coeffs) && is_of_filter {
         outputs.wrong_filter = state.of.filter;
     }
-    outputs.params.structure = coeffs.set.structure;
-    outputs.params.set_id = if state.complete && !state.works { state.set_id } else { 0u32 };
-    numbers::show(&mut outputs.params, &coeffs.set.ipc, &state.numbers);
+    let none = Params::<R>::default();
+    outputs.params = none;
+    if outputs.designed {
+        outputs.params.structure = coeffs.set.structure;
+        outputs.params.set_id = state.set_id;
+        numbers::show(&mut outputs.params, &coeffs.set.ipc, &state.numbers);
+    }
 }
 
 /// One call: a piece of the active design.

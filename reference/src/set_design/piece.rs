@@ -9,6 +9,7 @@ use crate::check_word;
 use crate::design::band::{cycle_time, warped};
 use crate::design::inputs::{Wrong, check_filter, is_damping, is_weight};
 use crate::design::sections::{self, Shape};
+use crate::design::square_root::square_root;
 use crate::design::{allpass, bandpass, limit as limits, narrow, oscillation};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::{STAGES, numbers, watch};
@@ -85,18 +86,30 @@ pub fn tangent<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     } else {
         state.band.bandwidth = (R::ONE + state.band.omega0 * state.band.omega0) * warped;
         let has_pair = element::has_pairs(coeffs) && state.of.has_pair;
-        state.piece = if has_pair { Piece::Root } else { Piece::Section };
+        state.piece = if has_pair { Piece::Argument } else { Piece::Section };
     }
 }
 
-/// The next square root of a pair of poles.
+/// The argument of the next square root of a pair of poles.
+#[portable]
+pub fn argument<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    if element::has_pairs(coeffs) {
+        let x = bandpass::argument(&mut state.of.pair, state.part, &state.band);
+        state.argument = x;
+    }
+    state.piece = Piece::Root;
+}
+
+/// The square root. After the fifth one come the sections.
 #[portable]
 pub fn root<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if element::has_pairs(coeffs) {
-        bandpass::root(&mut state.of.pair, state.part, &state.band);
+        let root = square_root(state.argument);
+        bandpass::keep(&mut state.of.pair, state.part, root);
     }
     if state.part < 4u32 {
         state.part += 1u32;
+        state.piece = Piece::Argument;
     } else {
         state.part = 0u32;
         state.piece = Piece::Section;

@@ -33,6 +33,6 @@ pub struct Outputs<R> {
     pub wrong_stage: u32,
     /// number of the filter in its stage whose input was refused, from 0; 0 for a weight, a damping ratio or the limit
     pub wrong_filter: u32,
-    /// the parameter set; set_id is 0 unless designed is TRUE
+    /// the parameter set; all of it is 0 unless designed is TRUE
     pub params: Params<R>,
 }

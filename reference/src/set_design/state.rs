@@ -22,7 +22,9 @@ pub enum Piece {
     Centre,
     /// the warped bandwidth
     Bandwidth,
-    /// a square root of a pair of poles
+    /// the argument of a square root of a pair of poles
+    Argument,
+    /// that square root
     Root,
     /// a section
     Section,
@@ -54,6 +56,8 @@ pub struct State<R> {
     pub part: u32,
     /// the element
     pub of: Element<R>,
+    /// argument of the square root whose turn it is
+    pub argument: R,
     /// its band
     pub band: Band<R>,
     /// limit of the set before it is rounded
