@@ -129,6 +129,16 @@ fn of_set(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File
     files(target, designed, &taker(designed)?)
 }
 
+/// The header that the emitted C of a block includes: that of the block whose parameter sets it makes. Empty if it makes none.
+///
+/// # Errors
+/// A defect of the target.
+pub fn headers(designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
+    let mut files = of_set(target("c"), designed, block)?;
+    files.retain(|file| file.name.ends_with(".h"));
+    Ok(files)
+}
+
 /// The block that takes parameter sets.
 fn taker(designed: &Designed) -> Result<Block, Failure> {
     let kind = generator::blocks::named("ipc").expect("engine: there is the block");

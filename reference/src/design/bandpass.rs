@@ -27,8 +27,7 @@ pub fn sections<R: Real>(shapes: &mut Shapes<R>, prototype: Prototype, order: us
     }
     if has_pair(prototype, order) {
         let mut of = Pair::<R>::default();
-        of.sigma = pair_sigma(prototype, order);
-        of.omega = pair_omega(prototype, order);
+        poles(&mut of, prototype, order);
         root(&mut of, 0u32, band);
         root(&mut of, 1u32, band);
         root(&mut of, 2u32, band);
@@ -85,6 +84,13 @@ pub struct Pair<R> {
     pub fall: R,
     /// c
     pub c: R,
+}
+
+/// The poles of a pair of a prototype.
+#[portable]
+pub fn poles<R: Real>(of: &mut Pair<R>, prototype: Prototype, order: usize) {
+    of.sigma = pair_sigma(prototype, order);
+    of.omega = pair_omega(prototype, order);
 }
 
 /// e = (sigma^2 + omega^2) / q^2

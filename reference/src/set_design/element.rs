@@ -1,10 +1,10 @@
 //! The elements of a block, one for each filter: the inputs of the element whose turn it is, and the place of its numbers.
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
+#![expect(clippy::explicit_counter_loop, reason = "an index of the portable subset exists only while specialising")]
 
 use super::coeffs::Coeffs;
 use super::signals::Inputs;
-use crate::design::bandpass::Pair;
-use crate::design::poles::{has_pair, pair_omega, pair_sigma, real_poles, real_sigma};
+use crate::design::bandpass::{self, Pair};
+use crate::design::poles::{has_pair, real_poles, real_sigma};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::STAGES;
 use crate::stage::{self, FILTERS, Mode};
@@ -102,8 +102,7 @@ pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
             of.sigma = real_sigma(prototype, order);
             if has_pair(prototype, order) {
                 of.has_pair = true;
-                of.pair.sigma = pair_sigma(prototype, order);
-                of.pair.omega = pair_omega(prototype, order);
+                bandpass::poles(&mut of.pair, prototype, order);
             }
         }
         Type::Allpass => {

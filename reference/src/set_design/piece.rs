@@ -1,5 +1,4 @@
 //! The pieces of a design. Each changes the state and selects the next piece.
-#![expect(clippy::needless_range_loop, reason = "the portable subset has one way to go through an array")]
 
 use super::coeffs::Coeffs;
 use super::element;
@@ -23,19 +22,20 @@ use portable::{Real, in_range, note, portable};
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
     let limit = inputs.limit;
-    let mut wrong = Wrong::Limit;
+    // A NaN is compared by `in_range` only.
+    let mut is_sound = false;
     if in_range(limit, coeffs.set.ipc.limit) {
-        if limit >= R::ZERO {
-            wrong = Wrong::Nothing;
-            state.limit = limit;
-            let rounded = in_precision(limit);
-            state.numbers.limit = rounded;
-            state.numbers.lower_limit = limits::lower_limit(rounded);
-            state.numbers.watch.quiet = in_precision(watch::quiet(limit));
-            state.piece = Piece::Element;
-        }
+        is_sound = limit >= R::ZERO;
     }
-    wrong
+    if is_sound {
+        state.limit = limit;
+        let rounded = in_precision(limit);
+        state.numbers.limit = rounded;
+        state.numbers.lower_limit = limits::lower_limit(rounded);
+        state.numbers.watch.quiet = in_precision(watch::quiet(limit));
+        state.piece = Piece::Element;
+    }
+    if is_sound { Wrong::Nothing } else { Wrong::Limit }
 }
 
 /// A number in the precision of the block that takes the set.

@@ -80,6 +80,7 @@ impl Emitted {
         let legal = target.block(block).expect("C says every block");
         let runner = target.runner(&identity, &legal, |samples| kind.runner(designed, block, samples));
         files.push(runner.expect("C has runners"));
+        files.extend(golden::engine::headers(designed, block).expect("C prints every block"));
         Self { prefix, files }
     }
 }

@@ -146,7 +146,8 @@ fn files(case: &Case) -> Vec<File> {
 fn written(case: &Case) -> (TempDir, String) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let files = files(case);
-    for File { name, text } in &files {
+    let headers = golden::engine::headers(&case.axis, &case.block).unwrap_or_else(|failure| panic!("{failure}"));
+    for File { name, text } in files.iter().chain(&headers) {
         std::fs::write(folder.path().join(name), text).expect("room in it");
     }
     (folder, files[0].name.trim_end_matches(".h").to_owned())
