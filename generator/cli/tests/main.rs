@@ -19,6 +19,7 @@ mod recordings;
 #[cfg(unix)]
 mod safety;
 mod scenario;
+mod set_design;
 mod simulate;
 
 use std::path::Path;

@@ -53,7 +53,10 @@ pub fn read(dialect: Dialect, file: &File, designed: &Designed, block: &Block) -
 }
 
 /// The file with the type of the parameter sets of a block, which is separate in TwinCAT; `None` if it takes no sets.
-fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
+///
+/// # Errors
+/// A defect of the target.
+pub fn types(designed: &Designed, block: &Block) -> Result<Option<File>, Failure> {
     if !block.for_axis.program.has_set() {
         return Ok(None);
     }

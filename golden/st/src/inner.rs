@@ -7,6 +7,7 @@ use super::op::{Code, Op, moved};
 use super::structure::Structure;
 use super::syntax::{children, said, shown};
 use super::variables::{self, Inner, Role, Whole, slot_of};
+use super::whole::parts;
 use std::collections::BTreeSet;
 use tree_sitter::Node;
 
@@ -137,20 +138,19 @@ impl Lowering<'_, '_> {
         (inner, block, whole): (Inner, &Block, Whole),
         before: &mut BTreeSet<String>,
     ) -> Option<()> {
-        let word = |field| Some(said(node.child_by_field_name(field)?, self.text).to_ascii_lowercase());
-        let (name, path) = (word("name")?, word("value")?);
+        let name = said(node.child_by_field_name("name")?, self.text).to_ascii_lowercase();
+        let value = node.child_by_field_name("value")?;
         let wanted = &block.structures[whole.of];
-        let found = self.variables.whole(&path);
-        if found.is_none_or(|found| self.known.structures[found.of].name != wanted.name) {
+        let Some(found) = self.named(value).filter(|found| found.ty == wanted.name) else {
             let instead = format!("a variable of type `{}`", wanted.name);
             self.say(node, shown(node, self.text), instead);
             return None;
-        }
-        if !before.insert(name.clone()) {
+        };
+        let to = parts(wanted, &block.variables, &name, |part| (part.kind, slot_of(inner, part)));
+        if !before.insert(name) {
             self.say(node, format!("{} a second time", shown(node, self.text)), "each input once");
         }
-        let parts = self.pairs([&path, &name], wanted, (inner, block));
-        self.copy(&parts, false);
+        self.copy_parts(&to, &found.parts);
         Some(())
     }
 

@@ -8,9 +8,9 @@
 //! syntax         text -> tree, with an independent grammar
 //! declarations   VAR blocks -> variables; constant: values in the text
 //! variables      the variables and their slots; kind: the types and their values
-//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; expression, binary,
-//! call:
-//!                their parts; single: how much of them a statement of REAL may hold; lowering: their common data
+//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; whole: structures
+//!                as values; expression, binary, call: their parts; single: how much of them a statement of REAL may hold;
+//!                lowering: their common data
 //! known          declarations in other files; program: the files of a program with its blocks, read one after another
 //! block          the data of a block; read: a file -> a block; changed: a block that differs from its text
 //! op             the operations; machine: their execution; run: an instance of a block, cycle by cycle
@@ -49,6 +49,7 @@ mod syntax;
 mod twincat;
 mod types;
 mod variables;
+mod whole;
 mod xml;
 
 #[cfg(test)]

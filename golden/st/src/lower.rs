@@ -78,6 +78,9 @@ impl Lowering<'_, '_> {
             return None;
         }
         let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
+        if self.is_whole(left) {
+            return self.whole_assignment(left, right);
+        }
         let target = self.target(left);
         self.assign(target, right)
     }

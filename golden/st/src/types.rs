@@ -57,7 +57,7 @@ impl Place<'_> {
             let kind = if self.known.is_program { Kind::of_program } else { Kind::of }(word, self.real);
             match (kind, inside) {
                 (Some(kind), _) => {
-                    let start = field.child_by_field_name("initial_value");
+                    let start = field.child_by_field_name("default");
                     let place = (self.dialect, self.real);
                     let start = start.and_then(|start| constant::initial(place, start, self.text, kind, mistakes));
                     // Some compilers of the plain form ignore it.

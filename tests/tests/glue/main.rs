@@ -10,6 +10,7 @@ mod lives;
 mod planted;
 mod project;
 mod script;
+mod tuning;
 mod world;
 
 use checks::violations;

@@ -43,12 +43,12 @@ pub struct Project {
     spoilt: Option<&'static str>,
 }
 
-fn all(mistakes: &[Mistake]) -> String {
+pub fn all(mistakes: &[Mistake]) -> String {
     mistakes.iter().map(Mistake::to_string).collect::<Vec<_>>().join("\n")
 }
 
 /// The name of a block's object: that of its file.
-fn stem(file: &str) -> &str {
+pub fn stem(file: &str) -> &str {
     Path::new(file).file_stem().and_then(|stem| stem.to_str()).unwrap()
 }
 

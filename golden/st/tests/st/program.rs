@@ -66,6 +66,33 @@ fn what_a_caller_gives_is_read_and_written() {
 }
 
 #[test]
+fn a_part_of_a_structure_starts_with_its_value() {
+    let mut program = start();
+    program.structure(&dut("Started", "    n : DINT := 5;\n    x : LREAL := -2.5;")).unwrap();
+    let main = "PROGRAM MAIN\nVAR\n    s : Started;\n    n : DINT;\nEND_VAR\n";
+    let block = program.read(&pou("MAIN", main, "n := s.n;"), "MAIN").unwrap();
+    let run = block.start(&[], &[], &[]).unwrap();
+    assert_eq!(["s.n", "s.x"].map(|path| run.get(path).unwrap()), [Literal::I32(5), Literal::F64(-2.5)]);
+}
+
+/// A structure is a value in a program: a variable of it, an output of an instance.
+#[test]
+fn a_structure_is_assigned_whole() {
+    let mut program = start();
+    let declaration = "FUNCTION_BLOCK FB_pass\nVAR_INPUT\n    given : Outer;\nEND_VAR\nVAR_OUTPUT\n    made : Outer;\nEND_VAR\n";
+    program.block(&pou("FB_pass", declaration, "made := given;\nmade.n := made.n + 1;"), "FB_pass").unwrap();
+    let main = "PROGRAM MAIN\nVAR\n    a : Outer;\n    b : Outer;\n    one : FB_pass;\n    two : FB_pass;\nEND_VAR\n";
+    let block = program.read(&pou("MAIN", main, "one(given := a);\ntwo(given := one.made);\nb := two.made;"), "MAIN").unwrap();
+    let mut run = block.start(&[], &[], &[]).unwrap();
+    assert!(run.set("a.n", Literal::I32(7)) && run.set("a.inside.x", Literal::F64(2.5)));
+    run.cycle(&[], &mut Vec::new());
+    let found = ["a.n", "a.inside.x", "b.n", "b.inside.x"].map(|path| run.get(path).unwrap());
+    assert_eq!(found, [Literal::I32(7), Literal::F64(2.5), Literal::I32(9), Literal::F64(2.5)]);
+    let read = program.read(&pou("FB_pass", declaration, "given := made;"), "FB_pass");
+    assert_eq!(all(read), "9:1: found the input `given` left of `:=`; write a variable of its own");
+}
+
+#[test]
 fn an_int_holds_what_fits_and_nothing_by_chance() {
     let main = "PROGRAM MAIN\nVAR\n    n : DINT;\nEND_VAR\n";
     let block = start().read(&pou("MAIN", main, "G.offset := DINT_TO_INT(n);"), "MAIN").unwrap();
@@ -154,6 +181,7 @@ fn an_emitted_block_is_read_as_strictly_as_ever() {
         ("VAR\n    k : DINT;\nEND_VAR\n", "k := UINT_TO_DINT(k);"),
         ("VAR\n    override : DINT;\nEND_VAR\n", "override := 1;"),
         ("VAR\n    k : DINT;\nEND_VAR\n", "k := G.count;"),
+        ("VAR\n    k : Outer;\n    n : Outer;\nEND_VAR\n", "k := n;"),
     ] {
         assert!(!read(declaration, body).is_empty(), "{declaration}{body}");
     }
