@@ -75,6 +75,13 @@ pub fn largest_quality<R: Real>() -> R {
     R::lit(10.0)
 }
 
+/// smallest weight and smallest damping ratio: 2^-50, far below any that acts, so that single precision and the check word of a set
+/// have all digits of the numbers
+#[portable]
+pub fn smallest_ratio<R: Real>() -> R {
+    R::lit(8.881_784_197_001_252e-16)
+}
+
 /// a second [ns]
 #[portable]
 pub fn second_ns<R: Real>() -> R {
@@ -152,7 +159,7 @@ pub fn is_quality<R: Real>(q_factor: R) -> bool {
 pub fn is_damping<R: Real>(damping: R) -> bool {
     let mut is_sound = false;
     if in_range(damping, R::ONE) {
-        is_sound = R::ZERO < damping && damping < R::ONE;
+        is_sound = damping >= smallest_ratio() && damping < R::ONE;
     }
     is_sound
 }
@@ -162,7 +169,7 @@ pub fn is_damping<R: Real>(damping: R) -> bool {
 pub fn is_weight<R: Real>(weight: R) -> bool {
     let mut is_sound = false;
     if in_range(weight, weight_limit()) {
-        is_sound = R::ZERO < weight;
+        is_sound = weight >= smallest_ratio();
     }
     is_sound
 }

@@ -18,6 +18,12 @@ use crate::tunable_ipc::check;
 use crate::turn::Picked;
 use portable::{Real, in_range, note, portable};
 
+/// smallest limit of v_add other than 0, 2^-20, so that single precision and the check word have all digits [um/s or 0.001 deg/s]
+#[portable]
+pub fn smallest_limit<R: Real>() -> R {
+    R::lit(9.536_743_164_062_5e-7)
+}
+
 /// The limit. Returns whether it is outside its range.
 #[portable]
 pub fn limit<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
@@ -25,7 +31,7 @@ pub fn limit<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<
     // A NaN is compared by `in_range` only.
     let mut is_sound = false;
     if in_range(limit, coeffs.set.ipc.limit) {
-        is_sound = limit >= R::ZERO;
+        is_sound = in_range(limit, R::ZERO) || limit >= smallest_limit();
     }
     if is_sound {
         state.limit = limit;

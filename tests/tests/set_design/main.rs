@@ -118,9 +118,9 @@ fn spoilt(mut inputs: Vec<(String, f64)>, highest: f64, rng: &mut Rng) -> Typed 
             if rng.chance(40) { (*rng.pick(&low), Wrong::LowFrequency) } else { (*rng.pick(&wrong), Wrong::Frequency) }
         }
         "q_factor" => (*rng.pick(&[1f64.next_down(), 10f64.next_up(), 0.0, -2.0, 1e300]), Wrong::QualityFactor),
-        "damping" => (*rng.pick(&[0.0, -0.0, 1.0, 1.5, -0.5]), Wrong::Damping),
-        "weight" => (*rng.pick(&[0.0, -0.0, 7f64.next_up(), -1.0, 1e300]), Wrong::Weight),
-        _ => (*rng.pick(&[-5e-324, -1.0, 212_000f64.next_up(), 1e300]), Wrong::Limit),
+        "damping" => (*rng.pick(&[0.0, -0.0, 5e-324, 1.0, 1.5, -0.5]), Wrong::Damping),
+        "weight" => (*rng.pick(&[0.0, -0.0, 5e-324, 7f64.next_up(), -1.0, 1e300]), Wrong::Weight),
+        _ => (*rng.pick(&[5e-324, -5e-324, -1.0, 212_000f64.next_up(), 1e300]), Wrong::Limit),
     };
     let is_number = rng.chance(70);
     input.1 = if is_number { outside } else { *rng.pick(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]) };
