@@ -1,21 +1,11 @@
 /* Calls step of a block CYCLES times, in a program without a library: what is counted by `cortex_m4`. It writes a digest of the outputs. */
 #include AXIS_HEADER
 
-#define JOIN(a, b) a##b
-#define NAME(a, b) JOIN(a, b)
+#include "driver.h"
 
 static NAME(AXIS, _ipc_state) state;
 static NAME(AXIS, _ipc_inputs) inputs;
 static NAME(AXIS, _ipc_outputs) outputs;
-
-static void called(int number, int first, unsigned second, unsigned third)
-{
-    register int r7 __asm__("r7") = number;
-    register int r0 __asm__("r0") = first;
-    register unsigned r1 __asm__("r1") = second;
-    register unsigned r2 __asm__("r2") = third;
-    __asm__ volatile("svc 0" : "+r"(r0) : "r"(r7), "r"(r1), "r"(r2) : "memory");
-}
 
 void _start(void)
 {

@@ -2,21 +2,11 @@
  * writes the number of the set, and the number of calls. */
 #include AXIS_HEADER
 
-#define JOIN(a, b) a##b
-#define NAME(a, b) JOIN(a, b)
+#include "driver.h"
 
 static NAME(AXIS, _set_design_state) state;
 static NAME(AXIS, _set_design_inputs) inputs;
 static NAME(AXIS, _set_design_outputs) outputs;
-
-static void called(int number, int first, unsigned second, unsigned third)
-{
-    register int r7 __asm__("r7") = number;
-    register int r0 __asm__("r0") = first;
-    register unsigned r1 __asm__("r1") = second;
-    register unsigned r2 __asm__("r2") = third;
-    __asm__ volatile("svc 0" : "+r"(r0) : "r"(r7), "r"(r1), "r"(r2) : "memory");
-}
 
 void _start(void)
 {
