@@ -64,6 +64,11 @@ impl Lowering<'_, '_> {
 }
 
 /// Types and slots of the parts of the variable `path`.
-pub(crate) fn parts(of: &Structure, variables: &Variables, path: &str, part: impl Fn(Variable) -> (Kind, u32)) -> Vec<(Kind, u32)> {
+pub(crate) fn parts(
+    of: &Structure,
+    variables: &Variables,
+    path: &str,
+    part: impl Fn(Variable) -> (Kind, u32),
+) -> Vec<(Kind, u32)> {
     of.parts.iter().filter_map(|of| variables.find(&format!("{path}.{}", of.path)).map(&part)).collect()
 }

@@ -79,10 +79,12 @@ fn a_part_of_a_structure_starts_with_its_value() {
 #[test]
 fn a_structure_is_assigned_whole() {
     let mut program = start();
-    let declaration = "FUNCTION_BLOCK FB_pass\nVAR_INPUT\n    given : Outer;\nEND_VAR\nVAR_OUTPUT\n    made : Outer;\nEND_VAR\n";
+    let declaration =
+        "FUNCTION_BLOCK FB_pass\nVAR_INPUT\n    given : Outer;\nEND_VAR\nVAR_OUTPUT\n    made : Outer;\nEND_VAR\n";
     program.block(&pou("FB_pass", declaration, "made := given;\nmade.n := made.n + 1;"), "FB_pass").unwrap();
     let main = "PROGRAM MAIN\nVAR\n    a : Outer;\n    b : Outer;\n    one : FB_pass;\n    two : FB_pass;\nEND_VAR\n";
-    let block = program.read(&pou("MAIN", main, "one(given := a);\ntwo(given := one.made);\nb := two.made;"), "MAIN").unwrap();
+    let block =
+        program.read(&pou("MAIN", main, "one(given := a);\ntwo(given := one.made);\nb := two.made;"), "MAIN").unwrap();
     let mut run = block.start(&[], &[], &[]).unwrap();
     assert!(run.set("a.n", Literal::I32(7)) && run.set("a.inside.x", Literal::F64(2.5)));
     run.cycle(&[], &mut Vec::new());
