@@ -34,7 +34,11 @@ pub struct Block {
 impl Block {
     /// The outputs in a record of a run, by their positions: all, but of a block that makes a parameter set those of its axis.
     pub fn recorded_outputs(&self) -> Vec<usize> {
-        if self.program.made.is_some() { self.for_axis.outputs.clone() } else { (0..self.program.outputs.len()).collect() }
+        if self.program.made.is_some() {
+            self.for_axis.outputs.clone()
+        } else {
+            (0..self.program.outputs.len()).collect()
+        }
     }
 
     /// The inputs of its self-test on the controller, sample by sample.

@@ -30,8 +30,8 @@ pub use designed::Designed;
 pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
 pub(crate) use ipc::sets::shown;
-pub use set_design::calls as calls_of_design;
 pub use kind::{Arithmetic, BlockKind, Design, Summary, Typed};
+pub use set_design::calls as calls_of_design;
 
 use crate::axis::Axis;
 use compiler::pass::Defect;

@@ -111,7 +111,8 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         bits,
         inputs,
         set,
-        outputs: outline.outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
+        outputs: outline
+            .outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
         state,
         constants,
         any_cycle: printer.body(program.apart(), 1),
@@ -126,8 +127,11 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
         scales: exercise.scales.map(LANGUAGE.literal),
         part: (LANGUAGE.literal)(exercise.part),
-        watched: [watched("outputs", &program.outputs, &signals(program, &LANGUAGE)[1]), watched("state", &program.state, &names.state)]
-            .concat(),
+        watched: [
+            watched("outputs", &program.outputs, &signals(program, &LANGUAGE)[1]),
+            watched("state", &program.state, &names.state),
+        ]
+        .concat(),
     };
     vec![rendered(&file, "", &template)]
 }

@@ -87,22 +87,28 @@ pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     if coeffs.set.ipc.stage[i].mode != Mode::Direct {
         of.damping = inputs.stage[i].damping;
     }
-    of.is_allpass = coeffs.set.ipc.stage[i].filter[k].kind == Type::Allpass;
     of.has_oscillation = is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
     of.opens_stage = is_first(&coeffs.set.ipc.stage[i], k);
     of.closes_stage = is_last(&coeffs.set.ipc.stage[i], k);
     of.has_pair = false;
     of.real = 0u32;
-    of.final_section = 0u32;
-    if coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass {
-        let order = coeffs.set.ipc.stage[i].filter[k].order;
-        of.final_section = count(order) - 1u32;
-        of.real = count(real_poles(prototype, order));
-        of.sigma = real_sigma(prototype, order);
-        if has_pair(prototype, order) {
-            of.has_pair = true;
-            of.pair.sigma = pair_sigma(prototype, order);
-            of.pair.omega = pair_omega(prototype, order);
+    match coeffs.set.ipc.stage[i].filter[k].kind {
+        Type::NoFilter => {}
+        Type::Bandpass => {
+            let order = coeffs.set.ipc.stage[i].filter[k].order;
+            of.is_allpass = false;
+            of.final_section = count(order) - 1u32;
+            of.real = count(real_poles(prototype, order));
+            of.sigma = real_sigma(prototype, order);
+            if has_pair(prototype, order) {
+                of.has_pair = true;
+                of.pair.sigma = pair_sigma(prototype, order);
+                of.pair.omega = pair_omega(prototype, order);
+            }
+        }
+        Type::Allpass => {
+            of.is_allpass = true;
+            of.final_section = 0u32;
         }
     }
 }
@@ -215,8 +221,8 @@ pub fn has_type<R: Real>(coeffs: &Coeffs<R>, kind: Type) -> bool {
 pub fn simulates<R: Real>(coeffs: &Coeffs<R>) -> bool {
     let mut found = false;
     for i in 0..STAGES {
-        found = found
-            || coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].mode != Mode::Direct;
+        found =
+            found || coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].mode != Mode::Direct;
     }
     found
 }

@@ -30,9 +30,7 @@ pub use state::{Piece, State};
 
 use crate::design::inputs::Wrong;
 use crate::ipc::numbers;
-use crate::signal::{
-    error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight,
-};
+use crate::signal::{error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight};
 use portable::{Block, Enable, Fn, Off, Real, note, portable};
 
 /// Before the first call.

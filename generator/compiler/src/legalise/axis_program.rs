@@ -23,9 +23,8 @@ impl AxisProgram {
 
     /// Its real inputs that are signals.
     pub fn reals(&self) -> Vec<RealInput> {
-        let is_wanted = |input: &Variable| {
-            input.ty == Type::Real && self.program.in_set(input).is_none() && !self.program.typed
-        };
+        let is_wanted =
+            |input: &Variable| input.ty == Type::Real && self.program.in_set(input).is_none() && !self.program.typed;
         let reals = self.program.inputs.iter().enumerate().filter(|(_, input)| is_wanted(input));
         reals
             .map(|(place, input)| RealInput {

@@ -70,7 +70,8 @@ fn number_afresh(mut program: Program) -> Program {
     };
     rename(&mut program.init, &renamed);
     rename(&mut program.step, &renamed);
-    if let Some(Switch { off: Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades), .. }) = &mut program.switch {
+    if let Some(Switch { off: Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades), .. }) = &mut program.switch
+    {
         *fades = fades.filter(|fades| mentioned[*fades]).map(renamed);
     }
     program

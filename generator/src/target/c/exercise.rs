@@ -75,8 +75,7 @@ pub(super) fn of<'p>(
         is_scaled: exercise.reals.iter().any(|real| !real.is_fraction),
         usual: block.usual(&names.inputs, LANGUAGE.literal),
         counter: exercise.counter().map(name),
-        folded: [folded("outputs", &program.outputs, &outputs), folded("state", &program.state, &names.state)]
-            .concat(),
+        folded: [folded("outputs", &program.outputs, &outputs), folded("state", &program.state, &names.state)].concat(),
         expected: in_lines(expected),
         owner: owner.to_owned(),
     }

@@ -46,8 +46,11 @@ pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro
     let own = program.outputs.iter().filter(|output| program.in_made(output).is_none());
     let outputs = own.map(|output| one_of(output.ty, program.real)).chain((made[0] > 0).then_some(made));
     let of_program = |variables: Vec<&Variable>| room(variables.into_iter().map(|of| one_of(of.ty, program.real)));
-    let structs =
-        [(first, of_program(in_first)), ("OUTPUTS", room(outputs)), ("STATE", of_program(program.state.iter().collect()))];
+    let structs = [
+        (first, of_program(in_first)),
+        ("OUTPUTS", room(outputs)),
+        ("STATE", of_program(program.state.iter().collect())),
+    ];
     let mut doc = "sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size";
     for (name, [size, _]) in structs {
         // C does not allow a struct without a member.

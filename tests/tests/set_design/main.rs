@@ -1,6 +1,13 @@
 //! The block `set_design`: from random inputs, hostile ones among them, the set of the generator in every bit, in every engine;
 //! what is refused gives no set.
-#![expect(clippy::unwrap_used, clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "a test's small numbers")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "a test's small numbers"
+)]
+
+mod closed_loop;
 
 use axgen_tests::engines::agree;
 use axgen_tests::environment::by_depth;
@@ -140,7 +147,9 @@ fn place(program: &Program, path: &str) -> usize {
 /// The inputs of a design: the button, and what was typed.
 fn values(program: &Program, typed: &Typed, execute: bool) -> Vec<Literal> {
     let value = |input: &compiler::program::Variable| match input.ty {
-        Type::Real => typed.inputs.iter().find(|(path, _)| *path == input.path).map_or(input.start, |(_, x)| Literal::F64(*x)),
+        Type::Real => {
+            typed.inputs.iter().find(|(path, _)| *path == input.path).map_or(input.start, |(_, x)| Literal::F64(*x))
+        }
         _ => Literal::Bool(execute),
     };
     program.inputs.iter().map(value).collect()
@@ -153,7 +162,8 @@ fn compare(structure: usize, real: RealKind, count: usize) {
     let (program, calls) = (&block.program, generator::blocks::calls_of_design(&base));
     let highest = (0.45e9 / f64::from(base.axis.cycle_time_ns)).min(500.0);
     let mut run = named("set_design").unwrap().start(&base);
-    let own: Vec<usize> = block.for_axis.outputs.iter().copied().filter(|at| program.in_made(&program.outputs[*at]).is_some()).collect();
+    let own: Vec<usize> =
+        block.for_axis.outputs.iter().copied().filter(|at| program.in_made(&program.outputs[*at]).is_some()).collect();
     let first = place(program, "params.structure");
     let (mut rng, mut outputs, mut accepted) = (Rng::new(0x5e7 + structure as u64), Vec::new(), 0);
     for n in 0..count {
