@@ -53,13 +53,7 @@ fn assert_printed(folder: &Path, command: &str, shown: &[String]) {
 /// A folder with the examples, as a user has it who follows a page.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    fs::create_dir(folder.path().join("examples")).unwrap();
-    for entry in fs::read_dir(Path::new(ROOT).join("examples")).unwrap() {
-        let from = entry.unwrap().path();
-        if from.is_file() {
-            fs::copy(&from, folder.path().join("examples").join(from.file_name().unwrap())).unwrap();
-        }
-    }
+    crate::pipeline::copy(Path::new(crate::EXAMPLES), &folder.path().join("examples"));
     folder
 }
 

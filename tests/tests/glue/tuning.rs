@@ -1,5 +1,7 @@
 //! The block `FB_damping_tuning` of the example with the emitted blocks of `tuning.toml`: what is typed, and what is shown.
 
+#![expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small positive numbers of a test")]
+
 use super::project::{all, stem};
 use super::swap;
 use generator::axis::{Filter, Mode};
