@@ -19,12 +19,18 @@ pub fn of_signals(program: &Program) -> Vec<Signal> {
     // The numbers of a parameter set are not written individually.
     let is_set = |index: &usize| program.in_set(&program.inputs[*index]).is_some();
     let inputs = (0..program.inputs.len()).filter(|index| !is_set(index)).map(Var::Input);
-    of_those(program, inputs.chain((0..program.outputs.len()).map(Var::Output)))
+    of_those(program, inputs.chain(outputs(program)))
 }
 
 /// The outputs with named numbers only, which takes less time.
 pub fn of_outputs(program: &Program) -> Vec<Signal> {
-    of_those(program, (0..program.outputs.len()).map(Var::Output))
+    of_those(program, outputs(program))
+}
+
+/// The outputs outside a parameter set that the program makes.
+fn outputs(program: &Program) -> impl Iterator<Item = Var> {
+    let is_made = |index: &usize| program.in_made(&program.outputs[*index]).is_some();
+    (0..program.outputs.len()).filter(move |index| !is_made(index)).map(Var::Output)
 }
 
 fn of_those(program: &Program, signals: impl Iterator<Item = Var>) -> Vec<Signal> {

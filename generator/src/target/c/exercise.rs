@@ -59,7 +59,13 @@ pub(super) fn of<'p>(
         false => format!("{owner}_noise({random}, scale)"),
     };
     let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
-        variables.iter().zip(names).map(|(variable, member)| fold(owner, of, variable, member)).collect()
+        let fold = |(variable, member): (&Variable, &String)| {
+            // A real of single precision in a block of double precision.
+            let is_single = program.is_made_single && program.in_made(variable).is_some();
+            let cast = if is_single && variable.ty == Type::Real { "(double)" } else { "" };
+            fold(owner, &format!("{cast}{of}"), variable, member)
+        };
+        variables.iter().zip(names).map(fold).collect()
     };
     let names = printer.names();
     let [_, outputs] = signals(program, &LANGUAGE);
