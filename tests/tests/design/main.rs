@@ -1,7 +1,12 @@
 //! The design in portable Rust against sources that it does not share: 80-digit arithmetic, the crate `libm`, the processor's
 //! square root; and its specialised program against the Rust itself.
 
-#![expect(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "random bits")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "random bits, and small numbers of cycles"
+)]
 
 mod accuracy;
 mod exact;

@@ -95,7 +95,7 @@ fn numbers_typed_while_the_axis_moves_do_not_step_v_add() {
     assert_eq!(bench.used, expected);
     let bound = 212_000.0 / 100.0 + 2.0 * largest_step(&undisturbed);
     let step = largest_step(&record);
-    println!("largest step of v_add {step:.0} um/s, undisturbed {:.0}, bound {bound:.0}", largest_step(&undisturbed));
+    eprintln!("largest step of v_add {step:.0} um/s, undisturbed {:.0}, bound {bound:.0}", largest_step(&undisturbed));
     assert!(step <= bound, "{step} {bound}");
     // On the way back all of it acts.
     let at_53 = |record: &Record| {
@@ -104,6 +104,6 @@ fn numbers_typed_while_the_axis_moves_do_not_step_v_add() {
     };
     let mut off = Bench::new(&start);
     let [without, with, usual] = [&run(&mut off, &[]), &record, &undisturbed].map(at_53);
-    println!("53 Hz: {without:.3} m/s^2 without, {with:.3} with the typed numbers, {usual:.3} as generated");
+    eprintln!("53 Hz: {without:.3} m/s^2 without, {with:.3} with the typed numbers, {usual:.3} as generated");
     assert!(with < 0.5 * without && (with / usual - 1.0).abs() < 0.02, "{without} {with} {usual}");
 }
