@@ -9,28 +9,42 @@ use axgen_tests::environment::{has, said};
 use generator::generate::{axis_files, identity};
 use generator::target::{self, File};
 use golden::case::{self, Case, VECTOR_SAMPLES};
-use golden::engine::{Failure, rust};
+use golden::engine::{self, Failure, rust};
 use rayon::prelude::*;
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
 
-/// The module of a case.
-fn module(case: &Case) -> File {
+/// The module of a case, and those that it uses.
+fn module(case: &Case) -> Vec<File> {
     let target = target::named("rust").unwrap();
-    target.files(&identity(&case.axis.axis, &case.block), &case.block).unwrap().remove(0)
+    let used = engine::of_set(target, &case.axis, &case.block).unwrap();
+    let mut files = target.files(&identity(&case.axis.axis, &case.block), &case.block).unwrap();
+    files.extend(used);
+    files
 }
 
 /// A crate of modules, without the standard library and without unsafe code. Each lies in a folder of its own: names repeat.
-fn library(modules: &[File]) -> TempDir {
+fn library(modules: &[Vec<File>]) -> TempDir {
     let folder = tempfile::tempdir().unwrap();
     let (mut root, mut callers) = ("#![no_std]\n#![forbid(unsafe_code)]\n".to_owned(), String::new());
-    for (number, file) in modules.iter().enumerate() {
+    for (number, files) in modules.iter().enumerate() {
         let below = format!("m{number:03}"); // rustfmt sorts them
         std::fs::create_dir(folder.path().join(&below)).unwrap();
-        std::fs::write(folder.path().join(&below).join(&file.name), &file.text).unwrap();
-        root += &format!("#[path = \"{below}/{}\"]\npub mod {below};\n", file.name);
+        for file in files {
+            std::fs::write(folder.path().join(&below).join(&file.name), &file.text).unwrap();
+        }
+        root += &match files.as_slice() {
+            [file] => format!("#[path = \"{below}/{}\"]\npub mod {below};\n", file.name),
+            files => {
+                let mut names: Vec<&str> = files.iter().map(|file| file.name.trim_end_matches(".rs")).collect();
+                let block = names[0];
+                names.sort_unstable();
+                let all: String = names.iter().map(|name| format!("    pub mod {name};\n")).collect();
+                format!("pub mod {below} {{\n{all}    pub use self::{block}::*;\n}}\n")
+            }
+        };
         // A small function is in no object until one that must not be inlined calls it.
         let caller = format!("{below}::State, {below}::Inputs, {below}::Outputs");
         callers += &format!(
@@ -67,8 +81,8 @@ const LIBRARY: [&str; 4] = ["--crate-type", "lib", "-D", "warnings"];
 fn no_edition_warns() {
     let axes = without_stages();
     let of_axes = axes.iter().flat_map(|axis| axis_files(axis, &[target::named("rust").unwrap()]).unwrap());
-    let of_axes = of_axes.filter(|file| file.name.ends_with(".rs"));
-    let modules: Vec<File> = in_both_real_types().iter().map(module).chain(of_axes).collect();
+    let of_axes = of_axes.filter(|file| file.name.ends_with(".rs")).map(|file| vec![file]);
+    let modules: Vec<Vec<File>> = in_both_real_types().iter().map(module).chain(of_axes).collect();
     let folder = library(&modules);
     for edition in ["2018", "2021", "2024"] {
         let arguments = [&LIBRARY[..], &["--edition", edition, "--emit", "metadata"]].concat();
@@ -79,7 +93,7 @@ fn no_edition_warns() {
 /// A crate's own `cargo fmt` would change a file that bears a checksum.
 #[test]
 fn the_toolchain_leaves_modules_as_they_are() {
-    let modules: Vec<File> = all().iter().map(module).collect();
+    let modules: Vec<Vec<File>> = all().iter().map(module).collect();
     let folder = library(&modules);
     let library = |more: &[&'static str]| [&LIBRARY[..], more].concat();
     if has_tool("rustfmt", "rustfmt") {
@@ -96,7 +110,7 @@ fn the_toolchain_leaves_modules_as_they_are() {
 }
 
 /// The symbols of the object that a build makes of modules, checked for overflow too.
-fn symbols(modules: &[File], more: &[&str]) -> Vec<String> {
+fn symbols(modules: &[Vec<File>], more: &[&str]) -> Vec<String> {
     let folder = library(modules);
     let options = ["--edition", "2021", "-C", "overflow-checks=on", "-C", "panic=abort", "--emit", "obj=modules.o"];
     silent(&rust::command(), folder.path(), &[&LIBRARY[..], &options, more].concat());
@@ -120,7 +134,7 @@ fn no_module_can_panic() {
     if !has("nm", "nm", "binutils") {
         return;
     }
-    let modules: Vec<File> = in_both_real_types().iter().map(module).collect();
+    let modules: Vec<Vec<File>> = in_both_real_types().iter().map(module).collect();
     // optimised, and as a debugger likes it
     let mut builds = vec![vec!["-O"], vec!["-C", "debug-assertions=on"]];
     let arm = "thumbv7em-none-eabihf";
@@ -144,7 +158,7 @@ fn no_module_can_panic() {
     }
     // That a panic would be seen.
     let mut divides = modules[0].clone();
-    divides.text += "\n#[inline(never)]\npub fn divide(a: u32, b: u32) -> u32 {\n    a / b\n}\n";
+    divides[0].text += "\n#[inline(never)]\npub fn divide(a: u32, b: u32) -> u32 {\n    a / b\n}\n";
     assert!(symbols(&[divides], &["-O"]).iter().any(|symbol| symbol.contains("panic")));
 }
 
@@ -196,7 +210,7 @@ fn the_self_test_finds_planted_faults() {
     let plants: [(&str, Plant); 3] =
         [("fused", |text| planted(text, fused)), ("lost", |text| planted(text, lost)), ("finite", finite)];
     for case in in_both_real_types().iter().filter(|case| cases.contains(&title(case).as_str())) {
-        let File { name, text } = &module(case);
+        let File { name, text } = &module(case)[0];
         let inputs = case::inputs(case, VECTOR_SAMPLES).unwrap();
         for (kind, plant) in plants {
             let is_found = |text: String| match rust::run_file(&File { name: name.clone(), text }, &case.block, &inputs)

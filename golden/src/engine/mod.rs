@@ -122,7 +122,10 @@ fn files(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>
 }
 
 /// The files of the block whose parameter sets a block makes: they declare the type of the sets. Empty if it makes none.
-fn of_set(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
+///
+/// # Errors
+/// A defect of the target.
+pub fn of_set(target: Target, designed: &Designed, block: &Block) -> Result<Vec<File>, Failure> {
     if block.program.made.is_none() {
         return Ok(Vec::new());
     }

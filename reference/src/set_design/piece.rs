@@ -68,6 +68,21 @@ pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
             wrong = Wrong::Damping;
         }
     }
+    if wrong == Wrong::Nothing {
+        begin_element(state);
+    } else {
+        // The state keeps no number that was refused.
+        state.of.f0 = R::ZERO;
+        state.of.q_factor = R::ZERO;
+        state.of.weight = R::ZERO;
+        state.of.damping = R::ZERO;
+    }
+    wrong
+}
+
+/// The norm of the stage at its first element; then the centre.
+#[portable]
+pub fn begin_element<R: Real>(state: &mut State<R>) {
     if state.of.opens_stage {
         state.norm = state.of.weight;
         if state.of.is_simulated {
@@ -75,7 +90,6 @@ pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs
         }
     }
     state.piece = Piece::Centre;
-    wrong
 }
 
 /// The warped centre frequency, then the warped bandwidth.

@@ -8,6 +8,9 @@ const NS: u32 = 1_000_000;
 /// The lowest f0 of the structure [Hz].
 const LOWEST: f64 = 0.5;
 
+/// The smallest weight and damping ratio, 2^-50.
+const SMALLEST: f64 = 1.0 / (1_u64 << 50) as f64;
+
 fn stage(mode: Mode, kinds: [Type; 2]) -> Coeffs<f64> {
     let filter = kinds.map(|kind| Filter { kind, order: 1, ..Filter::default() });
     Coeffs { mode, filter, ..Coeffs::default() }
@@ -33,8 +36,14 @@ fn each_input_has_its_range() {
         (|of, x| of.filter[0].f0 = x, Wrong::Frequency, 0, &[LOWEST, 450.0], &[450.0_f64.next_up(), 500.0, 1e300]),
         (|of, x| of.filter[1].f0 = x, Wrong::Frequency, 1, &[LOWEST, 449.0], &[451.0, 501.0]),
         (|of, x| of.filter[1].q_factor = x, Wrong::QualityFactor, 1, &[1.0, 10.0], &[0.999, 10.001, 1e300]),
-        (|of, x| of.damping = x, Wrong::Damping, 0, &[1e-300, 0.999], &[1.0, 1.5]),
-        (|of, x| of.weight = x, Wrong::Weight, 0, &[1e-9, 7.0], &[7.0_f64.next_up(), 8.0]),
+        (|of, x| of.damping = x, Wrong::Damping, 0, &[SMALLEST, 0.999], &[SMALLEST.next_down(), 5e-324, 1.0, 1.5]),
+        (
+            |of, x| of.weight = x,
+            Wrong::Weight,
+            0,
+            &[SMALLEST, 7.0],
+            &[SMALLEST.next_down(), 5e-324, 7.0_f64.next_up(), 8.0],
+        ),
     ];
     let structure = stage(Mode::Indirect, [Type::Allpass, Type::Bandpass]);
     for (set, wrong, filter, accepted, refused) in rows {

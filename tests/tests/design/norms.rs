@@ -191,9 +191,9 @@ fn the_norm_of_a_stage_holds() {
 
 #[test]
 fn the_largest_sum_is_twice_the_bound_or_the_limit() {
-    assert_eq!(sum_limit(3.0, 2_000.0, 1_000.0).to_bits(), f64::to_bits(6_000.0));
-    assert_eq!(sum_limit(3.0, 4_000.0, 1_000.0).to_bits(), f64::to_bits(8_000.0));
-    assert_eq!(sum_limit(0.0, 0.0, 1_000.0).to_bits(), f64::to_bits(0.0));
+    assert_eq!(sum_limit(3.0_f64, 2_000.0, 1_000.0).to_bits(), f64::to_bits(6_000.0));
+    assert_eq!(sum_limit(3.0_f64, 4_000.0, 1_000.0).to_bits(), f64::to_bits(8_000.0));
+    assert_eq!(sum_limit(0.0_f64, 0.0, 1_000.0).to_bits(), f64::to_bits(0.0));
     // what a set can hold
     assert_eq!(sum_limit(f64::INFINITY, 1_000.0, 1_000.0).to_bits(), f64::to_bits(34_359_738_368.0));
 }
