@@ -6,6 +6,7 @@ use crate::boards::{BOARDS, Emitted, finished, said, written};
 use crate::in_turn;
 use axgen_tests::cases::{all, in_both_real_types, title};
 use axgen_tests::environment::{has, is_every_level, is_exhaustive};
+use portable::RealKind;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -44,13 +45,13 @@ fn what_clang_makes_for_arm_calls_no_library() {
     let mut seen = BTreeSet::new();
     let emitted: Vec<_> = in_both_real_types()
         .iter()
-        .map(|case| (title(case), Emitted::of(&case.axis, &case.block, SAMPLES)))
-        .filter(|(_, of)| seen.insert(of.files[1].text.clone()))
+        .map(|case| (title(case), case.block.program.real, Emitted::of(&case.axis, &case.block, SAMPLES)))
+        .filter(|(.., of)| seen.insert(of.files[1].text.clone()))
         .collect();
     let objects: usize = emitted
         .par_iter()
         .enumerate()
-        .map(|(number, (title, emitted))| {
+        .map(|(number, (title, real, emitted))| {
             let is_whole = is_every_level() || number < 3;
             let (levels, processors) = match is_exhaustive() {
                 true => (in_turn(&LEVELS, number, 1), in_turn(&PROCESSORS, number / LEVELS.len(), 1)),
@@ -63,7 +64,7 @@ fn what_clang_makes_for_arm_calls_no_library() {
                 .map(|file| &*file.name)
                 .filter(|name| name.ends_with(".c") && (is_whole || *name == emitted.files[1].name))
                 .collect();
-            let single = usize::from(title.ends_with("f64"));
+            let single = usize::from(*real == RealKind::F64);
             let mut count = 0;
             for (processor, computes) in &processors {
                 for level in &levels {
