@@ -247,37 +247,37 @@ pub fn error_reversal() -> u32 {
     51u32
 }
 
-/// error_id: set design: a centre frequency is not above 0, above 500 Hz, or f0 Ts is above 0.45; there is no set
+/// error_id: set design: a centre frequency is outside its range: above 0, up to 500 Hz, f0 Ts up to 0.45
 #[portable]
 pub fn error_f0() -> u32 {
     61u32
 }
 
-/// error_id: set design: a centre frequency is below the lowest one that the block was generated for; there is no set
+/// error_id: set design: a centre frequency is below lowest_f0, which the block was generated with
 #[portable]
 pub fn error_low_f0() -> u32 {
     62u32
 }
 
-/// error_id: set design: a quality factor is not from 1 to 10; there is no set
+/// error_id: set design: a quality factor is outside its range: 1 to 10
 #[portable]
 pub fn error_q_factor() -> u32 {
     63u32
 }
 
-/// error_id: set design: a damping ratio is not above 0 and below 1; there is no set
+/// error_id: set design: a damping ratio is outside its range: above 0, below 1
 #[portable]
 pub fn error_damping() -> u32 {
     64u32
 }
 
-/// error_id: set design: a weight is not above 0 and up to 7; there is no set
+/// error_id: set design: a weight is outside its range: above 0, up to 7
 #[portable]
 pub fn error_weight() -> u32 {
     65u32
 }
 
-/// error_id: set design: the limit is below 0, or above that of the block that takes the set; there is no set
+/// error_id: set design: the limit is outside its range: 0 to the limit of the block ipc
 #[portable]
 pub fn error_limit() -> u32 {
     66u32

@@ -111,14 +111,26 @@ pub fn is_behind_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     found
 }
 
+/// Whether no filter precedes filter `k`.
+#[portable]
+pub fn is_first<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+    let mut first = true;
+    for before in 0..FILTERS {
+        first = first && (before >= k || coeffs.filter[before].kind == filter::Type::NoFilter);
+    }
+    first
+}
+
 /// Whether the input of filter `k` is the velocity itself, whose change the block computes for all stages.
 #[portable]
 pub fn reads_source<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
-    let mut reads = coeffs.mode == Mode::Direct;
-    for before in 0..FILTERS {
-        reads = reads && (before >= k || coeffs.filter[before].kind == filter::Type::NoFilter);
-    }
-    reads
+    coeffs.mode == Mode::Direct && is_first(coeffs, k)
+}
+
+/// Whether filter `k` is the first band-pass of a stage with a simulated oscillation, which has its centre.
+#[portable]
+pub fn is_centre_of_oscillation<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+    coeffs.mode != Mode::Direct && coeffs.filter[k].kind == filter::Type::Bandpass && !is_behind_bandpass(coeffs, k)
 }
 
 /// Whether the stage computes the change of the input of filter `k` itself.

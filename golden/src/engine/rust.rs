@@ -25,7 +25,7 @@ const OPTIONS: [&str; 8] = ["--edition", "2024", "-O", "-D", "warnings", "harnes
 pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let files = super::files(super::target("rust"), designed, block)?;
     let [file] = files.as_slice() else { return Err(Failure::Broken("a module is one file".to_owned())) };
-    run_beside(file, &super::of_set(super::target("rust"), designed, block)?, block, inputs)
+    run_with(file, &super::of_set(super::target("rust"), designed, block)?, block, inputs)
 }
 
 /// Compiles and runs a block from its module.
@@ -33,11 +33,11 @@ pub(super) fn run(designed: &Designed, block: &Block, inputs: &Samples) -> Resul
 /// # Errors
 /// The compiler is missing or rejects the module, or the block fails its self-test.
 pub fn run_file(file: &File, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
-    run_beside(file, &[], block, inputs)
+    run_with(file, &[], block, inputs)
 }
 
-/// The same with the modules that it uses.
-fn run_beside(file: &File, used: &[File], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
+/// Compiles and runs a block from its module, with the modules that it uses.
+fn run_with(file: &File, used: &[File], block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let folder = process::folder()?;
     write(folder.path(), file, used, block)?;
     call("Rust", "RUSTC", &command(), folder.path(), &OPTIONS)?;

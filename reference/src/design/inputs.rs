@@ -75,8 +75,8 @@ pub fn largest_quality<R: Real>() -> R {
     R::lit(10.0)
 }
 
-/// smallest weight and smallest damping ratio: 2^-50, far below any that acts, so that single precision and the check word of a set
-/// have all digits of the numbers
+/// smallest weight and smallest damping ratio: 2^-50, far below any that acts; single precision and the check word of a set then
+/// cover all digits of the numbers
 #[portable]
 pub fn smallest_ratio<R: Real>() -> R {
     R::lit(8.881_784_197_001_252e-16)

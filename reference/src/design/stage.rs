@@ -8,7 +8,7 @@ use super::poles::Prototype;
 use super::sections::{self, Shape, Shapes};
 use super::{allpass, bandpass, limit, oscillation};
 use crate::filter::{self, MAX_ORDER, Type};
-use crate::stage::{Coeffs, FILTERS, Mode, Numbers};
+use crate::stage::{Coeffs, FILTERS, Numbers, is_centre_of_oscillation};
 use portable::{Real, portable};
 
 /// Designs the numbers of a stage from inputs in their ranges, at the cycle time [s].
@@ -23,14 +23,12 @@ pub fn design<R: Real>(
     inputs: &Inputs<R>,
     cycle_time: R,
 ) {
-    let mut is_first = true;
     for k in 0..FILTERS {
         if structure.filter[k].kind != Type::NoFilter {
             let mut of = Band::<R>::default();
             band(&mut of, inputs.filter[k].f0, inputs.filter[k].q_factor, cycle_time);
             filter_sections(&mut numbers.filter[k], &structure.filter[k], prototypes[k], &of);
-            if structure.mode != Mode::Direct && structure.filter[k].kind == Type::Bandpass && is_first {
-                is_first = false;
+            if is_centre_of_oscillation(structure, k) {
                 let mut shape = Shape::<R>::default();
                 oscillation::section(&mut shape, of.omega0, inputs.damping);
                 sections::oscillation_numbers(&mut numbers.oscillation, &shape);

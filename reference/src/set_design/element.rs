@@ -48,24 +48,6 @@ pub struct Element<R> {
     pub pair: Pair<R>,
 }
 
-/// Whether filter `k` is the first band-pass of a stage with a simulated oscillation.
-#[portable]
-pub fn is_centre_of_oscillation<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
-    structure.mode != Mode::Direct
-        && structure.filter[k].kind == Type::Bandpass
-        && !stage::is_behind_bandpass(structure, k)
-}
-
-/// Whether no filter comes before filter `k`.
-#[portable]
-pub fn is_first<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
-    let mut first = true;
-    for before in 0..FILTERS {
-        first = first && (before >= k || structure.filter[before].kind == Type::NoFilter);
-    }
-    first
-}
-
 /// Whether no filter comes after filter `k`.
 #[portable]
 pub fn is_last<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
@@ -87,8 +69,8 @@ pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>
     if coeffs.set.ipc.stage[i].mode != Mode::Direct {
         of.damping = inputs.stage[i].damping;
     }
-    of.has_oscillation = is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
-    of.opens_stage = is_first(&coeffs.set.ipc.stage[i], k);
+    of.has_oscillation = stage::is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k);
+    of.opens_stage = stage::is_first(&coeffs.set.ipc.stage[i], k);
     of.closes_stage = is_last(&coeffs.set.ipc.stage[i], k);
     of.has_pair = false;
     of.real = 0u32;
@@ -127,23 +109,33 @@ pub fn count(sections: usize) -> u32 {
 /// Reads the element whose turn it is.
 #[portable]
 pub fn pick<R: Real>(of: &mut Element<R>, turn: u32, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    let mut at = 0u32;
     let mut of_stage = 0u32;
     for i in 0..STAGES {
         let mut of_filter = 0u32;
         for k in 0..FILTERS {
-            if is_element(coeffs, i, k) {
-                if turn == at {
-                    of.stage = of_stage;
-                    of.filter = of_filter;
-                    read(of, coeffs, inputs, i, k);
-                }
-                at += 1u32;
+            if is_element(coeffs, i, k) && turn == place(coeffs, i, k) {
+                of.stage = of_stage;
+                of.filter = of_filter;
+                read(of, coeffs, inputs, i, k);
             }
             of_filter += 1u32;
         }
         of_stage += 1u32;
     }
+}
+
+/// The turn of filter `k` of stage `i`: the number of elements before it.
+#[portable]
+pub fn place<R: Real>(coeffs: &Coeffs<R>, i: usize, k: usize) -> u32 {
+    let mut before = 0u32;
+    for stage in 0..STAGES {
+        for filter in 0..FILTERS {
+            if (stage < i || stage == i && filter < k) && is_element(coeffs, stage, filter) {
+                before += 1u32;
+            }
+        }
+    }
+    before
 }
 
 /// Whether filter `k` of stage `i` exists.
@@ -152,18 +144,16 @@ pub fn is_element<R: Real>(coeffs: &Coeffs<R>, i: usize, k: usize) -> bool {
     coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].filter[k].kind != Type::NoFilter
 }
 
+/// Whether filter `k` of stage `i` exists and is of this type.
+#[portable]
+pub fn is_of_type<R: Real>(coeffs: &Coeffs<R>, i: usize, k: usize, kind: Type) -> bool {
+    is_element(coeffs, i, k) && coeffs.set.ipc.stage[i].filter[k].kind == kind
+}
+
 /// The number of elements.
 #[portable]
 pub fn elements<R: Real>(coeffs: &Coeffs<R>) -> u32 {
-    let mut elements = 0u32;
-    for i in 0..STAGES {
-        for k in 0..FILTERS {
-            if is_element(coeffs, i, k) {
-                elements += 1u32;
-            }
-        }
-    }
-    elements
+    place(coeffs, STAGES, 0usize)
 }
 
 /// Whether an element has a pair of poles.
@@ -173,8 +163,7 @@ pub fn has_pairs<R: Real>(coeffs: &Coeffs<R>) -> bool {
     for i in 0..STAGES {
         for k in 0..FILTERS {
             found = found
-                || is_element(coeffs, i, k)
-                    && coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass
+                || is_of_type(coeffs, i, k, Type::Bandpass)
                     && has_pair(coeffs.prototype[i].filter[k], coeffs.set.ipc.stage[i].filter[k].order);
         }
     }
@@ -209,7 +198,7 @@ pub fn has_type<R: Real>(coeffs: &Coeffs<R>, kind: Type) -> bool {
     let mut found = false;
     for i in 0..STAGES {
         for k in 0..FILTERS {
-            found = found || is_element(coeffs, i, k) && coeffs.set.ipc.stage[i].filter[k].kind == kind;
+            found = found || is_of_type(coeffs, i, k, kind);
         }
     }
     found

@@ -13,7 +13,7 @@ use crate::design::{allpass, bandpass, limit as limits, narrow, oscillation};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::{STAGES, numbers, watch};
 use crate::precision::is_single;
-use crate::stage::FILTERS;
+use crate::stage::{self, FILTERS};
 use crate::tunable_ipc::check;
 use crate::turn::Picked;
 use portable::{Real, in_range, note, portable};
@@ -163,14 +163,10 @@ pub fn allpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if is_single::<R>() {
         narrow::allpass_section(&mut made);
     }
-    let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
-            if element::is_element(coeffs, i, k) {
-                if coeffs.set.ipc.stage[i].filter[k].kind == Type::Allpass && state.turn == at {
-                    crate::allpass::take(&mut state.numbers.stage[i].filter[k].allpass, &made);
-                }
-                at += 1u32;
+            if element::is_of_type(coeffs, i, k, Type::Allpass) && state.turn == element::place(coeffs, i, k) {
+                crate::allpass::take(&mut state.numbers.stage[i].filter[k].allpass, &made);
             }
         }
     }
@@ -192,22 +188,16 @@ pub fn bandpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if is_single::<R>() {
         narrow::bandpass_section(&mut made);
     }
-    let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
-            if element::is_element(coeffs, i, k) {
-                let mut part = 0u32;
-                for s in 0..MAX_ORDER {
-                    if coeffs.set.ipc.stage[i].filter[k].kind == Type::Bandpass
-                        && s < coeffs.set.ipc.stage[i].filter[k].order
-                    {
-                        if state.turn == at && state.part == part {
-                            crate::bandpass::take(&mut state.numbers.stage[i].filter[k].bandpass[s], &made);
-                        }
-                        part += 1u32;
-                    }
+            for s in 0..MAX_ORDER {
+                if element::is_of_type(coeffs, i, k, Type::Bandpass)
+                    && s < coeffs.set.ipc.stage[i].filter[k].order
+                    && state.turn == element::place(coeffs, i, k)
+                    && state.part == element::count(s)
+                {
+                    crate::bandpass::take(&mut state.numbers.stage[i].filter[k].bandpass[s], &made);
                 }
-                at += 1u32;
             }
         }
     }
@@ -232,14 +222,13 @@ pub fn make_oscillation<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     if is_single::<R>() {
         narrow::oscillation_section(&mut made);
     }
-    let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
-            if element::is_element(coeffs, i, k) {
-                if element::is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k) && state.turn == at {
-                    crate::oscillation::take(&mut state.numbers.stage[i].oscillation, &made);
-                }
-                at += 1u32;
+            if element::is_element(coeffs, i, k)
+                && stage::is_centre_of_oscillation(&coeffs.set.ipc.stage[i], k)
+                && state.turn == element::place(coeffs, i, k)
+            {
+                crate::oscillation::take(&mut state.numbers.stage[i].oscillation, &made);
             }
         }
     }
@@ -272,14 +261,13 @@ pub fn end<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 /// Writes the gain of the stage of the element whose turn it is.
 #[portable]
 pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
-    let mut at = 0u32;
     for i in 0..STAGES {
         for k in 0..FILTERS {
-            if element::is_element(coeffs, i, k) {
-                if element::is_last(&coeffs.set.ipc.stage[i], k) && state.turn == at {
-                    state.numbers.stage[i].gain = gain;
-                }
-                at += 1u32;
+            if element::is_element(coeffs, i, k)
+                && element::is_last(&coeffs.set.ipc.stage[i], k)
+                && state.turn == element::place(coeffs, i, k)
+            {
+                state.numbers.stage[i].gain = gain;
             }
         }
     }
