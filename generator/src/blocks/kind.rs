@@ -115,12 +115,24 @@ pub enum Arithmetic {
     Wide,
 }
 
+impl Arithmetic {
+    /// Its real type.
+    pub fn real(self) -> RealKind {
+        match self {
+            Self::Double | Self::Wide => RealKind::F64,
+            Self::Single => RealKind::F32,
+        }
+    }
+}
+
 /// A reference in the real type of an axis. `kind`: the folder of its block.
 pub trait Typed: Sync {
     /// The name of its block in files and on the command line.
     fn name(&self) -> &'static str;
     /// The inputs and the outputs of its block with their meanings.
     fn signals(&self) -> [&'static [Field]; 2];
+    /// The arithmetic of an axis's block.
+    fn arithmetic_of(&self, designed: &Designed) -> Arithmetic;
     /// The reference that an axis runs.
     fn typed(&self, designed: &Designed) -> &dyn Typed;
     #[expect(clippy::missing_errors_doc, reason = "that of BlockKind")]

@@ -51,7 +51,6 @@ pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
 
 /// The blocks whose parameters are known one by one; any other block depends on all parameters of its axis.
 pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
-pub(crate) const SET_DESIGN: &str = <reference::set_design::SetDesign as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;

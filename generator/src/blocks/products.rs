@@ -69,6 +69,10 @@ impl<B: Design> Typed for B {
         })
     }
 
+    fn arithmetic_of(&self, designed: &Designed) -> Arithmetic {
+        B::arithmetic(designed)
+    }
+
     fn typed(&self, designed: &Designed) -> &dyn Typed {
         B::other(designed).unwrap_or(self)
     }

@@ -22,16 +22,15 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
     let mut of_files = files.iter().map(|(_, text)| block(text)).collect::<Option<Vec<_>>>()?;
     of_files.sort_unstable();
     of_files.dedup();
-    // The design of parameter sets is in double precision for each axis.
-    let of_axis = files.iter().find(|(_, text)| block(text) != Some(blocks::SET_DESIGN))?;
-    let real = match line(&of_axis.1, "real type ")? {
-        "LREAL" => RealKind::F64,
-        "REAL" => RealKind::F32,
-        _ => return None,
+    let real = |text: &String| match line(text, "real type ")? {
+        "LREAL" => Some(RealKind::F64),
+        "REAL" => Some(RealKind::F32),
+        _ => None,
     };
+    let reals = files.iter().map(|(_, text)| real(text)).collect::<Option<_>>()?;
     let is_there = |block: &&str| files.iter().any(|(name, _)| name.contains(&set_name(axis, block)));
     let takes_sets = of_files.iter().copied().find(is_there);
-    Some(Unit { axis, real, blocks: of_files, takes_sets })
+    Some(Unit { axis, reals, blocks: of_files, takes_sets })
 }
 
 /// The text after a word at the beginning of a line of the head.
@@ -42,7 +41,7 @@ fn line<'t>(text: &'t str, word: &str) -> Option<&'t str> {
 /// The names, without folders, of the files that axes of either real type share.
 fn shared_names() -> BTreeSet<String> {
     let units =
-        [RealKind::F64, RealKind::F32].map(|real| Unit { axis: "x", real, blocks: Vec::new(), takes_sets: None });
+        [Unit { axis: "x", reals: [RealKind::F64, RealKind::F32].into(), blocks: Vec::new(), takes_sets: None }];
     let files = TARGETS.iter().flat_map(|target| (target.shared)(&units));
     files.map(|file| file.name.rsplit('/').next().unwrap_or_default().to_owned()).collect()
 }

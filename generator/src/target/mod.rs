@@ -22,6 +22,7 @@ use compiler::pass::{Defect, Stage};
 use compiler::program::Program;
 use portable::{Literal, RealKind};
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 /// The tool's version, which every generated file names.
 pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -170,7 +171,8 @@ impl TargetBlock<'_> {
 #[derive(Clone, Debug)]
 pub struct Unit<'a> {
     pub axis: &'a str,
-    pub real: RealKind,
+    /// the real types of its blocks
+    pub reals: BTreeSet<RealKind>,
     /// the names of its blocks
     pub blocks: Vec<&'static str>,
     /// the block that takes parameter sets, whose type is a separate file in TwinCAT

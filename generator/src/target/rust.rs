@@ -97,8 +97,11 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<[String; 2]> {
         let words = |(variable, name): (&Variable, &String)| {
             let value = format!("{of}.{name}");
-            let is_single = program.is_made_single && variable.ty == Type::Real && program.in_made(variable).is_some();
-            words(&if is_single { format!("f64::from({value})") } else { value }, variable.ty, program.real)
+            words(
+                &if program.is_single(variable) { format!("f64::from({value})") } else { value },
+                variable.ty,
+                program.real,
+            )
         };
         variables.iter().zip(names).map(words).collect()
     };

@@ -273,6 +273,11 @@ impl Program {
         part_of(self.made, output)
     }
 
+    /// Whether an output is a real of single precision in a program of double precision.
+    pub fn is_single(&self, output: &Variable) -> bool {
+        self.is_made_single && output.ty == Type::Real && self.in_made(output).is_some()
+    }
+
     /// Whether it has a parameter set.
     pub fn has_set(&self) -> bool {
         self.inputs.iter().any(|input| self.in_set(input).is_some())

@@ -73,8 +73,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
 
 /// Narrows the reals of the parameter set that a program makes. They are numbers that single precision represents.
 fn narrow(program: &mut Program) {
-    let is_single: Vec<bool> =
-        program.outputs.iter().map(|output| output.ty == Type::Real && program.in_made(output).is_some()).collect();
+    let is_single: Vec<bool> = program.outputs.iter().map(|output| program.is_single(output)).collect();
     rewrite(&mut program.step, &mut |statement, list| match statement {
         // A literal has the type of what it is assigned to.
         Statement::Assign { target: target @ Var::Output(index), value }

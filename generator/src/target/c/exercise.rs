@@ -60,9 +60,7 @@ pub(super) fn of<'p>(
     };
     let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
         let fold = |(variable, member): (&Variable, &String)| {
-            // A real of single precision in a block of double precision.
-            let is_single = program.is_made_single && program.in_made(variable).is_some();
-            let cast = if is_single && variable.ty == Type::Real { "(double)" } else { "" };
+            let cast = if program.is_single(variable) { "(double)" } else { "" };
             fold(owner, &format!("{cast}{of}"), variable, member)
         };
         variables.iter().zip(names).map(fold).collect()

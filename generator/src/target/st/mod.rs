@@ -11,7 +11,6 @@ mod self_test;
 pub(super) mod twincat;
 
 use super::{BlockIdentity, File, TargetBlock, Unit, block_name, rendered, with_self_test};
-use crate::blocks::SET_DESIGN;
 use askama::Template;
 use dialect::{Dialect, SIEMENS, ST};
 use enumeration::{Enumeration, enumerations};
@@ -111,8 +110,7 @@ fn block_names<'u>(units: &'u [Unit<'_>]) -> impl Iterator<Item = &'u &'static s
     units.iter().flat_map(|unit| &unit.blocks)
 }
 
-/// The real types that a set uses. The design of parameter sets is in double precision for each axis.
+/// The real types that a set uses.
 fn real_types(units: &[Unit<'_>]) -> impl Iterator<Item = RealKind> {
-    let uses = |unit: &Unit<'_>, real| unit.real == real || real == RealKind::F64 && unit.blocks.contains(&SET_DESIGN);
-    [RealKind::F64, RealKind::F32].into_iter().filter(move |real| units.iter().any(|unit| uses(unit, *real)))
+    [RealKind::F64, RealKind::F32].into_iter().filter(|real| units.iter().any(|unit| unit.reals.contains(real)))
 }
