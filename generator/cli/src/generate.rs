@@ -48,7 +48,10 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     };
     let mut targets = chosen(&of.targets, &set, &recorded)?;
     if let Some(samples) = of.runner {
-        targets = with_runners(targets, samples)?;
+        targets = each_with(targets, ["runners", "--runner"], |target| target.with_runners(samples))?;
+    }
+    if of.a2l {
+        targets = each_with(targets, ["descriptions", "--a2l"], Target::with_descriptions)?;
     }
     let scope = Scope::new(&set, axes, &of.targets);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
@@ -93,15 +96,19 @@ fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target
     Ok(targets)
 }
 
-/// The targets, with runners where the language has them.
-fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exit> {
-    if targets.iter().all(|target| target.with_runners(samples).is_none()) {
+/// The targets with files that an option adds, where the language has them.
+fn each_with(
+    targets: Vec<Target>,
+    [files, option]: [&'static str; 2],
+    with: impl Fn(Target) -> Option<Target>,
+) -> Result<Vec<Target>, Exit> {
+    if targets.iter().all(|target| with(*target).is_none()) {
         let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
-        let found = format!("no target with runners: {}", names.join(", "));
-        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole("--runner"), found);
-        return Err(Exit::Input(diagnostic.allowed("c").instead("--target c --runner").into()));
+        let found = format!("no target with {files}: {}", names.join(", "));
+        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole(option), found);
+        return Err(Exit::Input(diagnostic.allowed("c").instead(format!("--target c {option}")).into()));
     }
-    Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
+    Ok(targets.into_iter().map(|target| with(target).unwrap_or(target)).collect())
 }
 
 fn say(set: &Set, done: &Done, out: &Path, warnings: usize) -> Result<(), Exit> {
