@@ -37,12 +37,7 @@ pub fn details(designed: &Designed) -> AxisRow {
         lines.extend(of.lines);
     }
     lines.extend(drive(axis).into_iter().chain(keys(axis)));
-    AxisRow {
-        reserve: stages.iter().filter_map(|row| row.active.as_ref()?.reserve).max(),
-        stages,
-        lines,
-        ..head(axis)
-    }
+    AxisRow { reserve: stages.iter().filter_map(|row| row.active.as_ref()?.reserve).max(), stages, lines, ..head(axis) }
 }
 
 /// An axis, without what its blocks mean.

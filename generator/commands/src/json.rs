@@ -10,3 +10,12 @@ pub fn text(data: &impl Serialize) -> String {
     let value = serde_json::to_value(data).expect("json: keys are texts");
     format!("{value:#}")
 }
+
+/// The same on one line, with its end.
+///
+/// # Panics
+/// As [`text`].
+pub fn line(data: &impl Serialize) -> String {
+    let value = serde_json::to_value(data).expect("json: keys are texts");
+    format!("{value}\n")
+}

@@ -6,8 +6,12 @@
 //! files     the files of a request      messages  messages with their lines
 //! check     the axes of a set, and their verdicts
 //! plan      all files of a set          generate  the targets, and the last line
+//! emit      a stage of the pipeline as text
+//! params    the table of parameters           explain   codes, errors and words
 //! verify    the runs of every block in every engine, row by row
 //! analyze   the loop of an axis: margins, and its curves as numbers
+//! samples   mistakes of recordings
+//! measure   recordings, and what was measured  tune      proposed stages
 //! diff      two versions of a set
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
@@ -16,12 +20,18 @@
 pub mod analyze;
 pub mod check;
 pub mod diff;
+pub mod emit;
+pub mod explain;
 pub mod files;
 pub mod generate;
 pub mod json;
+pub mod measure;
 pub mod messages;
+pub mod params;
 pub mod plan;
 pub mod refused;
+pub mod samples;
+pub mod tune;
 pub mod verify;
 pub mod words;
 

@@ -127,7 +127,8 @@ fn seen<'d>(
 ) -> (Cow<'d, Diagnostic>, Option<String>) {
     let Place { file, line, column } = &diagnostic.place;
     let Some(number) = line.checked_sub(1) else { return (Cow::Borrowed(diagnostic), None) };
-    let shown = files.entry(file.clone()).or_insert_with(|| Shown::of(again(file).map(config::text).unwrap_or_default()));
+    let shown =
+        files.entry(file.clone()).or_insert_with(|| Shown::of(again(file).map(config::text).unwrap_or_default()));
     let found = shown.line(number).filter(|line| line.len() <= LONGEST);
     let found = found.map(|line| String::from_utf8_lossy(line).trim_end().to_owned());
     if number > 0 || !shown.marked || *column < 2 {

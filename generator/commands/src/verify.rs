@@ -1,8 +1,8 @@
 //! The command `verify`: every block of every axis in every engine against the reference, bit by bit, row by row.
 
+use crate::refused;
 use generator::blocks::{Block, Designed};
 use generator::codes;
-use crate::refused;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::digest::digest;
 use golden::compare::{FirstDifference, compare};

@@ -2,8 +2,8 @@
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
-use crate::blocks::{Designed, Reserve};
 use crate::blocks::ipc::stage::StageDesign;
+use crate::blocks::{Designed, Reserve};
 use crate::number::{decimals, digits, down_to, significant};
 use stability::MAX_MS;
 

@@ -27,7 +27,10 @@ pub(super) fn details(designed: &Designed) -> Details {
     let active: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
     let stages = rows(designed);
     if active.is_empty() {
-        return Details { stages, lines: vec!["improved position control: no stage is active, it adds nothing".to_owned()] };
+        return Details {
+            stages,
+            lines: vec!["improved position control: no stage is active, it adds nothing".to_owned()],
+        };
     }
     let mut lines = table(&stages);
     lines.extend([limit(&designed.axis), start(&designed.axis, designed.ipc.fade_cycles)]);
@@ -158,9 +161,9 @@ fn verdict(design: &StageDesign, reserves: &[WithDrive]) -> String {
                  {late} % where the drive gets v_add a cycle late, which turns it by 360 f0 Ts = {turn} deg"
             )
         }
-        Mode::Direct { source: DirectSource::Direct } => format!(
-            "weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far"
-        ),
+        Mode::Direct { source: DirectSource::Direct } => {
+            format!("weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far")
+        }
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
             let figures: Vec<String> = reserves.iter().enumerate().map(bears).collect();
             format!("weight {weight}; {}", figures.join("; "))
