@@ -44,6 +44,7 @@ pub mod schema;
 pub mod set_change;
 pub mod summary;
 pub mod target;
+pub mod trace;
 pub mod write;
 mod xml;
 

@@ -33,7 +33,7 @@ pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let scenario = made(&of.scenario, designed, &block, &options(&of.moved_by), format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
     let name = of.scenario.file_stem().unwrap_or_default().to_string_lossy();
-    let drawn = picture::svg(&scenario, &name, designed);
+    let drawn = picture::of(&scenario, &name, designed).svg();
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());

@@ -77,7 +77,10 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
     let simulation = has_stages.then(|| made(simulate::run(designed, moved, to.dwell)));
     if let Some(simulation) = &simulation {
         stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
-        stage(&to.picture, of_picture, &|| Ok(picture::svg(simulation, &designed.axis.name)))?;
+        stage(&to.picture, of_picture, &|| {
+            let picture = picture::of(simulation, &designed.axis.name);
+            Ok(picture.map_or_else(String::new, |picture| picture.svg()))
+        })?;
     }
     one_file::commit(staged)?;
     let Some(simulation) = simulation else { return Ok(Exit::Done) };

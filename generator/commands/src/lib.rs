@@ -13,6 +13,7 @@
 //! samples   mistakes of recordings
 //! measure   recordings, and what was measured  tune      proposed stages
 //! diff      two versions of a set
+//! trace     parameter -> coefficient -> line  report    all of an axis as a page to print
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
@@ -30,7 +31,9 @@ pub mod messages;
 pub mod params;
 pub mod plan;
 pub mod refused;
+pub mod report;
 pub mod samples;
+pub mod trace;
 pub mod tune;
 pub mod verify;
 pub mod words;
