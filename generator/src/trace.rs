@@ -2,6 +2,7 @@
 //! depends on a parameter if another value of the parameter changes it: the axis is designed again for each. No text of a note
 //! is read.
 
+use crate::blocks::ipc::check::damping_given;
 use crate::blocks::{self, Designed};
 use crate::check::{self, Checked};
 use crate::config::given::{self, GivenAxis};
@@ -10,6 +11,7 @@ use crate::config::{ListOptions, Load};
 use crate::diagnostics::{Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Value, path_with};
 use portable::Literal;
+use std::mem::discriminant;
 use std::path::Path;
 
 /// A parameter of an axis.
@@ -58,15 +60,17 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
     };
     let traced = |((name, index), value): (Key, &Value)| {
         let parameter = name.parameter();
+        // The damping of a stage may be given by its predecessor.
+        let source = if name == Name::OscDamping { damping_given(&effective, index[0]) } else { name };
         let others = others(parameter, value).into_iter();
-        let after: Vec<Numbers> = others.filter_map(|other| after(((name, index), other))).collect();
+        let after: Vec<Numbers> = others.filter_map(|other| after(((source, index), other))).collect();
         Traced {
             id: parameter.id,
             path: path_with(parameter.path, index),
             value: value.text(),
             unit: parameter.unit,
             meaning: parameter.meaning,
-            given: values.get((name, index)).or(top.get((name, index))).map(Setting::value_place),
+            given: values.get((source, index)).or(top.get((name, index))).map(Setting::value_place),
             coefficients: changed(&before, &after),
         }
     };
@@ -77,20 +81,21 @@ fn numbers(designed: &Designed) -> Numbers {
     blocks::of_axis(&designed.axis).map(|kind| (kind.name(), kind.coefficients(designed))).collect()
 }
 
-/// The numbers of each block that differ in any of some versions. A block with another number of them is another block: all
-/// of its numbers differ.
+/// The numbers of each block that differ in any of some versions of the same block: the real type and the signals of a block
+/// are no numbers.
 fn changed(before: &Numbers, versions: &[Numbers]) -> Vec<(&'static str, Vec<usize>)> {
     let of_block = |(block, old): &(&'static str, Vec<Literal>)| {
-        let new: Vec<&Vec<Literal>> = versions
-            .iter()
-            .flat_map(|version| version.iter().filter(|(name, _)| name == block))
-            .map(|(_, new)| new)
-            .collect();
-        let differs = |at: &usize| new.iter().any(|new| new.len() != old.len() || new[*at] != old[*at]);
-        let changed: Vec<usize> = (0..old.len()).filter(differs).collect();
+        let named = versions.iter().flatten().filter(|(name, _)| name == block).map(|(_, new)| new);
+        let new: Vec<&Vec<Literal>> = named.filter(|new| is_same_block(old, new)).collect();
+        let changed: Vec<usize> = (0..old.len()).filter(|at| new.iter().any(|new| new[*at] != old[*at])).collect();
         (!changed.is_empty()).then_some((*block, changed))
     };
     before.iter().filter_map(of_block).collect()
+}
+
+/// Whether two lists have numbers of the same types.
+fn is_same_block(old: &[Literal], new: &[Literal]) -> bool {
+    old.iter().map(discriminant).eq(new.iter().map(discriminant))
 }
 
 /// Other values of a parameter, near its value: both neighbours of a number, and every other word.

@@ -13,6 +13,7 @@
 //! samples   mistakes of recordings
 //! measure   recordings, and what was measured  tune      proposed stages
 //! diff      two versions of a set
+//! stages    other numbers of a stage, in the file of the user
 //! trace     parameter -> coefficient -> line  report    all of an axis as a page to print
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
@@ -33,6 +34,7 @@ pub mod plan;
 pub mod refused;
 pub mod report;
 pub mod samples;
+pub mod stages;
 pub mod trace;
 pub mod tune;
 pub mod verify;
