@@ -8,7 +8,6 @@ mod arguments;
 mod check;
 mod command_line;
 mod compare_files;
-mod compared;
 mod compiler;
 mod diff;
 mod exit;

@@ -1,7 +1,7 @@
 //! `axgen report`: the page is well-formed, has no script, shows what `check`, `analyze` and `verify` print, and its lines are
 //! those of the emitted files.
 
-use crate::{EXAMPLES, axgen};
+use crate::{EXAMPLES, axgen, words};
 use commands::plan::Plan;
 use generator::config::{self, ListOptions};
 use generator::manifest;
@@ -197,24 +197,34 @@ fn nothing_from_a_file_is_markup() {
     assert!(run.out.is_empty() || !run.out.contains("<b>"), "{}", run.out);
 }
 
+/// A set with an excitation, for recordings of the demonstration plant, and a stage that is not yet ON.
+const RECORDED: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nexcitation = { amplitude = 5000 }\n\
+    getriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n\
+    [axis.X.lr_param.improved_position_control]\nenable = \"DRYRUN\"\nv_add_max_fact = 100\n\
+    [[axis.X.lr_param.improved_position_control.stage]]\nmode = \"DIRECT\"\nweight_fact_num = 100\nweight_fact_denom = 100\n\
+    filter = [{ order = 1, fg_f0 = 53.0, q_factor = 10.0 }]\n";
+
 #[test]
 fn a_recording_is_shown_with_and_without_the_stages() {
     let folder = tempfile::tempdir().unwrap();
-    let set = fs::read_to_string(Path::new(EXAMPLES).join("rack-and-pinion.lis")).unwrap();
-    fs::write(folder.path().join("x.lis"), set + "getriebe[0].kv 2000\n").unwrap();
-    let of = ["x.lis", "--cycle-time", "1ms"];
-    let made =
-        axgen(folder.path(), &[&["simulate"], &of[..], &["--plant", "demonstration", "--moves", "m.csv"]].concat());
-    assert_eq!(made.code, 0, "{}", made.err);
-    let page = page(folder.path(), &[&of[..], &["--samples", "10", "--recording", "m.csv"]].concat());
+    fs::write(folder.path().join("x.toml"), RECORDED).unwrap();
+    let simulate = "simulate x.toml --plant demonstration --moves m.csv --excited e.csv --speed 20mm/s";
+    let (code, _, err) = words(folder.path(), simulate);
+    assert!(code < 2, "{err}");
+    let recordings = ["--recording", "m.csv", "--excited", "e.csv"];
+    let page = page(folder.path(), &[&["x.toml", "--samples", "10"], recordings.as_slice()].concat());
     assert_sound(&page);
-    let measured = axgen(folder.path(), &["measure", "m.csv", "--json"]).json();
+    let number = |value: &serde_json::Value| format!("{:.4}", value.as_f64().unwrap());
+    let measured = axgen(folder.path(), &["measure", "m.csv", "--excited", "e.csv", "--json"]).json();
     let vibrations = measured["vibrations"].as_array().unwrap();
-    let rows = rows(&page, "Vibrations, as recorded");
-    assert_eq!(rows.len(), vibrations.len());
-    for (row, vibration) in rows.iter().zip(vibrations) {
-        assert_eq!(row[2], format!("{:.4}", vibration["hz"].as_f64().unwrap()));
-    }
+    let found: Vec<String> = rows(&page, "Vibrations, as recorded").into_iter().map(|row| row[2].clone()).collect();
+    assert_eq!(found, vibrations.iter().map(|of| number(&of["hz"])).collect::<Vec<_>>());
+    let tune = [&["tune", "x.toml", "--stage", "set", "--json"], recordings.as_slice()].concat();
+    let tuned = axgen(folder.path(), &tune).json();
+    let residuals = tuned["proposals"][0]["residuals"].as_array().unwrap();
+    let wanted: Vec<_> = residuals.iter().map(|of| vec![number(&of["hz"]), number(&of["ratio"])]).collect();
+    assert_eq!(rows(&page, "Vibrations, with the stages"), wanted);
+    assert!(page.contains("as recorded") && page.contains("with the stages") && page.len() < MOST, "{}", page.len());
 }
 
 /// What the library makes for a page is what the command writes into an empty folder, file by file.

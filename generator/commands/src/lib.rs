@@ -9,6 +9,8 @@
 //! emit      a stage of the pipeline as text
 //! params    the table of parameters           explain   codes, errors and words
 //! verify    the runs of every block in every engine, row by row
+//! compared  a recording of a controller against an engine
+//! scenario  an NC program on an axis
 //! analyze   the loop of an axis: margins, and its curves as numbers
 //! samples   mistakes of recordings
 //! measure   recordings, and what was measured  tune      proposed stages
@@ -21,6 +23,7 @@
 
 pub mod analyze;
 pub mod check;
+pub mod compared;
 pub mod diff;
 pub mod emit;
 pub mod explain;
@@ -34,16 +37,19 @@ pub mod plan;
 pub mod refused;
 pub mod report;
 pub mod samples;
+pub mod scenario;
 pub mod stages;
 pub mod trace;
 pub mod tune;
 pub mod verify;
 pub mod words;
 
-use generator::blocks::Designed;
+use generator::blocks::{self, Block, Designed};
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::Set;
+use golden::case::named_block;
+use words::made;
 
 /// The axis of that name, or the only one.
 ///
@@ -62,4 +68,16 @@ pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Designed, Report
             axes.iter().find(|of| of.axis.name == name).ok_or_else(|| refused::no_such(OPTION, "axis", name, &names))
         }
     }
+}
+
+/// The block of that name.
+///
+/// # Errors
+/// The axis has no such block.
+pub fn block(designed: &Designed, name: &str) -> Result<Block, Report> {
+    let names = blocks::names(&designed.axis);
+    if !names.contains(&name) {
+        return Err(refused::no_such("--block", "block", name, &names));
+    }
+    Ok(made(named_block(designed, name)))
 }
