@@ -42,6 +42,7 @@ mod rules;
 mod saved;
 pub mod schema;
 pub mod set_change;
+pub mod set_number;
 pub mod summary;
 pub mod target;
 pub mod trace;

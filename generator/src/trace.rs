@@ -68,7 +68,8 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
             id: parameter.id,
             path: path_with(parameter.path, index),
             value: value.text(),
-            unit: parameter.unit,
+            // A time is written with its unit.
+            unit: if matches!(value, Value::Duration(_)) { "" } else { parameter.unit },
             meaning: parameter.meaning,
             given: values.get((source, index)).or(top.get((name, index))).map(Setting::value_place),
             coefficients: changed(&before, &after),

@@ -1,12 +1,15 @@
-//! The numbers of a stage that a page edits: an axis with another one, and the file of the user with it. No file is written.
+//! The numbers of a stage that a page edits: an axis with another one, and the user's own text with it. No file is written.
 
+use crate::files::Files;
 use crate::refused;
-use generator::apply::{self, Applied};
 use generator::axis::{Filter, Mode, Stage};
 use generator::blocks::Designed;
 use generator::codes;
 use generator::config::{ListOptions, Load};
 use generator::diagnostics::{Report, Slashes};
+use generator::parameters::Name;
+use generator::pipeline;
+use generator::set_number::{Changed, set_number};
 use serde::Deserialize;
 use std::path::Path;
 
@@ -60,23 +63,58 @@ fn set(stage: &mut Stage, number: Number, value: f64) {
     }
 }
 
-/// The file of an axis with the stages of a version of it, and with enable DRYRUN: the other bytes stay.
+/// The files of the user with another number of a stage: its digits are replaced where they stand, all other bytes stay. The
+/// result is read: the axis then has exactly the stages of [`with`].
 ///
 /// # Errors
-/// The stages cannot be written there, or their values are not allowed.
+/// The stage has no such number, or it is not given in the file, stands in a form that is not edited, or is not allowed.
 pub fn written(
     (path, options, load): (&Path, &ListOptions, Load<'_>),
-    version: &Designed,
-) -> Result<(Applied, Report), Report> {
-    let all = &version.axis.ipc.stage;
-    let stages: Vec<Stage> = all.iter().flatten().cloned().collect();
-    if all.iter().take(stages.len()).any(Option::is_none) {
-        let found = "a stage that is not active stands before an active one: edit the file by hand";
+    designed: &Designed,
+    (stage, number, value): (usize, Number, f64),
+) -> Result<Files, Report> {
+    let (axis, version) = (&designed.axis.name, with(designed, stage, number, value));
+    let mut after = Files::default();
+    let numbers = given(&version, stage, number, value);
+    if numbers.is_empty() {
+        let found = format!("stage {stage} of the axis {axis} has no such number");
         return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
     }
-    let (applied, report) = apply::stages(path, options, &version.axis.name, &stages, load);
-    match applied {
-        Some(applied) => Ok((applied, report)),
-        None => Err(report),
+    for (names, index, value) in numbers {
+        let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
+        let changed = set_number((path, options, &with_changes), axis, (names, index), value)?;
+        let id = names[0].parameter().id.unwrap_or_default();
+        let Changed { file, after: bytes } = changed.ok_or_else(|| {
+            let found = format!("{id} of stage {stage} of the axis {axis} is not given: its default is used");
+            refused::input(codes::NOT_WRITTEN, path.slashes(), found)
+        })?;
+        after.0.insert(file, bytes);
+    }
+    let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
+    let (set, report) = pipeline::read_to_look_at(path, options, &with_changes);
+    let stages = set.as_ref().ok_or(report)?.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
+    if stages != Some(&version.axis.ipc.stage) {
+        let found = format!("the stage {stage} of the axis {axis} stands in a form that is not edited");
+        return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
+    }
+    Ok(after)
+}
+
+/// The parameters of a number of a stage, each with its predecessor, its indices and its value.
+fn given(version: &Designed, at: usize, number: Number, value: f64) -> Vec<(&'static [Name], [u32; 2], f64)> {
+    let Some(stage) = version.axis.ipc.stage.get(at).and_then(Option::as_ref) else { return Vec::new() };
+    let is_bandpass = |filter: &&Filter| matches!(filter, Filter::Bandpass { .. });
+    let index = u32::try_from(at).unwrap_or(u32::MAX);
+    let of_stage = [index, 0];
+    let of_filter = [index, if stage.filter.first().filter(is_bandpass).is_some() { 0 } else { 1 }];
+    match number {
+        Number::F0 => vec![(&[Name::FilterF0], of_filter, value)],
+        Number::QFactor => vec![(&[Name::FilterQ], of_filter, value)],
+        Number::Damping if matches!(stage.mode, Mode::Direct { .. }) => Vec::new(),
+        Number::Damping => vec![(&[Name::OscDamping, Name::FilterDamping], of_stage, value)],
+        Number::Weight => vec![
+            (&[Name::WeightFactNum], of_stage, f64::from(stage.weight_fact_num)),
+            (&[Name::WeightFactDenom], of_stage, f64::from(stage.weight_fact_denom)),
+        ],
     }
 }

@@ -5,8 +5,8 @@
 use commands::files::Files;
 use commands::stages::{self, Number};
 use commands::{check, trace, verify};
-use generator::blocks::{self, Designed};
-use generator::config::ListOptions;
+use generator::blocks;
+use generator::config::{ListOptions, Load};
 use generator::pipeline::{self, Set};
 use generator::target::TARGETS;
 use golden::engine::ENGINES;
@@ -39,11 +39,13 @@ impl Read {
         Self { path, files, options, set, warnings: report.warnings() }
     }
 
-    /// The text of the file with a version of its axis.
-    fn written(&self, version: &Designed) -> Result<String, String> {
+    /// The text of the file with another number of a stage.
+    fn written(&self, stage: usize, number: Number, value: f64) -> Result<String, String> {
         let load = |path: &Path| self.files.load(path);
-        let applied = stages::written((&self.path, &self.options, &load), version);
-        applied.map(|(applied, _)| String::from_utf8(applied.after).unwrap()).map_err(|report| report.to_string())
+        let source = (self.path.as_path(), &self.options, &load as Load<'_>);
+        let written = stages::written(source, &self.set.axes[0], (stage, number, value));
+        let text = |files: Files| String::from_utf8(files.0[&self.path].clone()).unwrap();
+        written.map(text).map_err(|report| report.to_string())
     }
 }
 
@@ -83,24 +85,44 @@ fn verdicts_are_data() {
 #[test]
 fn a_number_of_a_stage_is_written_into_the_users_own_text() {
     let read = Read::of("x.toml", SET, None);
-    let axis = &read.set.axes[0];
-    let new = read.written(&stages::with(axis, 0, Number::F0, 37.5)).unwrap();
     let filter = |f0: &str| format!("filter = [{{ order = 1, fg_f0 = {f0}, q_factor = 4.0 }}]");
-    assert_eq!(changes(SET, &new), [[filter("36.0").as_str(), filter("37.5").as_str()]]);
-    let weight = stages::with(axis, 0, Number::Weight, 0.815);
+    let new = read.written(0, Number::F0, 37.0).unwrap();
+    assert_eq!(changes(SET, &new), [[filter("36.0").as_str(), filter("37.0").as_str()]]);
+    let new = read.written(0, Number::Weight, 0.81).unwrap();
+    assert_eq!(changes(SET, &new), [["weight_fact_num = 80", "weight_fact_num = 81"]]);
+    let new = read.written(0, Number::Weight, 0.815).unwrap();
     let lines =
         [["weight_fact_num = 80", "weight_fact_num = 815"], ["weight_fact_denom = 100", "weight_fact_denom = 1000"]];
-    assert_eq!(changes(SET, &read.written(&weight).unwrap()), lines);
+    assert_eq!(changes(SET, &new), lines);
 
     let read = Read::of("x.lis", LIST, Some("1ms"));
-    let damping = stages::with(&read.set.axes[0], 1, Number::Damping, 0.7);
-    let new = read.written(&damping).unwrap();
-    let changed = changes(LIST, &new);
-    assert_eq!(changed.len(), 2, "{changed:?}");
-    assert!(changed[0][1].ends_with(" DRYRUN") && changed[1][1].ends_with(".damping    0.7"), "{changed:?}");
+    let old = "lr_param.improved_position_control.stage[1].filter.damping    0.8";
+    let changed = read.written(1, Number::Damping, 0.7).unwrap();
+    assert_eq!(changes(LIST, &changed), [[old, &old.replace("0.8", "0.7")]], "by its predecessor");
 
-    let refused = read.written(&stages::with(&read.set.axes[0], 0, Number::F0, 5e3)).unwrap_err();
-    assert!(refused.contains("P-AXIS-00751"), "{refused}");
+    for (stage, number, value, found) in
+        [(0, Number::F0, 5e3, "P-AXIS-00751"), (0, Number::Damping, 0.5, "stage 0"), (2, Number::F0, 5.0, "stage 2")]
+    {
+        let refused = read.written(stage, number, value).unwrap_err();
+        assert!(refused.contains(found), "{refused}");
+    }
+}
+
+/// In a set that names a list, the number stands in the list.
+#[test]
+fn a_number_of_a_list_is_written_into_the_list() {
+    let set = "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n";
+    let [set_file, list_file] = ["x.toml", "x.lis"].map(PathBuf::from);
+    let files = [(set_file.clone(), set.as_bytes().to_vec()), (list_file.clone(), LIST.as_bytes().to_vec())];
+    let files = Files(BTreeMap::from(files));
+    let load = |path: &Path| files.load(path);
+    let options = ListOptions::default();
+    let read = pipeline::read_with(&set_file, &options, &load).0.unwrap();
+    let written = stages::written((&set_file, &options, &load), &read.axes[0], (0, Number::QFactor, 12.0)).unwrap();
+    assert_eq!(written.0.keys().collect::<Vec<_>>(), [&list_file]);
+    let list = String::from_utf8(written.0[&list_file].clone()).unwrap();
+    let changed = changes(LIST, &list);
+    assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   12"), "{changed:?}");
 }
 
 #[test]
