@@ -86,7 +86,7 @@ fn with_digits(value: f64) -> f64 {
 
 /// The picture: as recorded, and with the stages.
 #[must_use]
-pub fn svg(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<String> {
+pub fn picture(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<Picture> {
     let record = moves.record.as_ref()?;
     let both = [("as recorded", record), ("with the stages", with)];
     let mut panels = Vec::new();
@@ -108,5 +108,5 @@ pub fn svg(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<String
     let panels = both.into_iter().flat_map(|(label, of)| spectra(moves, of, [BAND[0], to], label)).collect();
     let frequency = Over { across: Across::Frequency { from: BAND[0], to }, events: Vec::new(), panels };
     let parts = vec![Part::Over(time), Part::Over(frequency)];
-    Some(Picture { title: "moves with stages, predicted".to_owned(), setup, parts }.svg())
+    Some(Picture { title: "moves with stages, predicted".to_owned(), setup, parts })
 }
