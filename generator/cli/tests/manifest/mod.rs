@@ -140,7 +140,7 @@ fn other_sets_are_named() {
     set("b.toml", "Y, Z");
     let said = |set: &str| folder.generate(set, OUT).out;
     let ends = |out: &str, end: &str| assert!(out.ends_with(end), "{out}");
-    ends(&said("axes.toml"), "1 axis: 6 files written, 0 unchanged, 0 warnings\n");
+    ends(&said("axes.toml"), "1 axis: 8 files written, 0 unchanged, 0 warnings\n");
     ends(&said("b.toml"), "2 warnings\ngenerated: also has 4 files of axes.toml\n");
     set("axes.toml", "X stage, Y");
     let taken = "generated: took over 4 files from b.toml\ngenerated: also has 4 files of b.toml\n";
