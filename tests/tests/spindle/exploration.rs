@@ -1,5 +1,6 @@
 //! All states, and every rule in all of them. What is explored and what a rule says is in `axgen_tests::exploration`.
 
+use axgen_tests::environment::by_depth;
 use axgen_tests::exploration::scenarios::{self, Scenario};
 use axgen_tests::exploration::transitions::{NO_PAIR_IN_CNC, NOT_IN_CNC, Transition, possible, possible_pairs};
 use axgen_tests::exploration::{Found, explore};
@@ -13,7 +14,7 @@ const DEPTH: u32 = 100;
 
 static FOUND: LazyLock<Vec<(Scenario, Found)>> = LazyLock::new(|| {
     let explored = |scenario: Scenario| {
-        let found = explore(&scenario, DEPTH);
+        let found = explore(&scenario, DEPTH, by_depth(4, 1, 1));
         (scenario, found)
     };
     let is_deep = std::env::var_os("AXGEN_DEEP_EXPLORATION").is_some();
