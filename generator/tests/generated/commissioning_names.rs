@@ -175,7 +175,8 @@ fn each_name_is_in_the_files_of_its_targets() {
     for name in SETS {
         let set = set(name);
         let known_of = |axis: &str| TARGETS.map(|target| (target.name, known(&set, axis, target)));
-        let all_known: BTreeMap<&str, _> = set.axes.iter().map(|of| (&*of.axis.name, known_of(&of.axis.name))).collect();
+        let all_known: BTreeMap<&str, _> =
+            set.axes.iter().map(|of| (&*of.axis.name, known_of(&of.axis.name))).collect();
         for choice in TARGETS.map(|target| vec![target]).into_iter().chain([TARGETS.to_vec()]) {
             let pages = pages(&set, &[], &choice, |made| (made.axis.to_owned(), made.file.text));
             for (axis, page) in pages {
