@@ -1,6 +1,5 @@
 //! The command line: its arguments, in the words of its help. Nothing is done here.
 
-use crate::emit;
 use crate::measure;
 use crate::messages::Format;
 use crate::results::Files;
@@ -10,6 +9,7 @@ use crate::simulate;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use commands::emit;
 use golden::measure::Excitation;
 use std::path::PathBuf;
 

@@ -2,9 +2,9 @@
 
 use crate::exit::Exit;
 use crate::given::name_of;
-use crate::input::counted;
 use crate::messages::{self, Format};
 use crate::output;
+use commands::words::{counted, made};
 use generator::blocks::{Block, Designed};
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
@@ -89,8 +89,7 @@ pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subjec
     }
     // The reference shows the effect of rounded inputs: every engine has the same result.
     let moved = recording.moved_inputs();
-    let moved = moved.map(|moved| engine::run(Engine::Reference, designed, block, &moved)).transpose();
-    let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
+    let moved = moved.map(|moved| made(engine::run(Engine::Reference, designed, block, &moved)));
     let moved = moved.map(|moved| moved.only(&recording.recorded));
     let errors = recording.errors(&outputs, moved.as_ref());
     let is_explained = |error: &recording::Error| error.is_explained() && !error.is_vague();

@@ -8,12 +8,15 @@ use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
+use commands::refused;
+use commands::verify::engine_named;
+use commands::words::made;
 use generator::blocks::Designed;
 use generator::blocks::{self, Block};
 use generator::codes;
 use golden::case::named_block;
 use golden::csv::{self, Reals};
-use golden::engine::{self, ENGINES, Engine};
+use golden::engine;
 use golden::evidence;
 use golden::samples::{Samples, Shape};
 use std::path::Path;
@@ -27,7 +30,7 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 /// Runs the command.
 pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read(&of.subject.set, format)?;
-    let designed = input::axis(&set, of.subject.axis.as_deref())?;
+    let designed = commands::axis(&set, of.subject.axis.as_deref())?;
     let block = block_of(designed, &of.block)?;
     let engine = engine_named(&of.engine)?;
     let out = of.out.as_deref().filter(|out| !is_standard(out));
@@ -65,16 +68,9 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
 pub fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
     let names = blocks::names(&designed.axis);
     if !names.contains(&name) {
-        return Err(Exit::no_such("--block", "block", name, &names));
+        return Err(refused::no_such("--block", "block", name, &names).into());
     }
-    Ok(named_block(designed, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
-}
-
-/// The engine of that name.
-pub fn engine_named(name: &str) -> Result<Engine, Exit> {
-    let names = ENGINES.map(|engine| engine.to_string());
-    let found = ENGINES.into_iter().find(|engine| engine.to_string() == name);
-    found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))
+    Ok(made(named_block(designed, name)))
 }
 
 /// Whether a path means standard input or output.

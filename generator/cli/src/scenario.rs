@@ -2,11 +2,13 @@
 
 use crate::arguments::{ProgramArguments, ScenarioArguments};
 use crate::exit::Exit;
-use crate::input::{self, counted};
+use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
 use crate::run::block_of;
+use commands::refused;
+use commands::words::counted;
 use generator::blocks::{self, Block, Designed};
 use generator::codes;
 use generator::config;
@@ -20,7 +22,7 @@ use std::path::Path;
 /// Runs the command.
 pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(&of.subject.set, of.drive.keys(), format)?;
-    let designed = input::axis(&set, of.subject.axis.as_deref())?;
+    let designed = commands::axis(&set, of.subject.axis.as_deref())?;
     let block = block_of_scenario(designed, of.block.as_deref())?;
     let outputs = [of.stimulus.as_deref(), of.picture.as_deref()];
     let outputs: Vec<&Path> = outputs.into_iter().flatten().collect();
@@ -81,7 +83,7 @@ pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Bloc
     let names = blocks::names(&designed.axis);
     match name.or(scenario::usual_block(&names)) {
         Some(name) => block_of(designed, name),
-        None => Err(Exit::no_such("--axis", "block", &designed.axis.name, &names)),
+        None => Err(refused::no_such("--axis", "block", &designed.axis.name, &names).into()),
     }
 }
 

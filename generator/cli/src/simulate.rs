@@ -8,6 +8,7 @@ use crate::one_file::{self, Rule};
 use crate::output;
 use crate::run::block_of;
 use crate::times;
+use commands::words::made;
 use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
@@ -41,7 +42,7 @@ pub fn noise(text: &str) -> Result<f64, String> {
 /// Runs the command.
 pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(), format)?;
-    let designed = input::axis(&set, to.subject.axis.as_deref())?;
+    let designed = commands::axis(&set, to.subject.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
     if !has_stages && to.moves.is_none() && to.excited.is_none()
         || to.csv.is_some()
@@ -66,16 +67,14 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
-        let Some(out) = out else { return Ok(()) };
+        let Some(out) = out else { return Ok::<_, Exit>(()) };
         staged.push(one_file::stage(out, text()?.as_bytes(), rule)?);
         Ok(())
     };
     stage(&to.moves, of_recording, &|| Ok(recording::moves(designed, moved, to.dwell, noise)))?;
     stage(&to.excited, of_recording, &|| excited(designed, moved, to.speed, noise))?;
-    stage(&to.recorded, Rule::by_force(to.force), &|| {
-        Ok(recording::of_block(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)))
-    })?;
-    let simulation = has_stages.then(|| simulate::run(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)));
+    stage(&to.recorded, Rule::by_force(to.force), &|| Ok(made(recording::of_block(designed, moved, to.dwell))))?;
+    let simulation = has_stages.then(|| made(simulate::run(designed, moved, to.dwell)));
     if let Some(simulation) = &simulation {
         stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
         stage(&to.picture, of_picture, &|| Ok(picture::svg(simulation, &designed.axis.name)))?;
@@ -113,8 +112,4 @@ fn allowed(outs: &[(Option<&Path>, Rule<'_>)], set: &Path) -> Result<(), Exit> {
 fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, Exit> {
     block_of(designed, "excitation")?;
     recording::excited(designed, moved, speed, noise).map_err(|why| Exit::input(codes::USAGE, "--excited", why))
-}
-
-fn defect(why: &str) -> ! {
-    panic!("a defect of axgen: {why}")
 }

@@ -2,8 +2,8 @@
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
-use crate::blocks::Designed;
 use crate::blocks::ipc::stage::StageDesign;
+use crate::blocks::{Designed, Reserve};
 use crate::number::{decimals, digits, down_to, significant};
 use stability::MAX_MS;
 
@@ -76,11 +76,7 @@ fn sum(of: &OfDrive) -> String {
 }
 
 fn reserve(stage: &OfStage) -> &'static str {
-    match stage.weight {
-        weight if weight <= stage.largest_weight => "calm",
-        weight if weight <= stage.largest_stable_weight => "little reserve",
-        _ => "unstable",
-    }
+    Reserve::of(stage.weight, [stage.largest_weight, stage.largest_stable_weight]).word()
 }
 
 /// Facts from the parameters without a loop, and the all-pass for the lag of a drive.

@@ -29,8 +29,9 @@ pub use block::{Block, Certified, Figure};
 pub use designed::Designed;
 pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
+pub use ipc::row::{ActiveStage, Reserve, StageRow, WithDrive};
 pub(crate) use ipc::sets::shown;
-pub use kind::{Arithmetic, BlockKind, Design, Summary, Typed};
+pub use kind::{Arithmetic, BlockKind, Design, Details, Summary, Typed};
 pub use set_design::calls as calls_of_design;
 
 use crate::axis::Axis;

@@ -88,7 +88,7 @@ fn milliseconds(time: f64) -> String {
 }
 
 /// Whether a stage closes a loop through the velocity of the motor; any other stage does not change the stability.
-fn looks_at_motor(mode: Mode) -> bool {
+pub(crate) fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
         Mode::Direct { source: DirectSource::Direct } | Mode::SetPoint { .. } => false,
