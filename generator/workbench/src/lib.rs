@@ -1,31 +1,69 @@
-//! proof
-use generator::config::{ListOptions, Unreadable};
-use generator::pipeline;
-use std::path::Path;
+//! The commands of axgen for a page in a browser: files and a request in, an answer in JSON and files out. The page is in
+//! `page`; its worker calls the functions of this file and nothing else.
+//!
+//! ```text
+//! request   the requests                  session   the files and the set between two requests
+//! answer    what each request answers     curves    the loop of an axis as numbers
+//! trace     the lines of a file that depend on a parameter
+//! edit      another value in the text of the user        zip    files as one archive
+//! recorded  recordings: measure, tune
+//! ```
+#![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
+
+mod answer;
+mod curves;
+mod edit;
+mod recorded;
+mod request;
+mod session;
+mod trace;
+mod zip;
+
+use session::Session;
+use std::cell::RefCell;
+use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 #[cfg(target_family = "wasm")]
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// check
+thread_local! {
+    static SESSION: RefCell<Session> = RefCell::default();
+}
+
+/// The message of the panic that ended the module.
+static PANIC: Mutex<String> = Mutex::new(String::new());
+
+/// Keeps the messages of panics: the page shows them, and begins again with a new worker.
 #[cfg_attr(target_family = "wasm", wasm_bindgen)]
-pub fn check(name: &str, bytes: &[u8], cycle: &str) -> String {
-    let options = ListOptions { cycle_time: Some(cycle.to_owned()), ..ListOptions::default() };
-    let load = |path: &Path| {
-        if path == Path::new(name) { Ok(bytes.to_vec()) } else { Err(Unreadable::System("no file".into())) }
-    };
-    let (set, report) = pipeline::read_with(Path::new(name), &options, &load);
-    let mut text = String::new();
-    for d in &report.diagnostics { text += &format!("{d}\n"); }
-    if let Some(set) = set {
-        for d in &set.axes {
-            text += &generator::summary::details(d);
-            for b in generator::blocks::blocks(d).unwrap() {
-                let inputs = golden::exercise::inputs(d, &b, 1000);
-                for e in golden::engine::ENGINES {
-                    if matches!(e, golden::engine::Engine::C | golden::engine::Engine::Rust) { continue; }
-                    text += &format!("{e} {:?}\n", golden::engine::run(e, d, &b, &inputs).map(|s| s.len()));
-                }
-            }
-        }
-    }
-    text
+pub fn begin() {
+    std::panic::set_hook(Box::new(|panic| {
+        *PANIC.lock().unwrap_or_else(PoisonError::into_inner) = panic.to_string();
+    }));
+}
+
+/// The message of the panic; empty if there was none.
+#[cfg_attr(target_family = "wasm", wasm_bindgen)]
+#[must_use]
+pub fn panicked() -> String {
+    PANIC.lock().unwrap_or_else(PoisonError::into_inner).clone()
+}
+
+/// Adds a file, or replaces it.
+#[cfg_attr(target_family = "wasm", wasm_bindgen)]
+pub fn put(name: &str, bytes: Vec<u8>) {
+    SESSION.with_borrow_mut(|session| session.files.0.insert(PathBuf::from(name), bytes));
+}
+
+/// The content of a file; empty if there is none.
+#[cfg_attr(target_family = "wasm", wasm_bindgen)]
+#[must_use]
+pub fn get(name: &str) -> Vec<u8> {
+    SESSION.with_borrow(|session| session.files.0.get(&PathBuf::from(name)).cloned().unwrap_or_default())
+}
+
+/// Answers a request, both in JSON.
+#[cfg_attr(target_family = "wasm", wasm_bindgen)]
+#[must_use]
+pub fn ask(request: &str) -> String {
+    SESSION.with_borrow_mut(|session| answer::answer(session, request))
 }
