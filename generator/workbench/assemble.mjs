@@ -1,6 +1,6 @@
 // Puts workbench.html together: `node assemble.mjs FOLDER PAGE`. FOLDER has what wasm-bindgen wrote. It uses no package.
 import { execFileSync } from "node:child_process";
-import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 
@@ -33,20 +33,21 @@ function licences() {
 /** A licence text once, under the names of all parts that have it. */
 function licenceTexts() {
   const texts = new Map();
-  const add = (name, text) => texts.set(text, [...(texts.get(text) ?? []), name]);
+  const add = (name, text) => texts.set(text, (texts.get(text) ?? new Set()).add(name));
   for (const of of licences()) {
     const at = dirname(of.manifest_path);
     const own = of.source ? at : root;
     const all = readdirSync(own).filter((name) => /^(licen[cs]e|copying|notice|unlicense)/i.test(name)).sort();
     const names = all.some((name) => /mit/i.test(name)) ? all.filter((name) => /mit|notice/i.test(name)) : all;
     const name = of.source ? `${of.name} ${of.version}` : "axgen";
-    if (!names.length) add(name, `${of.license}; the package has no text of its own`);
-    for (const text of names) if (!texts.get(readFileSync(join(own, text), "utf8"))?.includes(name)) add(name, readFileSync(join(own, text), "utf8"));
+    if (!names.length) add(name, `${of.license}, ${of.authors.join(", ")}; the package has no text of its own`);
+    for (const text of names) add(name, readFileSync(join(own, text), "utf8"));
   }
   add("uPlot 1.6.32", page("vendor/LICENSE-uPlot"));
-  const std = ["/usr/share/doc/libstd-rust-web-dev/copyright"].find(existsSync);
-  add("The Rust standard library", std ? "MIT OR Apache-2.0; The Rust Project Developers" : "MIT OR Apache-2.0; The Rust Project Developers");
-  return [...texts].map(([text, names]) => [names.join(", "), text]);
+  // Its own text is that of serde's, which names nobody.
+  const serde = licences().find((of) => of.name === "serde");
+  add("The Rust standard library", readFileSync(join(dirname(serde.manifest_path), "LICENSE-MIT"), "utf8"));
+  return [...texts].map(([text, names]) => [[...names].join(", "), text]);
 }
 
 const version = /^version = "(.*)"/m.exec(readFileSync(join(root, "Cargo.toml"), "utf8"))[1];

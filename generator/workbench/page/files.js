@@ -47,7 +47,9 @@ function showFiles() {
 
 async function save() {
   const name = "workbench.zip";
-  const { data, file } = await ask({ command: "zip", of: subject(), targets: [], name });
+  // A list names no targets: the chosen language is meant.
+  const isNamed = /\.toml$/i.test(state.set) && /^\s*targets\s*=/m.test(text.of(state.files.get(state.set).bytes).text);
+  const { data, file } = await ask({ command: "zip", of: subject(), targets: isNamed ? [] : [$("target").value], name });
   if (data) download(name, file, "application/zip");
   say(data ? `saved ${name}: ${data.entries.length} generated files and your own` : "nothing is saved: the set has errors");
 }
