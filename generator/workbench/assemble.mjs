@@ -2,9 +2,10 @@
 import { execFileSync } from "node:child_process";
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 
-const here = import.meta.dirname;
+const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, "../..");
 const [folder, file] = process.argv.slice(2);
 const page = (name) => readFileSync(join(here, "page", name), "utf8");

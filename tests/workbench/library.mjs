@@ -1,6 +1,5 @@
 // The WebAssembly of the workbench in node, by the same text that the page gives to its worker. It tests nothing.
 import { readFileSync } from "node:fs";
-import vm from "node:vm";
 import { gunzipSync } from "node:zlib";
 
 /** The text of a part of the page. */
@@ -16,8 +15,7 @@ export function loader(file) {
   const source = part(html, "worker-source");
   const module = new WebAssembly.Module(wasm);
   return () => {
-    const context = vm.createContext({ self: {}, TextDecoder, TextEncoder, WebAssembly, console });
-    const functions = vm.runInContext(`${source}\nwasm_bindgen`, context);
+    const functions = new Function("self", `${source}\nreturn wasm_bindgen;`)({});
     functions.initSync({ module });
     functions.begin();
     const ask = (request) => JSON.parse(functions.ask(JSON.stringify(request)));

@@ -37,11 +37,11 @@ function mark() {
   for (const row of rows) {
     row.className = "";
     row.removeAttribute("tabindex");
-    row.removeAttribute("role");
-    row.onclick = row.onkeydown = null;
+    row.onclick = null;
   }
   const name = $("file").value;
-  let first = null;
+  // The line that declares a coefficient is of more interest than a comment above it.
+  let [first, declares] = [null, null];
   for (const of of state.traced) {
     const isTouched = state.touched?.stage === of.stage && state.touched?.value === of.value;
     for (const line of of.lines.filter((line) => line.file === name)) {
@@ -51,14 +51,25 @@ function mark() {
       if (isTouched) {
         row.classList.add("touched");
         first ??= row;
+        if (line.coefficient) declares ??= row;
       }
-      row.tabIndex = 0;
-      row.setAttribute("role", "button");
+      row.tabIndex = -1;
       row.onclick = () => nameLine(name, line.line);
-      row.onkeydown = (event) => event.key === "Enter" && nameLine(name, line.line);
     }
   }
-  if (first) $("code").scrollTop = first.offsetTop - $("code").offsetTop - 60;
+  const shown = declares ?? first;
+  if (shown) $("code").scrollTop = shown.offsetTop - $("code").offsetTop - 60;
+}
+
+/** The arrows lead from one marked line to the next, and Enter names its parameter: one stop for the key Tab. */
+function keyInCode(event) {
+  const marked = [...$("code").querySelectorAll(".mark")];
+  const at = marked.indexOf(document.activeElement);
+  const next = { ArrowDown: at + 1, ArrowUp: Math.max(0, at - 1) }[event.key];
+  if (event.key === "Enter") document.activeElement.onclick?.();
+  if (next === undefined || !marked[next]) return;
+  event.preventDefault();
+  marked[next].focus();
 }
 
 /** Names the parameters of a line, and goes to the first one. */

@@ -55,6 +55,7 @@ function listenToAll() {
   };
   $("target").onchange = () => showCode();
   $("file").onchange = showFile;
+  $("code").onkeydown = keyInCode;
   $("save").onclick = () => save().catch((error) => say(error.message));
   $("stop").onclick = () => client.fail("stopped by the user");
   $("verify").onclick = () => {

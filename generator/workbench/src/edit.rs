@@ -45,6 +45,7 @@ pub fn edit(
         Value::F0 | Value::Q | Value::Weight => write(key),
     };
     let (file, bytes) = written?;
+    drop(load);
     let known = session.files.0.contains_key(&file);
     let file = if known { file } else { file.file_name().map(Into::into).unwrap_or(file) };
     let name = file.to_string_lossy().into_owned();

@@ -8,6 +8,7 @@ use generator::blocks::{self, Designed};
 use generator::generate::axis_files;
 use generator::target::{File, Target};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// A value of a stage, and its lines.
 #[derive(Clone, Debug, Serialize)]
@@ -89,8 +90,10 @@ fn lines(before: &[File], after: &[File], coefficients: &[String]) -> Vec<Line> 
     let flat: Vec<(String, &String)> = coefficients.iter().map(|path| (in_text(path), path)).collect();
     let mut found = Vec::new();
     for (old, new) in before.iter().zip(after) {
-        let differ = old.text.lines().zip(new.text.lines()).enumerate().filter(|(_, (old, new))| old != new);
-        for (at, (text, _)) in differ.filter(|(_, (text, _))| !text.contains("checksum")) {
+        // Texts of comments may break at other words: the lines below them stay what they are.
+        let stays: BTreeSet<&str> = new.text.lines().collect();
+        let differ = old.text.lines().enumerate().filter(|(_, text)| !stays.contains(text));
+        for (at, text) in differ.filter(|(_, text)| !text.contains("checksum")) {
             let words = || text.split(|letter: char| !letter.is_alphanumeric() && letter != '_');
             let coefficient = flat.iter().find(|(name, _)| words().any(|word| word.eq_ignore_ascii_case(name)));
             found.push(Line {
