@@ -1,4 +1,4 @@
-// Hostile and broken files: each gets an answer within 10 s and no panic: `node hostile.mjs PAGE`.
+// Hostile and broken files: each gets an answer within 10 s of this processor and no panic: `node hostile.mjs PAGE`.
 import { readFileSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { loader } from "./library.mjs";
@@ -35,7 +35,7 @@ const mistakes = [];
 for (const [name, bytes] of files) {
   for (const command of ["check", "measure"]) {
     const own = begin();
-    const from = performance.now();
+    const from = process.cpuUsage();
     try {
       own.put(name, bytes);
       const { data, messages } = own.ask({ command, of: { set: name, cycle_time: "1ms" }, recording: name });
@@ -43,7 +43,7 @@ for (const [name, bytes] of files) {
     } catch (error) {
       mistakes.push(`${command} ${name}: ${own.panicked() || error}`);
     }
-    const time = performance.now() - from;
+    const time = process.cpuUsage(from).user / 1000;
     if (time > LONGEST) mistakes.push(`${command} ${name}: ${time.toFixed(0)} ms`);
     if (time > longest) [longest, slowest] = [time, `${command} ${name}`];
   }

@@ -6,11 +6,13 @@ let generated = [];
 async function showCode() {
   const target = $("target").value;
   const axis = state.axis;
+  const from = performance.now();
   if (!axis || !state.allowed) {
     generated = [];
     options($("file"), []);
     fill($("code"));
     $("named").textContent = axis ? "No block is generated: the set has errors." : "";
+    measure("lines", from);
     return;
   }
   const { data } = await ask({ command: "files", target, axis });
@@ -22,6 +24,7 @@ async function showCode() {
   if (axis !== state.axis || target !== $("target").value) return;
   state.traced = traced ?? [];
   mark();
+  measure("lines", from);
 }
 
 function showFile() {
