@@ -17,7 +17,7 @@ pub struct Traced {
     pub value: &'static str,
     /// the vendor's id
     pub parameter: Option<&'static str>,
-    pub path: &'static str,
+    pub path: String,
     /// the coefficients of the axis's blocks that depend on it
     pub coefficients: Vec<String>,
     pub lines: Vec<Line>,
@@ -47,8 +47,10 @@ pub fn trace(designed: &Designed, target: Target) -> Vec<Traced> {
         let differ = before.1.iter().zip(&after).filter(|(old, new)| old != new);
         let coefficients: Vec<String> = differ.map(|((path, _), _)| path.clone()).collect();
         let lines = lines(&before.0, &files(&changed), &coefficients);
-        let known = parameter(stage, n, value).0.parameter();
-        Some(Traced { stage: n, value: word, parameter: known.id, path: known.path, coefficients, lines })
+        let (name, [stage, filter]) = parameter(stage, n, value);
+        let known = name.parameter();
+        let path = known.path.replace("[i]", &format!("[{stage}]")).replace("[k]", &format!("[{filter}]"));
+        Some(Traced { stage: n, value: word, parameter: known.id, path, coefficients, lines })
     });
     traced.collect()
 }
