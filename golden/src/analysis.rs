@@ -20,18 +20,22 @@ const JUMP: f64 = 180.0;
 
 /// The picture of an axis; `None` if no stage closes a loop.
 #[must_use]
-pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
+pub fn picture(designed: &Designed, analysis: &Analysis) -> Option<Picture> {
     let first = analysis.drives.first()?;
     let nyquist = 0.5 / designed.axis.cycle_time();
     let stages: Vec<(usize, f64)> = stages(designed).collect();
     let from = stages.iter().map(|(_, f0)| *f0).fold(nyquist, f64::smaller) * LOWEST;
     let bode = bode(first);
+    let of_drives = |value: fn(f64, Complex64) -> Point| -> Vec<Curve> {
+        let points = |of: &OfDrive| of.curve.iter().map(|at| value(at.hz, at.open)).collect();
+        analysis.drives.iter().map(|of| Curve::new(of.drive.short(), points(of))).collect()
+    };
     let shown = |curves: Vec<Curve>| curves.into_iter().map(|curve| within(curve, from, nyquist)).collect();
     let panel = |name: &str, scale, curves, marks: &[(f64, &str)]| {
         let marks = marks.iter().map(|(value, name)| (*value, (*name).to_owned())).collect();
         Panel::Curves(Curves { name: name.to_owned(), scale: Some(scale), marks, curves: shown(curves) })
     };
-    let sensitivity = of_drives(analysis, |hz, open| (hz, decibels(1.0 / (1.0 + open))));
+    let sensitivity = of_drives(|hz, open| (hz, decibels(1.0 / (1.0 + open))));
     let over = Over {
         across: Across::Frequency { from, to: nyquist },
         events: f0_events(&stages),
@@ -41,35 +45,18 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
             panel("|S| [dB]", SENSITIVITY, sensitivity, &[(20.0 * libm::log10(MAX_MS), "Ms 2")]),
         ],
     };
-    let picture = Picture {
-        title: format!("axis {}: the loop of improved position control", designed.axis.name),
-        setup: analysis.drives.iter().map(headline).collect(),
-        parts: vec![Part::Over(over), Part::Plane(plane(analysis))],
-    };
-    Some(picture.svg())
-}
-
-/// The Nyquist curves of an axis alone; without curves if no stage closes a loop.
-#[must_use]
-pub fn nyquist(designed: &Designed, analysis: &Analysis) -> String {
-    let title = format!("axis {}: Nyquist curve of L", designed.axis.name);
-    Picture { title, setup: Vec::new(), parts: vec![Part::Plane(plane(analysis))] }.svg()
-}
-
-fn plane(analysis: &Analysis) -> Plane {
-    Plane {
+    let plane = Plane {
         name: "Nyquist curve of L".to_owned(),
         across: PLANE,
         circles: vec![((-1.0, 0.0), 1.0 / MAX_MS, "Ms 2".to_owned())],
         marks: vec![((-1.0, 0.0), "-1".to_owned())],
-        curves: of_drives(analysis, |_, open| (open.re, open.im)),
-    }
-}
-
-/// A curve for each drive.
-fn of_drives(analysis: &Analysis, value: fn(f64, Complex64) -> Point) -> Vec<Curve> {
-    let points = |of: &OfDrive| of.curve.iter().map(|at| value(at.hz, at.open)).collect();
-    analysis.drives.iter().map(|of| Curve::new(of.drive.short(), points(of))).collect()
+        curves: of_drives(|_, open| (open.re, open.im)),
+    };
+    Some(Picture {
+        title: format!("axis {}: the loop of improved position control", designed.axis.name),
+        setup: analysis.drives.iter().map(headline).collect(),
+        parts: vec![Part::Over(over), Part::Plane(plane)],
+    })
 }
 
 /// Both Bode diagrams: of each stage from `v_motor` to `v_add`, and of L.

@@ -55,10 +55,10 @@ pub fn run(of: &AnalyzeArguments, format: Format) -> Result<Exit, Exit> {
 
 fn draw(path: &Path, designed: &Designed, force: bool) -> Result<(), Exit> {
     let analysis = analysis::analyze(designed, &designed.axis.drive);
-    let picture = golden::analysis::svg(designed, &analysis).ok_or_else(|| {
+    let picture = golden::analysis::picture(designed, &analysis).ok_or_else(|| {
         let found = format!("no stage of axis {} looks at v_motor: there is no loop to draw", designed.axis.name);
         Exit::input(codes::USAGE, "--picture", found)
     })?;
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
-    one_file::write(Some(path), picture.as_bytes(), Rule::earlier_output(force, &is_picture))
+    one_file::write(Some(path), picture.svg().as_bytes(), Rule::earlier_output(force, &is_picture))
 }

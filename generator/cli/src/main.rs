@@ -8,7 +8,6 @@ mod arguments;
 mod check;
 mod command_line;
 mod compare_files;
-mod compared;
 mod compiler;
 mod diff;
 mod exit;
@@ -28,6 +27,7 @@ mod output;
 mod params_of;
 mod plan;
 mod recorded;
+mod report;
 mod results;
 mod run;
 mod scenario;
@@ -77,6 +77,7 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Simulate(of) => simulate::run(&of, format),
         Command::Measure(of) => measure::run(&of, format),
         Command::Tune(of) => tune::run(&of, format),
+        Command::Report(of) => report::run(&of, format),
         Command::Scenario(of) => scenario::run(&of, format),
         Command::Diff { old, new, read } => diff::run(&old, &new, &read.options(Vec::new()), format),
         Command::Import { list, read, to } => import::run(&list, &read.options(Vec::new()), &to, format),

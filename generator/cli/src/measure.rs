@@ -84,7 +84,8 @@ fn write(all: &Recordings, of: &MeasureArguments, [of_response, of_picture]: [Ru
         }
         _ => None,
     };
-    let drawn = of.picture.as_deref().zip(picture::svg(&all.own.1, all.response()));
-    let picture = drawn.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture)).transpose()?;
+    let drawn = of.picture.as_deref().zip(picture::of(&all.own.1, all.response()));
+    let picture =
+        drawn.map(|(path, picture)| one_file::stage(path, picture.svg().as_bytes(), of_picture)).transpose()?;
     one_file::commit([response, picture].into_iter().flatten())
 }

@@ -6,7 +6,6 @@ use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
-use crate::run::block_of;
 use crate::times;
 use commands::words::made;
 use generator::blocks::{self, Designed};
@@ -49,7 +48,7 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
         || to.picture.is_some()
         || to.recorded.is_some()
     {
-        block_of(designed, "ipc")?;
+        commands::block(designed, "ipc")?;
     }
     let moved = moved(designed, to)?;
     let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
@@ -77,7 +76,10 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
     let simulation = has_stages.then(|| made(simulate::run(designed, moved, to.dwell)));
     if let Some(simulation) = &simulation {
         stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
-        stage(&to.picture, of_picture, &|| Ok(picture::svg(simulation, &designed.axis.name)))?;
+        stage(&to.picture, of_picture, &|| {
+            let picture = picture::of(simulation, &designed.axis.name);
+            Ok(picture.map_or_else(String::new, |picture| picture.svg()))
+        })?;
     }
     one_file::commit(staged)?;
     let Some(simulation) = simulation else { return Ok(Exit::Done) };
@@ -110,6 +112,6 @@ fn allowed(outs: &[(Option<&Path>, Rule<'_>)], set: &Path) -> Result<(), Exit> {
 
 /// A recording of a move with the excitation of the axis.
 fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, Exit> {
-    block_of(designed, "excitation")?;
+    commands::block(designed, "excitation")?;
     recording::excited(designed, moved, speed, noise).map_err(|why| Exit::input(codes::USAGE, "--excited", why))
 }

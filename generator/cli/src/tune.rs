@@ -89,8 +89,8 @@ fn draw(
 ) -> Result<(), Exit> {
     let [of_signals, of_picture] = rules;
     let staged = of.signals.as_deref().map(|path| one_file::stage(path, signals::csv(with).as_bytes(), of_signals));
-    let picture = of.picture.as_deref().zip(signals::svg(moves, with, setup.to_vec()));
-    let picture = picture.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture));
+    let picture = of.picture.as_deref().zip(signals::picture(moves, with, setup.to_vec()));
+    let picture = picture.map(|(path, picture)| one_file::stage(path, picture.svg().as_bytes(), of_picture));
     one_file::commit([staged.transpose()?, picture.transpose()?].into_iter().flatten())
 }
 

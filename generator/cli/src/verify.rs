@@ -61,7 +61,7 @@ fn of_scenario<'a>(
     format: Format,
 ) -> Result<Run<'a>, Exit> {
     let designed = commands::axis(set, of.axis.as_deref())?;
-    let block = scenario::block_of_scenario(designed, of.block.as_deref())?;
+    let block = commands::scenario::block(designed, of.block.as_deref())?;
     let options = scenario::options(&of.moved_by);
     let inputs = scenario::made(program, designed, &block, &options, format)?.inputs;
     let mut run = Run::start(1, engines, format)?;

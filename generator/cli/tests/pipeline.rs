@@ -73,7 +73,7 @@ pub fn copy(from: &Path, to: &Path) {
 }
 
 /// What stands after a key of YAML, in all its lines.
-fn behind<'t>(text: &'t str, key: &str) -> Vec<&'t str> {
+fn after<'t>(text: &'t str, key: &str) -> Vec<&'t str> {
     text.lines().filter_map(|line| line.trim().strip_prefix(key)).map(str::trim).collect()
 }
 
@@ -83,11 +83,11 @@ fn a_changed_list_fails_until_its_files_are_written_again() {
     let repository = Repository::new();
     repository.begin();
     let build = "cargo install --locked --path axgen/generator/cli";
-    assert_eq!(behind(&repository.text(".github/workflows/axgen.yml"), "- run:"), [build, "./check.sh"]);
+    assert_eq!(after(&repository.text(".github/workflows/axgen.yml"), "- run:"), [build, "./check.sh"]);
     let gitlab = repository.text(".gitlab-ci.yml");
     assert!(gitlab.contains(&format!("- {build}\n  script:\n    - ./check.sh\n")), "{gitlab}");
     let hook = repository.text(".pre-commit-config.yaml");
-    let [hook] = behind(&hook, "entry:")[..] else { panic!("{hook}") };
+    let [hook] = after(&hook, "entry:")[..] else { panic!("{hook}") };
     repository.succeeds("./check.sh");
     repository.succeeds(hook);
     for results in ["verify.xml", "golden.xml"] {

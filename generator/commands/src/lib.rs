@@ -9,16 +9,21 @@
 //! emit      a stage of the pipeline as text
 //! params    the table of parameters           explain   codes, errors and words
 //! verify    the runs of every block in every engine, row by row
+//! compared  a recording of a controller against an engine
+//! scenario  an NC program on an axis
 //! analyze   the loop of an axis: margins, and its curves as numbers
 //! samples   mistakes of recordings
 //! measure   recordings, and what was measured  tune      proposed stages
 //! diff      two versions of a set
+//! stages    other numbers of a stage, in the file of the user
+//! trace     parameter -> coefficient -> line  report    all of an axis as a page to print
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 
 pub mod analyze;
 pub mod check;
+pub mod compared;
 pub mod diff;
 pub mod emit;
 pub mod explain;
@@ -30,15 +35,21 @@ pub mod messages;
 pub mod params;
 pub mod plan;
 pub mod refused;
+pub mod report;
 pub mod samples;
+pub mod scenario;
+pub mod stages;
+pub mod trace;
 pub mod tune;
 pub mod verify;
 pub mod words;
 
-use generator::blocks::Designed;
+use generator::blocks::{self, Block, Designed};
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::pipeline::Set;
+use golden::case::named_block;
+use words::made;
 
 /// The axis of that name, or the only one.
 ///
@@ -57,4 +68,16 @@ pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Designed, Report
             axes.iter().find(|of| of.axis.name == name).ok_or_else(|| refused::no_such(OPTION, "axis", name, &names))
         }
     }
+}
+
+/// The block of that name.
+///
+/// # Errors
+/// The axis has no such block.
+pub fn block(designed: &Designed, name: &str) -> Result<Block, Report> {
+    let names = blocks::names(&designed.axis);
+    if !names.contains(&name) {
+        return Err(refused::no_such("--block", "block", name, &names));
+    }
+    Ok(made(named_block(designed, name)))
 }

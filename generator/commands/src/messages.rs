@@ -147,8 +147,8 @@ fn around(line: &str, column: usize) -> (String, usize) {
     let (dots, more) = (if start == 0 { "" } else { "..." }, line.chars().nth(start + WIDTH).is_some());
     let before = format!("{dots}{}", part(start, at - start));
     // A position after the end of the line is marked there.
-    let behind = at.saturating_sub(line.chars().count());
-    let mark = before.chars().count() + behind;
+    let beyond = at.saturating_sub(line.chars().count());
+    let mark = before.chars().count() + beyond;
     (format!("{before}{}{}", part(at, start + WIDTH - at), if more { "..." } else { "" }), mark)
 }
 
@@ -180,7 +180,7 @@ mod tests {
     fn what_could_steer_a_terminal_is_written_out_and_the_mark_stays_below_its_place() {
         assert_eq!(around("\u{202e}\u{1b}x", 3), ("\\u{202e}\\u{1b}x".to_owned(), 14));
         assert_eq!(around("\t\"\\'\u{e4} y", 7), (" \"\\'\u{e4} y".to_owned(), 6));
-        assert_eq!(around("x", 4), ("x".to_owned(), 3), "behind the end of the line");
+        assert_eq!(around("x", 4), ("x".to_owned(), 3), "after the end of the line");
     }
 
     #[test]

@@ -66,7 +66,7 @@ impl Row {
         differs.then(|| format!("{} differing bits; {}", self.bits(), self.first))
     }
 
-    fn bits(&self) -> String {
+    pub(crate) fn bits(&self) -> String {
         self.differing_bits.map_or_else(|| "-".to_owned(), |bits| bits.to_string())
     }
 

@@ -9,7 +9,7 @@ mod lead;
 mod text;
 
 pub use crate::blocks::ipc::closed_loop::Known;
-pub use text::{headline, text};
+pub use text::{STAGE, headline, margins, stage_cells, text};
 
 use crate::axis::{DriveModel, Stage};
 use crate::blocks::Designed;

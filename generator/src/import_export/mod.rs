@@ -6,7 +6,6 @@
 //! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
 //! slot      the position of the value in a line             keys_of_stage  a stage as keys
 //! stages    other stages in the text of an axis: stages_in_set, stages_in_list
-//! one_value another value of one parameter in the text of an axis
 //! ```
 //! The set contains each value once, as TOML. The lines of the list stay in the set too, with `=` in place of the values:
 //! they preserve order, blanks, comments and the parameters of other functions.
@@ -16,7 +15,6 @@ mod export;
 mod fill;
 mod import;
 mod keys_of_stage;
-mod one_value;
 mod slot;
 mod spelling;
 mod stages;
@@ -26,5 +24,4 @@ mod tables;
 
 pub use export::export;
 pub use import::import;
-pub use one_value::with_value;
 pub use stages::with_stages;

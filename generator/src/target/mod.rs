@@ -19,7 +19,8 @@ use crate::exercise::runner::Runner;
 use askama::Template;
 use compiler::legalise;
 use compiler::pass::{Defect, Stage};
-use compiler::program::Program;
+use compiler::print::{self, Language, Printer};
+use compiler::program::{Constant, Origin, Program};
 use portable::{Literal, RealKind};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -39,6 +40,7 @@ pub struct Target {
     pub name: &'static str,
     /// the passes that make a program expressible in the language
     pub passes: &'static [Stage],
+    language: &'static Language,
     /// the names of a block of an axis and of its self-test
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
@@ -54,24 +56,39 @@ pub struct Target {
 pub const TARGETS: [Target; 6] = [
     Target {
         runner: Some(c::runner::file),
-        ..target("c", legalise::WITH_OUTPUTS, c::names::block_and_test, c::files, |_| Vec::new())
+        ..target("c", legalise::WITH_OUTPUTS, &print::c::LANGUAGE, c::names::block_and_test, c::files, |_| Vec::new())
     },
-    target("rust", legalise::WITH_OUTPUTS, rust::called, rust::files, |_| Vec::new()),
-    target("st", legalise::WITH_DIGITS, st::called, st::plain, |_| Vec::new()),
-    target("twincat", legalise::WITH_TASK, st::twincat::called, st::twincat::files, st::twincat::shared),
-    target("codesys", legalise::WITH_ENABLE, st::codesys::called, st::codesys::files, st::codesys::shared),
-    target("scl", legalise::WITH_NAMES, st::scl_called, st::scl, st::scl_shared),
+    target("rust", legalise::WITH_OUTPUTS, &print::rust::LANGUAGE, rust::called, rust::files, |_| Vec::new()),
+    target("st", legalise::WITH_DIGITS, &print::st::PLAIN, st::called, st::plain, |_| Vec::new()),
+    target(
+        "twincat",
+        legalise::WITH_TASK,
+        &print::st::CODESYS,
+        st::twincat::called,
+        st::twincat::files,
+        st::twincat::shared,
+    ),
+    target(
+        "codesys",
+        legalise::WITH_ENABLE,
+        &print::st::CODESYS,
+        st::codesys::called,
+        st::codesys::files,
+        st::codesys::shared,
+    ),
+    target("scl", legalise::WITH_NAMES, &print::st::SCL, st::scl_called, st::scl, st::scl_shared),
 ];
 
 /// A target without runners.
 const fn target(
     name: &'static str,
     passes: &'static [Stage],
+    language: &'static Language,
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
-    Target { name, passes, called, files, shared, runner: None, samples: None }
+    Target { name, passes, language, called, files, shared, runner: None, samples: None }
 }
 
 /// The targets of a set that names none.
@@ -109,6 +126,20 @@ impl Target {
     /// A defect of a legalising pass.
     pub fn files(&self, identity: &BlockIdentity, block: &Block) -> Result<Vec<File>, Defect> {
         Ok((self.files)(identity, &self.block(block)?))
+    }
+
+    /// The coefficients in the text of a block: the position of each among all of the block, its name, and the constant.
+    ///
+    /// # Errors
+    /// A defect of a legalising pass.
+    pub fn coefficients(&self, block: &Block) -> Result<Vec<(usize, String, Constant)>, Defect> {
+        let program = self.program(block)?;
+        let printer = Printer::new(&program, self.language, "");
+        let named = program.constants.iter().zip(&printer.names().constants).filter_map(|(constant, name)| {
+            let Origin::Coefficient(leaf) = constant.origin else { return None };
+            Some((leaf, name.clone(), constant.clone()))
+        });
+        Ok(named.collect())
     }
 
     /// The target with a runner of this number of samples for each block, if the language has runners.

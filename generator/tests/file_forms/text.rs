@@ -110,11 +110,11 @@ fn no_name_says_when_it_is_valid() {
 fn assignments(text: &str) -> Vec<String> {
     let mut code = String::new();
     let mut rest = text;
-    while let Some((before, (_, behind))) =
+    while let Some((before, (_, after))) =
         rest.split_once("(*").map(|(before, comment)| (before, comment.split_once("*)").unwrap()))
     {
         code.push_str(before);
-        rest = behind;
+        rest = after;
     }
     code.push_str(rest);
     let is_name = |word: &str| word.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'_');
@@ -190,11 +190,11 @@ fn fault(piece: &str) -> Option<&str> {
         if let Some(mark) = ["*)", "//"].into_iter().find(|mark| code.contains(mark)) {
             return Some(mark);
         }
-        let Some((comment, behind)) = inside.split_once("*)") else { return Some("not closed") };
+        let Some((comment, after)) = inside.split_once("*)") else { return Some("not closed") };
         if comment.contains("(*") {
             return Some("(* in a comment");
         }
-        rest = behind;
+        rest = after;
     }
 }
 

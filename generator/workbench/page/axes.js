@@ -4,7 +4,7 @@
 const VERDICT = { calm: "calm", little_reserve: "little reserve", unstable: "unstable" };
 const VALUES = {
   f0: { label: "f0 [Hz]", field: "f0", from: 0.2, to: 5 },
-  q: { label: "Q", field: "q_factor", from: 0.2, to: 5 },
+  q_factor: { label: "Q", field: "q_factor", from: 0.2, to: 5 },
   damping: { label: "Damping", field: "damping", from: 0.2, to: 5 },
   weight: { label: "Weight", field: "asked_weight", from: 0, to: 7 },
 };

@@ -32,7 +32,7 @@ const client = {
     return this.ready;
   },
 
-  /** The answer to a request: data, messages, and the bytes of the file that the data name. `files`: changed files. */
+  /** The answer to a request: data, messages, and the files that the data name. `files`: changed files. */
   async ask(request, files = []) {
     await this.ready;
     const id = this.next++;
@@ -43,7 +43,7 @@ const client = {
     });
   },
 
-  answered({ id, answer, file, panic }) {
+  answered({ id, answer, files, panic }) {
     if (panic !== undefined) {
       this.fail(`axgen failed: ${panic}`);
       return;
@@ -51,7 +51,7 @@ const client = {
     const { resolve } = this.waiting.get(id);
     this.waiting.delete(id);
     this.onBusy(this.waiting.size > 0);
-    resolve({ ...answer, file });
+    resolve({ ...answer, files });
   },
 
   /** Ends all that runs, says why, and begins anew. */

@@ -20,11 +20,24 @@ async function showCode() {
   state.traced = [];
   options($("file"), generated.map((file) => file.name));
   showFile();
-  const { data: traced } = await ask({ command: "trace", axis, target });
+  const { data: traced } = await ask({ command: "trace", of: subject(), axis, target });
   if (axis !== state.axis || target !== $("target").value) return;
-  state.traced = traced ?? [];
+  state.traced = traced ? linesOf(traced) : [];
   mark();
   measure("lines", from);
+}
+
+const VALUE_OF = { fg_f0: "f0", q_factor: "q_factor", osc_damping: "damping", damping: "damping", weight_fact_num: "weight" };
+
+/** The parameters that have coefficients, each with its lines; those of the stages with the number of the page. */
+function linesOf({ parameters, coefficients }) {
+  return parameters.filter((of) => of.coefficients.length).map((of) => {
+    const stage = /stage\[(\d)\]/.exec(of.path);
+    const value = VALUE_OF[of.path.split(".").pop()];
+    const lines = of.coefficients.map((at) => coefficients[at]).flatMap(({ path, lines: files }) =>
+      files.flatMap(({ file, lines }) => lines.map((line) => ({ file, line, coefficient: path }))));
+    return { stage: stage && value ? Number(stage[1]) : null, value, parameter: of.id, path: of.path, given: of.given, lines };
+  });
 }
 
 function showFile() {
@@ -43,8 +56,7 @@ function mark() {
     row.onclick = null;
   }
   const name = $("file").value;
-  // The line that declares a coefficient is of more interest than a comment above it.
-  let [first, declares] = [null, null];
+  let first = null;
   for (const of of state.traced) {
     const isTouched = state.touched?.stage === of.stage && state.touched?.value === of.value;
     for (const line of of.lines.filter((line) => line.file === name)) {
@@ -54,14 +66,12 @@ function mark() {
       if (isTouched) {
         row.classList.add("touched");
         first ??= row;
-        if (line.coefficient) declares ??= row;
       }
       row.tabIndex = -1;
       row.onclick = () => nameLine(name, line.line);
     }
   }
-  const shown = declares ?? first;
-  if (shown) $("code").scrollTop = shown.offsetTop - $("code").offsetTop - 60;
+  if (first) $("code").scrollTop = first.offsetTop - $("code").offsetTop - 60;
 }
 
 /** The arrows lead from one marked line to the next, and Enter names its parameter: one stop for the key Tab. */
@@ -78,7 +88,7 @@ function keyInCode(event) {
 /** Names the parameters of a line, and goes to the first one. */
 function nameLine(file, number) {
   const found = state.traced.flatMap((of) => of.lines.filter((line) => line.file === file && line.line === number).map((line) => ({ of, line })));
-  const words = found.map(({ of, line }) => `stage ${of.stage}: ${of.value}, ${of.parameter ?? ""} (${of.path})${line.coefficient ? ` -> ${line.coefficient}` : ""}`);
+  const words = found.map(({ of, line }) => `${of.parameter ?? ""} ${of.path} -> ${line.coefficient}`);
   $("named").textContent = words.join("; ");
   const input = found[0] && $(`${found[0].of.value}${found[0].of.stage}`);
   if (input) input.scrollIntoView({ block: "nearest" });

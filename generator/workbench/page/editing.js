@@ -32,12 +32,12 @@ async function change(stage, value, to) {
 
 async function edited(request) {
   const from = performance.now();
-  const { data, messages, file } = await ask(request);
+  const { data, messages, files } = await ask(request);
   if (!data) {
     showMessages(messages);
     return;
   }
-  state.files.get(data.file).bytes = file;
+  keep(files);
   accept(data.checked, messages);
   await showLoop();
   measure("slider step", from);

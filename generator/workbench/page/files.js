@@ -49,8 +49,8 @@ async function save() {
   const name = "workbench.zip";
   // A list names no targets: the chosen language is meant.
   const isNamed = /\.toml$/i.test(state.set) && /^\s*targets\s*=/m.test(text.of(state.files.get(state.set).bytes).text);
-  const { data, file } = await ask({ command: "zip", of: subject(), targets: isNamed ? [] : [$("target").value], name });
-  if (data) download(name, file, "application/zip");
+  const { data, files } = await ask({ command: "zip", of: subject(), targets: isNamed ? [] : [$("target").value], name });
+  if (data) download(name, files[0][1], "application/zip");
   say(data ? `saved ${name}: ${data.entries.length} generated files and your own` : "nothing is saved: the set has errors");
 }
 

@@ -52,6 +52,11 @@ function kindOf(name, bytes) {
   return "set";
 }
 
+/** Keeps files that an answer has changed: the worker has them. */
+function keep(files) {
+  for (const [name, bytes] of files) state.files.get(name).bytes = bytes;
+}
+
 const axisRow = () => state.checked?.axes.find((row) => row.axis === state.axis) ?? null;
 
 /** The bytes of a file as text and back: UTF-8 if it is, else each byte is a character. UTF-16 is not edited here. */

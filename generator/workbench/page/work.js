@@ -65,9 +65,9 @@ async function tuned() {
 }
 
 async function applied(proposal) {
-  const { data, messages, file } = await ask({ command: "apply", of: subject(), axis: state.axis, proposal });
+  const { data, messages, files } = await ask({ command: "apply", of: subject(), axis: state.axis, proposal });
   if (!data) return showMessages(messages);
-  state.files.get(data.file).bytes = file;
+  keep(files);
   await refresh();
   say(data.changes.join("; "));
 }

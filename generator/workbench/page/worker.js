@@ -11,9 +11,9 @@ self.onmessage = ({ data }) => {
   try {
     for (const [name, bytes] of data.files) wasm_bindgen.put(name, bytes);
     const answer = JSON.parse(wasm_bindgen.ask(JSON.stringify(data.request)));
-    // An answer names the file that it has changed, or made.
-    const file = answer.data?.file ? wasm_bindgen.get(answer.data.file) : null;
-    self.postMessage({ id: data.id, answer, file }, file ? [file.buffer] : []);
+    // An answer names the files that it has changed, or made.
+    const files = (answer.data?.files ?? []).map((name) => [name, wasm_bindgen.get(name)]);
+    self.postMessage({ id: data.id, answer, files }, files.map(([, bytes]) => bytes.buffer));
   } catch (error) {
     // Out of stack or memory, a panic has no message of its own.
     self.postMessage({ id: data.id, panic: wasm_bindgen.panicked() || String(error) });

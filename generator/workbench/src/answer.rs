@@ -2,11 +2,11 @@
 
 use crate::request::{Request, Subject};
 use crate::session::{Session, load};
-use crate::{curves, edit, recorded, trace, zip};
+use crate::{curves, recorded, zip};
 use commands::plan::Plan;
 use commands::verify::{Row, Verification, engines};
 use commands::words::made;
-use commands::{check, diff, messages, refused};
+use commands::{check, diff, messages, refused, stages, trace};
 use generator::blocks::{self, Designed};
 use generator::diagnostics::Report;
 use generator::pipeline::{self, Set};
@@ -40,10 +40,12 @@ fn answered(session: &mut Session, request: Request) -> Answer {
         Request::Check { of } => check_set(session, &of),
         Request::Loop { axis } => Ok((json!(curves::curves(axis_of(session, &axis)?)), Report::default())),
         Request::Edit { of, axis, stage, value, to } => {
-            let designed = axis_of(session, &axis)?.clone();
-            let file = edit::edit(session, &of, &designed, (stage, value), to)?;
+            let (options, load) = (of.options(), load(&session.files));
+            let files = stages::written((of.path(), &options, &load), axis_of(session, &axis)?, (stage, value, to))?;
+            drop(load);
+            let names: Vec<String> = files.0.into_iter().map(|(path, bytes)| session.put(path, bytes)).collect();
             let (checked, report) = check_set(session, &of)?;
-            Ok((json!({ "file": file, "checked": checked }), report))
+            Ok((json!({ "files": names, "checked": checked }), report))
         }
         Request::Files { axis, target } => {
             let files = made(generate::axis_files(allowed(session, &axis)?, &[target_of(&target)?]));
@@ -55,8 +57,11 @@ fn answered(session: &mut Session, request: Request) -> Answer {
             let page = pages.first().ok_or_else(|| refused::input(codes::USAGE, axis, "has no improved position control"))?;
             Ok((as_json(page), Report::default()))
         }
-        Request::Trace { axis, target } => {
-            Ok((json!(trace::trace(axis_of(session, &axis)?, target_of(&target)?)), Report::default()))
+        Request::Trace { of, axis, target } => {
+            let designed = allowed(session, &axis)?;
+            let (blocks, targets) = (made(blocks::blocks(designed)), [target_of(&target)?]);
+            let (options, load) = (of.options(), load(&session.files));
+            Ok((json!(trace::trace((of.path(), &options, &load), designed, &blocks, &targets)?), Report::default()))
         }
         Request::Zip { of, targets, name } => archive(session, &of, &targets, &name),
         Request::Verify { samples } => verify(session, samples),
@@ -134,7 +139,7 @@ fn archive(session: &mut Session, of: &Subject, targets: &[String], name: &str) 
     let own = own.filter(|(path, _)| *path != name);
     let archive = zip::archive(own.chain(generated));
     let archive = archive.ok_or_else(|| refused::input(codes::TOO_LARGE, &of.set, "is too large for a zip file"))?;
-    let answer = json!({ "file": name, "entries": names, "bytes": archive.len() });
+    let answer = json!({ "files": [name], "entries": names, "bytes": archive.len() });
     session.files.0.insert(name.into(), archive);
     Ok((answer, Report::default()))
 }
@@ -173,7 +178,7 @@ fn simulation(designed: &Designed) -> Answer {
         .map_err(|why| refused::input(codes::USAGE, &designed.axis.name, why))?;
     let answer = json!({
         "text": text::table(&simulation, designed),
-        "picture": picture::svg(&simulation, &designed.axis.name),
+        "picture": picture::of(&simulation, &designed.axis.name).map(|picture| picture.svg()),
     });
     Ok((answer, Report::default()))
 }

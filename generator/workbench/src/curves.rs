@@ -2,7 +2,8 @@
 
 use generator::analysis::{self, OfDrive, headline};
 use generator::blocks::Designed;
-use golden::analysis::nyquist;
+use golden::analysis::picture;
+use golden::svg::Part;
 use serde::Serialize;
 
 /// The loop of an axis with each drive, by frequency.
@@ -46,13 +47,17 @@ pub fn curves(designed: &Designed) -> Option<Curves> {
         gain: first.curve.iter().map(|at| decibels(at.stage[stage].norm_sqr())).collect(),
         phase: first.curve.iter().map(|at| degrees(at.stage[stage].im, at.stage[stage].re)).collect(),
     };
+    // The other parts are drawn with a cursor.
+    let mut plane = picture(designed, &analysis)?;
+    plane.parts.retain(|part| matches!(part, Part::Plane(_)));
+    plane.setup.clear();
     let f0 = designed.axis.ipc.stage.iter().flatten().map(generator::axis::Stage::f0).collect();
     Some(Curves {
         hz: first.curve.iter().map(|at| at.hz).collect(),
         stages: first.stages.iter().map(|of| stage(of.stage)).collect(),
         drives: analysis.drives.iter().map(|of| drive(of, first)).collect(),
         f0,
-        nyquist: nyquist(designed, &analysis),
+        nyquist: plane.svg(),
     })
 }
 

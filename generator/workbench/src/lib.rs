@@ -4,19 +4,15 @@
 //! ```text
 //! request   the requests                  session   the files and the set between two requests
 //! answer    what each request answers     curves    the loop of an axis as numbers
-//! trace     the lines of a file that depend on a parameter
-//! edit      another value in the text of the user        zip    files as one archive
-//! recorded  recordings: measure, tune
+//! recorded  recordings: measure, tune     zip       files as one archive
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 
 mod answer;
 mod curves;
-mod edit;
 mod recorded;
 mod request;
 mod session;
-mod trace;
 mod zip;
 
 use session::Session;

@@ -31,7 +31,7 @@ pub fn measured(session: &Session, names: [Option<&str>; 2], cycle_time: Option<
     let own = &all.own.1;
     let response = all.response().map(measured_text::response);
     let text = measured_text::report(own) + &response.unwrap_or_default();
-    let picture = measure::picture::svg(own, all.response());
+    let picture = measure::picture::of(own, all.response()).map(|picture| picture.svg());
     Ok((json!({ "results": results(&all), "text": text, "picture": picture }), all.said()))
 }
 
@@ -51,7 +51,8 @@ pub fn tuned(
     let first = chosen(&mut tuning, None);
     let picture = first.zip(all.own.1.record.as_ref()).and_then(|(first, record)| {
         let with = signals::with_stages(&tuning, record, &first.stages)?;
-        signals::svg(&all.own.1, &with, commands::tune::setup(axis, &tuning, &first))
+        let setup = commands::tune::setup(axis, &tuning, &first);
+        Some(signals::picture(&all.own.1, &with, setup)?.svg())
     });
     let answer = json!({
         "proposals": proposals(axis, &tuning, &all),
@@ -70,5 +71,5 @@ pub fn applied(session: &mut Session, of: &Subject, axis: &str, proposal: &str) 
         apply::stages(of.path(), &of.options(), axis, &chosen.stages, &load(&session.files));
     let Some(applied) = applied else { return Err(report) };
     session.files.0.insert(of.path().to_owned(), applied.after);
-    Ok((json!({ "file": of.set, "changes": applied.changes }), report))
+    Ok((json!({ "files": [of.set], "changes": applied.changes }), report))
 }

@@ -1,5 +1,6 @@
 //! The requests of the page, as they stand in JSON: data.
 
+use commands::stages::Number;
 use serde::Deserialize;
 
 /// A set, or a list with what it does not contain.
@@ -15,16 +16,6 @@ pub struct Subject {
     pub response: Option<String>,
 }
 
-/// A value of a stage that the page changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Value {
-    F0,
-    Q,
-    Damping,
-    Weight,
-}
-
 /// A request. An axis without a name is the only one of its set.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "command", rename_all = "snake_case")]
@@ -34,13 +25,13 @@ pub enum Request {
     /// the loop of an axis as numbers and as a picture
     Loop { axis: String },
     /// writes a value into the text of the user, reads and checks
-    Edit { of: Subject, axis: String, stage: usize, value: Value, to: f64 },
+    Edit { of: Subject, axis: String, stage: usize, value: Number, to: f64 },
     /// the files of an axis for a target
     Files { axis: String, target: String },
     /// the commissioning page of an axis, with the names of a target
     Page { axis: String, target: String },
-    /// the lines of these files that depend on each value of each stage
-    Trace { axis: String, target: String },
+    /// the parameters with their coefficients, and the lines of these in the files for a target
+    Trace { of: Subject, axis: String, target: String },
     /// an archive of all files for targets, those of the set if none is named, and of the user's files: the file `name`
     Zip { of: Subject, targets: Vec<String>, name: String },
     /// runs every block in every engine that needs no compiler

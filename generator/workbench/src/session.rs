@@ -6,7 +6,7 @@ use generator::config::{ListOptions, OptionKey, Unreadable};
 use generator::parameters::Name;
 use generator::pipeline::Set;
 use golden::tune::Tuning;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 #[derive(Default)]
 pub struct Session {
@@ -16,6 +16,17 @@ pub struct Session {
     /// whether blocks may be generated from it
     pub is_allowed: bool,
     pub tuning: Option<Tuning>,
+}
+
+impl Session {
+    /// Keeps another content of a file of the page; returns its name.
+    pub fn put(&mut self, path: PathBuf, bytes: Vec<u8>) -> String {
+        let is_known = self.files.0.contains_key(&path);
+        let path = if is_known { path } else { path.file_name().map(PathBuf::from).unwrap_or(path) };
+        let name = path.to_string_lossy().into_owned();
+        self.files.0.insert(path, bytes);
+        name
+    }
 }
 
 /// Loads a file by its path, else by its name alone: a page has no folders.

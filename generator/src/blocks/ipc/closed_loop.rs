@@ -68,7 +68,8 @@ impl Known {
     }
 
     /// In words.
-    pub(crate) fn words(&self) -> String {
+    #[must_use]
+    pub fn words(&self) -> String {
         match self {
             Self::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", delay(*cycles)),
             Self::Delay { cycles, time_constant: Some(time) } => {

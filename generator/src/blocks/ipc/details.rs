@@ -6,7 +6,7 @@ use super::closed_loop::{self, Known};
 use super::filter;
 use super::row::{ActiveStage, Reserve, StageRow, WithDrive};
 use super::stage::StageDesign;
-use crate::axis::{Axis, Enable, Mode, Stage};
+use crate::axis::{Axis, Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::blocks::kind::Details;
 use crate::design::band::warped;
@@ -95,28 +95,14 @@ fn with_drive(design: &StageDesign, (drive, closed): &(String, Loop<'_>)) -> Wit
 
 /// A row for each stage, in columns.
 fn table(stages: &[StageRow]) -> Vec<String> {
-    let head = ["stage", "mode", "f0", "Q", "weight", "phase at f0", "filters"].map(str::to_owned).to_vec();
-    let rows: Vec<Vec<String>> = std::iter::once(head).chain(stages.iter().map(cells)).collect();
+    let head = StageRow::COLUMNS.map(str::to_owned).to_vec();
+    let rows: Vec<Vec<String>> = std::iter::once(head).chain(stages.iter().map(StageRow::cells)).collect();
     let width = |column: usize| rows.iter().filter_map(|row| row.get(column)).map(String::len).max().unwrap_or(0);
     let line = |row: &Vec<String>| {
         let cells = row.iter().enumerate().map(|(column, cell)| format!("{cell:<width$}", width = width(column)));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
     rows.iter().map(line).collect()
-}
-
-fn cells(row: &StageRow) -> Vec<String> {
-    let Some(of) = &row.active else { return vec![row.stage.to_string(), row.mode.to_owned()] };
-    let damping = of.damping.map_or_else(String::new, |damping| format!(", D {damping}"));
-    vec![
-        row.stage.to_string(),
-        format!("{} from {}{damping}", row.mode, of.source),
-        format!("{} Hz", of.f0),
-        of.q_factor.to_string(),
-        format!("{}{}", significant(of.weight, 4), Stage::cap_of(of.asked_weight)),
-        format!("{} deg", decimals(of.phase_at_f0_deg, 0)),
-        of.filters.join(", "),
-    ]
 }
 
 /// The response of a stage at its f0, from its input velocity to its output.

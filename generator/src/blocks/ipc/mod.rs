@@ -44,7 +44,7 @@ impl Design for Ipc {
 impl BlockKind for Ipc {
     /// An axis without any block gets this block, which outputs 0, and a warning.
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        axis.ipc.is_active() || axis.control.is_empty() && axis.excitation.is_none()
+        axis.ipc.is_active() || axis.asks_for_nothing_else()
     }
 
     fn short_name(&self) -> &'static str {

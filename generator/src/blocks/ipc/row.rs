@@ -1,5 +1,7 @@
 //! Stages as rows of data, with their verdicts: what tables and pages show of them. Nothing is computed here.
 
+use crate::axis::Stage;
+use crate::number::{decimals, significant};
 use serde::Serialize;
 
 /// A stage of an axis.
@@ -10,6 +12,27 @@ pub struct StageRow {
     pub mode: &'static str,
     /// `None` if it is not active
     pub active: Option<ActiveStage>,
+}
+
+impl StageRow {
+    /// The columns of its cells.
+    pub const COLUMNS: [&str; 7] = ["stage", "mode", "f0", "Q", "weight", "phase at f0", "filters"];
+
+    /// Its numbers as text; of a stage that is not active, the first two.
+    #[must_use]
+    pub fn cells(&self) -> Vec<String> {
+        let Some(of) = &self.active else { return vec![self.stage.to_string(), self.mode.to_owned()] };
+        let damping = of.damping.map_or_else(String::new, |damping| format!(", D {damping}"));
+        vec![
+            self.stage.to_string(),
+            format!("{} from {}{damping}", self.mode, of.source),
+            format!("{} Hz", of.f0),
+            of.q_factor.to_string(),
+            format!("{}{}", significant(of.weight, 4), Stage::cap_of(of.asked_weight)),
+            format!("{} deg", decimals(of.phase_at_f0_deg, 0)),
+            of.filters.join(", "),
+        ]
+    }
 }
 
 /// The numbers of an active stage, and its verdict.

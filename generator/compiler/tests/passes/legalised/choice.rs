@@ -127,7 +127,7 @@ fn a_chain_by_numbers() {
     assert_eq!(made.constants.len(), 5, "numbers need no constants");
 }
 
-/// What is asked for another variable, in another way or beside something else ends the chain, and stands in its last arm.
+/// What is asked for another variable, in another way or together with something else ends the chain, and stands in its last arm.
 #[test]
 fn a_chain_ends_where_something_else_is_asked() {
     let first = || (is(PHASE_NOW, &[phase(0)]), vec![put(0.0)]);
@@ -192,7 +192,7 @@ fn what_is_no_question() {
     assert_kept(chain((0..9).map(|n| (unsigned(n), vec![put(f64::from(n))])).collect(), vec![put(-1.0)]));
 }
 
-/// Chains inside of branches, of arms and behind other statements are found as well.
+/// Chains inside of branches, of arms and after other statements are found as well.
 #[test]
 fn a_chain_inside() {
     let inner = || {
