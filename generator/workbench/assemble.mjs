@@ -9,9 +9,10 @@ const here = dirname(fileURLToPath(import.meta.url));
 const root = join(here, "../..");
 const [folder, file] = process.argv.slice(2);
 const page = (name) => readFileSync(join(here, "page", name), "utf8");
-const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
+const { textOf } = new Function(`${page("digits.js")}\nreturn { textOf };`)();
+const packed = (bytes) => textOf(gzipSync(bytes, { level: 9 }));
 
-const SCRIPTS = ["vendor/uPlot.iife.min.js", "dom.js", "state.js", "client.js", "files.js", "axes.js", "editing.js", "pictures.js", "code.js",
+const SCRIPTS = ["vendor/uPlot.iife.min.js", "digits.js", "dom.js", "state.js", "client.js", "files.js", "axes.js", "editing.js", "pictures.js", "code.js",
   "messages.js", "work.js", "main.js"];
 
 /** The packages that are in the WebAssembly, with their licences: those that it depends on for its target. */

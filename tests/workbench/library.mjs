@@ -1,5 +1,6 @@
 // The WebAssembly of the workbench in node, by the same text that the page gives to its worker. It tests nothing.
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { gunzipSync } from "node:zlib";
 
 /** The text of a part of the page. */
@@ -11,7 +12,8 @@ function part(html, id) {
 /** The functions of a page's WebAssembly; every call begins a new module. */
 export function loader(file) {
   const html = readFileSync(file, "utf8");
-  const wasm = gunzipSync(Buffer.from(part(html, "wasm"), "base64"));
+  const digits = readFileSync(join(process.env.WORKBENCH_ROOT, "generator/workbench/page/digits.js"), "utf8");
+  const wasm = gunzipSync(new Function(`${digits}\nreturn bytesOf;`)()(part(html, "wasm")));
   const source = part(html, "worker-source");
   const module = new WebAssembly.Module(wasm);
   return () => {

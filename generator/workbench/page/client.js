@@ -66,10 +66,8 @@ const client = {
   },
 };
 
-/** The bytes of a part of the page, which are gzip in base64. */
+/** The bytes of a part of the page, which are gzip as text. */
 async function unpacked(id) {
-  const text = atob(document.getElementById(id).textContent);
-  const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Blob([bytesOf(document.getElementById(id).textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
