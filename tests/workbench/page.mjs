@@ -74,7 +74,7 @@ async function steps() {
   await tab.focus("#code");
   await tab.keyboard.press("ArrowDown");
   await tab.keyboard.press("Enter");
-  expect("a line names its parameter", /P-AXIS-007\d\d .* -> /.test(await text(tab, "named")));
+  expect("a line names its parameter", /\w+ -> \w+/.test(await text(tab, "named")));
   await shot(tab, "workbench-changed");
   await tab.evaluate(() => {
     delete times.lines;
