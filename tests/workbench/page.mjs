@@ -71,11 +71,11 @@ async function steps() {
   const list = await tab.evaluate(() => document.getElementById("text").value);
   expect("one line of the list has changed", list.split("\n").filter((line, n) => line !== example.split("\n")[n]).length === 1);
   expect("the picture before is grey", await tab.evaluate(() => plots.get("gain").plot.series.some((series) => series.label.startsWith("before"))));
+  await shot(tab, "workbench-changed");
   await tab.focus("#code");
   await tab.keyboard.press("ArrowDown");
   await tab.keyboard.press("Enter");
   expect("a line names its parameter", /\w+ -> \w+/.test(await text(tab, "named")));
-  await shot(tab, "workbench-changed");
   await tab.evaluate(() => {
     delete times.lines;
     document.getElementById("undo-f00").click();
