@@ -12,7 +12,6 @@ use golden::samples::Samples;
 use rayon::prelude::*;
 use st::{Block, Dialect};
 
-
 /// What is emitted of a case in a dialect: the block, which was read once, and the file of its self-test.
 struct Emitted<'a> {
     case: &'a Case,

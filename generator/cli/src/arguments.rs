@@ -206,6 +206,9 @@ pub struct GenerateArguments {
     #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
         value_parser = verify::samples, conflicts_with = "emit")]
     pub runner: Option<usize>,
+    /// Write a description of each block in C for calibration tools (A2L): names, units and limits of its signals
+    #[arg(long, conflicts_with = "emit")]
+    pub a2l: bool,
     /// Folder for the files; created if it does not exist
     #[arg(long, value_name = "DIR", default_value = "generated")]
     pub out: PathBuf,

@@ -31,18 +31,22 @@ pub fn targets<'n>(
     Ok(targets)
 }
 
-/// The targets, with runners where the language has them.
+/// The targets with files that an option adds, where the language has them.
 ///
 /// # Errors
 /// No target has any.
-pub fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Report> {
-    if targets.iter().all(|target| target.with_runners(samples).is_none()) {
+pub fn each_with(
+    targets: Vec<Target>,
+    [files, option]: [&'static str; 2],
+    with: impl Fn(Target) -> Option<Target>,
+) -> Result<Vec<Target>, Report> {
+    if targets.iter().all(|target| with(*target).is_none()) {
         let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
-        let found = format!("no target with runners: {}", names.join(", "));
-        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole("--runner"), found);
-        return Err(diagnostic.allowed("c").instead("--target c --runner").into());
+        let found = format!("no target with {files}: {}", names.join(", "));
+        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole(option), found);
+        return Err(diagnostic.allowed("c").instead(format!("--target c {option}")).into());
     }
-    Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
+    Ok(targets.into_iter().map(|target| with(target).unwrap_or(target)).collect())
 }
 
 /// The numbers of a run.

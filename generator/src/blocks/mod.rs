@@ -55,6 +55,7 @@ pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
+pub(crate) const SET_DESIGN: &str = <reference::set_design::SetDesign as Reference<f64>>::NAME;
 pub(crate) const EXCITATION: &str = <reference::excitation::Excitation as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.

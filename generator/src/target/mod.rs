@@ -7,6 +7,7 @@ mod outline;
 mod rust;
 mod st;
 mod unit;
+mod values;
 
 pub(crate) use c::names::prefix as c_prefix;
 pub use called::of_names;
@@ -31,8 +32,8 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// The licence statement in the head of a generated file.
 pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
 
-/// The folders that files lie in, below the output folder: itself, and those of TwinCAT.
-pub const FOLDERS: [&str; 5] = ["", "twincat/", "twincat/DUTs/", "twincat/POUs/", "twincat/Tests/"];
+/// The folders that files lie in, below the output folder: itself, the crate of Rust, and those of TwinCAT.
+pub const FOLDERS: [&str; 6] = ["", "rust/", "twincat/", "twincat/DUTs/", "twincat/POUs/", "twincat/Tests/"];
 
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
@@ -51,14 +52,19 @@ pub struct Target {
     runner: Option<fn(&BlockIdentity, &TargetBlock<'_>, &Runner) -> File>,
     /// number of samples of the runner written with each block; `None`: no runner
     samples: Option<usize>,
+    /// the file of a block's description for calibration tools; not every language has one
+    description: Option<fn(&BlockIdentity, &TargetBlock<'_>) -> File>,
+    /// whether it is written
+    is_described: bool,
 }
 
 pub const TARGETS: [Target; 6] = [
     Target {
         runner: Some(c::runner::file),
+        description: Some(c::a2l::file),
         ..target("c", legalise::WITH_OUTPUTS, &print::c::LANGUAGE, c::names::block_and_test, c::files, |_| Vec::new())
     },
-    target("rust", legalise::WITH_OUTPUTS, &print::rust::LANGUAGE, rust::called, rust::files, |_| Vec::new()),
+    target("rust", legalise::WITH_OUTPUTS, &print::rust::LANGUAGE, rust::called, rust::files, rust::library::shared),
     target("st", legalise::WITH_DIGITS, &print::st::PLAIN, st::called, st::plain, |_| Vec::new()),
     target(
         "twincat",
@@ -79,7 +85,7 @@ pub const TARGETS: [Target; 6] = [
     target("scl", legalise::WITH_NAMES, &print::st::SCL, st::scl_called, st::scl, st::scl_shared),
 ];
 
-/// A target without runners.
+/// A target without runners and descriptions.
 const fn target(
     name: &'static str,
     passes: &'static [Stage],
@@ -88,7 +94,18 @@ const fn target(
     files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
-    Target { name, passes, language, called, files, shared, runner: None, samples: None }
+    Target {
+        name,
+        passes,
+        language,
+        called,
+        files,
+        shared,
+        runner: None,
+        samples: None,
+        description: None,
+        is_described: false,
+    }
 }
 
 /// The targets of a set that names none.
@@ -146,6 +163,17 @@ impl Target {
     #[must_use]
     pub fn with_runners(self, samples: usize) -> Option<Self> {
         self.runner.map(|_| Self { samples: Some(samples), ..self })
+    }
+
+    /// The target with a description of each block, if the language has them.
+    #[must_use]
+    pub fn with_descriptions(self) -> Option<Self> {
+        self.description.map(|_| Self { is_described: true, ..self })
+    }
+
+    /// The file of a block's description, if requested.
+    pub fn description(&self, identity: &BlockIdentity, block: &TargetBlock<'_>) -> Option<File> {
+        Some(self.description.filter(|_| self.is_described)?(identity, block))
     }
 
     /// The file of a block's runner, if requested; `record` runs the reference for the given number of samples.

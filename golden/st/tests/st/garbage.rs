@@ -4,7 +4,6 @@ use portable::{Literal, RealKind};
 use proptest::prelude::*;
 use st::{Block, Dialect};
 
-
 /// A block of which a text may have instances.
 const INNER: &str = "FUNCTION_BLOCK inner\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    b : BOOL;\nEND_VAR\nb := NOT a;\nEND_FUNCTION_BLOCK\n";
 

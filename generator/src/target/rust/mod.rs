@@ -1,0 +1,185 @@
+//! The file of a block in Rust: a module of any crate, without the standard library.
+
+pub(super) mod library;
+mod public;
+
+use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
+use super::{BlockIdentity, File, TargetBlock, block_name, rendered};
+use crate::blocks::IPC;
+use crate::exercise::{Exercise, Noise, SelfTest};
+use askama::Template;
+use compiler::interp::Machine;
+use compiler::print::rust::LANGUAGE;
+use compiler::print::{Appearance, Printer, comment, signals};
+use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
+use portable::{Intrinsic, Literal, RealKind};
+use public::Enum;
+
+/// A block is a module; its self-test a function of it.
+pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+    let module = block_name(axis, block);
+    let test = format!("{module}::self_test");
+    [module, test]
+}
+
+#[derive(Template)]
+#[template(path = "rust/file.rs")]
+struct RustFile<'a> {
+    file: &'a str,
+    axis: &'a BlockIdentity,
+    block: &'static str,
+    real: &'a str,
+    bits: usize,
+    inputs: Vec<Member>,
+    /// the parameter set, if it takes one
+    set: Vec<Member>,
+    outputs: Vec<Member>,
+    state: Vec<Member>,
+    /// numbers that the caller can check, without those that are in `constants`
+    figures: Vec<Member>,
+    /// the names of the figures
+    public: Vec<String>,
+    enums: Vec<Enum>,
+    constants: Vec<Group>,
+    /// the rare part, as a separate function; empty if `step` is one function
+    any_cycle: String,
+    step: String,
+    /// the name of the module
+    module: &'a str,
+    /// what it is for, and what its first call does
+    purpose: String,
+    /// its proven range, and its measured response
+    certificate: String,
+    uses_nearest: bool,
+    nearly_half: String,
+    exercise: &'a Exercise,
+    self_test: &'a SelfTest,
+    /// the inputs that are set once
+    usual: Vec<(&'a str, String)>,
+    /// the input that counts the calls
+    counter: Option<&'a str>,
+    scales: [String; 3],
+    /// the factor of noise for a fraction from 0 to 1
+    part: String,
+    /// the words of every output, and of every part of the state
+    watched: Vec<[String; 2]>,
+}
+
+impl RustFile<'_> {
+    /// Whether an input gets noise that is scaled.
+    fn is_scaled(&self) -> bool {
+        self.exercise.reals.iter().any(|real| !real.is_fraction)
+    }
+
+    /// Each struct with the source of its start values, and its members.
+    fn starts(&self) -> Vec<(&str, &str, &[Member])> {
+        let set = ("Params", "The set that the block was generated with.", self.set.as_slice());
+        let always: [(_, _, &[Member]); 3] = [
+            ("Inputs", "Every input with the value that it has until the caller writes it.", &self.inputs),
+            ("Outputs", "The outputs before the first cycle.", &self.outputs),
+            ("State", "The state before the first cycle.", &self.state),
+        ];
+        (!self.set.is_empty()).then_some(set).into_iter().chain(always).collect()
+    }
+}
+
+/// The module of a block.
+pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
+    let (program, exercise) = (&*block.program, &*block.block.exercise);
+    let printer = &Printer::new(program, &LANGUAGE, "");
+    let outline = Outline { axis, block, language: &LANGUAGE, printer, next_line: "\n// " };
+    let names = printer.names();
+    let file = format!("{}.rs", block_name(&axis.name, program.block));
+    let (bits, nearly_half) = match axis.real {
+        RealKind::F64 => (64, Literal::F64(portable::nearly_half())),
+        RealKind::F32 => (32, Literal::F32(portable::nearly_half())),
+    };
+    let (mut inputs, set) = (outline.inputs(), outline.set());
+    if !set.is_empty() {
+        inputs.push(Member {
+            ty: "Params".into(),
+            name: "params".to_owned(),
+            doc: "the parameter set".to_owned(),
+            value: "Params::new()".to_owned(),
+        });
+    }
+    let state = outline.state().into_iter().zip(starts(program, &names.constants));
+    let state = state.map(|(member, value)| Member { value, ..member }).collect();
+    let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<[String; 2]> {
+        let words = |(variable, name): (&Variable, &String)| {
+            let value = format!("{of}.{name}");
+            words(
+                &if program.is_single(variable) { format!("f64::from({value})") } else { value },
+                variable.ty,
+                program.real,
+            )
+        };
+        variables.iter().zip(names).map(words).collect()
+    };
+    let [constants] = outline.groups([Appearance::Declared]);
+    let mut figures = public::figures(axis, block);
+    let public = figures.iter().map(|figure| figure.name.clone()).collect();
+    let is_constant = |name: &str| constants.iter().any(|group| group.constants.iter().any(|of| of.name == name));
+    figures.retain(|figure| !is_constant(&figure.name));
+    let template = RustFile {
+        file: &file,
+        axis,
+        block: program.block,
+        real: LANGUAGE.ty(Type::Real, axis.real),
+        bits,
+        inputs,
+        set,
+        outputs: outline
+            .outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
+        state,
+        figures,
+        public,
+        enums: public::enums(&outline),
+        constants,
+        any_cycle: printer.body(program.apart(), 1),
+        step: printer.body(&program.step, 1),
+        module: file.trim_end_matches(".rs"),
+        purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, "\n//! "),
+        certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n//! "),
+        uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
+        nearly_half: (LANGUAGE.literal)(nearly_half),
+        exercise,
+        self_test: &block.block.self_test,
+        usual: block.usual(&names.inputs, LANGUAGE.literal),
+        counter: exercise.counter().map(|at| block.input(&names.inputs, at)),
+        scales: exercise.scales.map(LANGUAGE.literal),
+        part: (LANGUAGE.literal)(exercise.part),
+        watched: [
+            watched("outputs", &program.outputs, &signals(program, &LANGUAGE)[1]),
+            watched("state", &program.state, &names.state),
+        ]
+        .concat(),
+    };
+    vec![rendered(&file, "", &template)]
+}
+
+/// The words of a value for the digest; the second one may be empty.
+fn words(value: &str, ty: Type, real: RealKind) -> [String; 2] {
+    match (ty, real) {
+        (Type::Real, RealKind::F64) => {
+            [format!("{value}.to_bits() as u32"), format!("({value}.to_bits() >> 32) as u32")]
+        }
+        (Type::Real, RealKind::F32) => [format!("{value}.to_bits()"), String::new()],
+        (Type::I32, _) => [format!("{value} as u32"), String::new()],
+        (Type::U32, _) => [value.to_owned(), String::new()],
+        (Type::Bool, _) => [format!("u32::from({value})"), String::new()],
+    }
+}
+
+/// Each part of the state before the first cycle: the constant that `init` assigns, by its name, else its value.
+fn starts(program: &Program, names: &[String]) -> Vec<String> {
+    let machine = Machine::start(program);
+    let value = |(state, value): (usize, &Literal)| {
+        let given = program.init.iter().rev().find(|statement| statement.mentions(Var::State(state)));
+        match given {
+            Some(Statement::Assign { value: Expr::Var(Var::Constant(constant)), .. }) => names[*constant].clone(),
+            _ => (LANGUAGE.literal)(*value),
+        }
+    };
+    machine.state().iter().enumerate().map(value).collect()
+}
