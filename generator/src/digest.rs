@@ -40,7 +40,7 @@ fn place(text: &str) -> Option<usize> {
     text.match_indices("checksum").find_map(|(at, _)| {
         let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
         let line = text[start..].lines().next()?;
-        let mut words = line.trim_start_matches([' ', '*', '/', '\t']).split_ascii_whitespace();
+        let mut words = line.trim_start_matches([' ', '*', '/', '#', '\t']).split_ascii_whitespace();
         if let (Some("checksum"), Some(digits), None) = (words.next(), words.next(), words.next())
             && digits.len() == NO_CHECKSUM.len()
             && digits.bytes().all(|digit| digit.is_ascii_hexdigit())

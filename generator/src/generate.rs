@@ -97,7 +97,7 @@ pub fn axis_files(designed: &Designed, targets: &[Target]) -> Result<Vec<File>, 
 }
 
 /// The files of an axis with the names of their targets. Design, specialisation and passes run once for each block, and
-/// legalisation once for targets with the same passes. Then each target prints, and requested runners are recorded.
+/// legalisation once for targets with the same passes. Then each target prints, requested runners and descriptions too.
 fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'static str, File)>, Defect> {
     let kinds = blocks::of_axis(&designed.axis);
     let blocks = kinds.map(|kind| Ok((kind, kind.block(designed)?))).collect::<Result<Vec<_>, Defect>>()?;
@@ -110,7 +110,9 @@ fn files_by_target(designed: &Designed, targets: &[Target]) -> Result<Vec<(&'sta
                 Entry::Vacant(unknown) => unknown.insert(target.block(block)?),
             };
             let runner = target.runner(identity, in_form, |samples| kind.runner(designed, block, samples));
-            files.extend((target.files)(identity, in_form).into_iter().chain(runner).map(|file| (target.name, file)));
+            let of_block = (target.files)(identity, in_form).into_iter().chain(runner);
+            let of_block = of_block.chain(target.description(identity, in_form));
+            files.extend(of_block.map(|file| (target.name, file)));
         }
     }
     Ok(files)

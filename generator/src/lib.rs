@@ -42,8 +42,10 @@ mod rules;
 mod saved;
 pub mod schema;
 pub mod set_change;
+pub mod set_number;
 pub mod summary;
 pub mod target;
+pub mod trace;
 pub mod write;
 mod xml;
 

@@ -18,10 +18,12 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
     let (sign, mantissa) = mantissa.split_at(usize::from(value.is_sign_negative()));
     let (first, rest) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let behind = usize::try_from(exponent);
-    match behind {
-        Ok(behind) if behind < rest.len() => format!("{sign}{first}{}.{}", &rest[..behind], &rest[behind..]),
-        Ok(behind) => format!("{sign}{first}{rest}{}", "0".repeat(behind - rest.len())),
+    let whole_digits = usize::try_from(exponent);
+    match whole_digits {
+        Ok(whole_digits) if whole_digits < rest.len() => {
+            format!("{sign}{first}{}.{}", &rest[..whole_digits], &rest[whole_digits..])
+        }
+        Ok(whole_digits) => format!("{sign}{first}{rest}{}", "0".repeat(whole_digits - rest.len())),
         Err(_) => format!("{sign}0.{}{first}{rest}", "0".repeat(usize::try_from(-exponent - 1).unwrap_or(0))),
     }
 }

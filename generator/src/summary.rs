@@ -1,20 +1,77 @@
 //! The effect of an axis's blocks in a few lines for the user, and its meaning for the machine.
 
 use crate::axis::{Axis, Changeover, Location, Numbers};
-use crate::blocks::{self, Designed, Summary};
+use crate::blocks::{self, Designed, Reserve, StageRow, Summary};
 use crate::parameters::words::{DriveType, Words};
+use serde::Serialize;
 
 /// The lines for an axis.
 pub fn text(designed: &Designed) -> String {
     let summaries: Vec<Summary> = blocks::of_axis(&designed.axis).map(|kind| kind.summary(designed)).collect();
     let heads: String = summaries.iter().map(|summary| summary.head.as_str()).collect();
-    lines(designed, &heads, summaries.into_iter().flat_map(|summary| summary.lines))
+    let lines = summaries.into_iter().flat_map(|summary| summary.lines).collect();
+    AxisRow { lines, ..head(&designed.axis) }.with(&heads)
 }
 
-/// The detailed lines for an axis: the details of its blocks.
-pub fn details(designed: &Designed) -> String {
-    let of_blocks = blocks::of_axis(&designed.axis).flat_map(|kind| kind.details(designed));
-    lines(designed, "", of_blocks.chain(drive(&designed.axis)).chain(keys(&designed.axis)))
+/// The blocks of an axis and their meaning for the machine, as data; [`AxisRow::text`] prints it.
+#[derive(Clone, Debug, Serialize)]
+pub struct AxisRow {
+    pub axis: String,
+    pub blocks: Vec<&'static str>,
+    pub real: &'static str,
+    pub cycle_time_us: f64,
+    /// of improved position control; empty if the axis does not have it
+    pub stages: Vec<StageRow>,
+    /// the worst of its stages
+    pub reserve: Option<Reserve>,
+    pub lines: Vec<String>,
+    pub assumed: Vec<String>,
+}
+
+/// The details of an axis's blocks.
+pub fn details(designed: &Designed) -> AxisRow {
+    let axis = &designed.axis;
+    let (mut stages, mut lines) = (Vec::new(), Vec::new());
+    for of in blocks::of_axis(axis).map(|kind| kind.details(designed)) {
+        stages.extend(of.stages);
+        lines.extend(of.lines);
+    }
+    lines.extend(drive(axis).into_iter().chain(keys(axis)));
+    AxisRow { reserve: stages.iter().filter_map(|row| row.active.as_ref()?.reserve).max(), stages, lines, ..head(axis) }
+}
+
+/// An axis, without what its blocks mean.
+fn head(axis: &Axis) -> AxisRow {
+    AxisRow {
+        axis: axis.name.clone(),
+        blocks: blocks::names(axis),
+        real: axis.real_name(),
+        cycle_time_us: f64::from(axis.cycle_time_ns) / 1000.0,
+        stages: Vec::new(),
+        reserve: None,
+        lines: Vec::new(),
+        assumed: axis.control.assumed.clone(),
+    }
+}
+
+impl AxisRow {
+    /// The lines for an axis.
+    pub fn text(&self) -> String {
+        self.with("")
+    }
+
+    /// The same, with a text after the first line.
+    fn with(&self, heads: &str) -> String {
+        let Self { axis, blocks, real, cycle_time_us, lines, assumed, .. } = self;
+        let mut text = format!("axis {axis}: {}, {real}, cycle {cycle_time_us} us{heads}\n", blocks.join(", "));
+        for line in lines {
+            text.extend(["  ", line, "\n"]);
+        }
+        if !assumed.is_empty() {
+            text.extend(["  assumed: ", &assumed.join(", "), "\n"]);
+        }
+        text
+    }
 }
 
 /// The drive, and its gain, which must equal that of the controller.
@@ -65,18 +122,4 @@ fn keys(axis: &Axis) -> Vec<String> {
     };
     let watch = axis.ipc.watch.then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
     tunable.into_iter().chain(watch).collect()
-}
-
-fn lines(designed: &Designed, heads: &str, lines: impl Iterator<Item = String>) -> String {
-    let axis = &designed.axis;
-    let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
-    let names = blocks::names(axis).join(", ");
-    let mut text = format!("axis {}: {names}, {}, cycle {cycle} us{heads}\n", axis.name, axis.real_name());
-    for line in lines {
-        text.extend(["  ", &line, "\n"]);
-    }
-    if !axis.control.assumed.is_empty() {
-        text.extend(["  assumed: ", &axis.control.assumed.join(", "), "\n"]);
-    }
-    text
 }

@@ -12,9 +12,9 @@ const HOSTILE: &str = "]]> & < > \" ' ]]]]>> <![CDATA[ ]] > &amp; <!-- --> ]]>";
 fn read(sections: &str) -> (String, usize) {
     let (mut text, mut count, mut rest) = (String::new(), 0, sections);
     while let Some(section) = rest.strip_prefix("<![CDATA[") {
-        let (inside, behind) = section.split_once("]]>").unwrap_or((section, ""));
+        let (inside, after) = section.split_once("]]>").unwrap_or((section, ""));
         text.push_str(inside);
-        (count, rest) = (count + 1, behind);
+        (count, rest) = (count + 1, after);
     }
     assert_eq!(rest, "", "nothing stands between the sections");
     (text, count)

@@ -20,7 +20,7 @@ const JUMP: f64 = 180.0;
 
 /// The picture of an axis; `None` if no stage closes a loop.
 #[must_use]
-pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
+pub fn picture(designed: &Designed, analysis: &Analysis) -> Option<Picture> {
     let first = analysis.drives.first()?;
     let nyquist = 0.5 / designed.axis.cycle_time();
     let stages: Vec<(usize, f64)> = stages(designed).collect();
@@ -52,12 +52,11 @@ pub fn svg(designed: &Designed, analysis: &Analysis) -> Option<String> {
         marks: vec![((-1.0, 0.0), "-1".to_owned())],
         curves: of_drives(|_, open| (open.re, open.im)),
     };
-    let picture = Picture {
+    Some(Picture {
         title: format!("axis {}: the loop of improved position control", designed.axis.name),
         setup: analysis.drives.iter().map(headline).collect(),
         parts: vec![Part::Over(over), Part::Plane(plane)],
-    };
-    Some(picture.svg())
+    })
 }
 
 /// Both Bode diagrams: of each stage from `v_motor` to `v_add`, and of L.

@@ -67,7 +67,7 @@ struct Description {
     purpose: String,
     #[serde(default)]
     shows: Vec<String>,
-    #[serde(default = "set_beside")]
+    #[serde(default = "set_of_the_folder")]
     set: String,
     cycle_time: Option<String>,
     axis: String,
@@ -87,7 +87,7 @@ struct Offer {
     window: Window,
 }
 
-fn set_beside() -> String {
+fn set_of_the_folder() -> String {
     "set.toml".to_owned()
 }
 

@@ -57,20 +57,21 @@ pub struct State<R> {
 /// Whether the filter uses the change of its input: in single precision its first section does, unless it is a band-pass section
 /// after a band-pass.
 #[portable]
-pub fn takes_change<R: Real>(coeffs: &Coeffs<R>, is_behind: bool) -> bool {
-    section::is_driven_by_change::<R>() && (coeffs.kind == Type::Allpass || coeffs.kind == Type::Bandpass && !is_behind)
+pub fn takes_change<R: Real>(coeffs: &Coeffs<R>, follows_bandpass: bool) -> bool {
+    section::is_driven_by_change::<R>()
+        && (coeffs.kind == Type::Allpass || coeffs.kind == Type::Bandpass && !follows_bandpass)
 }
 
-/// One cycle: takes the input and its change, returns the output. `is_behind`: a band-pass precedes the filter.
+/// One cycle: takes the input and its change, returns the output. `follows_bandpass`: a band-pass precedes the filter.
 #[portable]
-pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, is_behind: bool) -> R {
+pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, follows_bandpass: bool) -> R {
     let mut y = x;
     match coeffs.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < coeffs.order {
-                    if i == 0usize && !is_behind {
+                    if i == 0usize && !follows_bandpass {
                         y = bandpass::step(&mut state.section[i], &coeffs.bandpass[i], y, change);
                     } else {
                         y = bandpass::step_behind(&mut state.section[i], &coeffs.bandpass[i], y);
@@ -87,14 +88,14 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R, 
 
 /// Sets the state to the steady state for a constant input `x`; returns the steady output.
 #[portable]
-pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, is_behind: bool) -> R {
+pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, follows_bandpass: bool) -> R {
     let mut y = x;
     match coeffs.kind {
         Type::NoFilter => {}
         Type::Bandpass => {
             for i in 0..MAX_ORDER {
                 if i < coeffs.order {
-                    if i == 0usize && !is_behind {
+                    if i == 0usize && !follows_bandpass {
                         y = bandpass::preset(&mut state.section[i], &coeffs.bandpass[i], y);
                     } else {
                         y = bandpass::preset_behind(&mut state.section[i], &coeffs.bandpass[i], y);

@@ -103,7 +103,7 @@ pub fn source<R: Real>(coeffs: &Coeffs<R>, v_command: R, v_motor: R, v_direct: R
 
 /// Whether a band-pass precedes filter `k`, so that its input has no offset.
 #[portable]
-pub fn is_behind_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
+pub fn follows_bandpass<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
     let mut found = false;
     for before in 0..FILTERS {
         found = found || before < k && coeffs.filter[before].kind == filter::Type::Bandpass;
@@ -130,13 +130,13 @@ pub fn reads_source<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
 /// Whether filter `k` is the first band-pass of a stage with a simulated oscillation, which has its centre.
 #[portable]
 pub fn is_centre_of_oscillation<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
-    coeffs.mode != Mode::Direct && coeffs.filter[k].kind == filter::Type::Bandpass && !is_behind_bandpass(coeffs, k)
+    coeffs.mode != Mode::Direct && coeffs.filter[k].kind == filter::Type::Bandpass && !follows_bandpass(coeffs, k)
 }
 
 /// Whether the stage computes the change of the input of filter `k` itself.
 #[portable]
 pub fn forms_change<R: Real>(coeffs: &Coeffs<R>, k: usize) -> bool {
-    filter::takes_change(&coeffs.filter[k], is_behind_bandpass(coeffs, k)) && !reads_source(coeffs, k)
+    filter::takes_change(&coeffs.filter[k], follows_bandpass(coeffs, k)) && !reads_source(coeffs, k)
 }
 
 /// One cycle: takes the velocity that the stage uses and its change since the previous cycle, returns
@@ -152,7 +152,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R, change: R) 
         if forms_change(coeffs, k) {
             change_of_y = change::step(&mut state.filter[k].input, y);
         }
-        y = filter::step(&mut state.filter[k], &coeffs.filter[k], y, change_of_y, is_behind_bandpass(coeffs, k));
+        y = filter::step(&mut state.filter[k], &coeffs.filter[k], y, change_of_y, follows_bandpass(coeffs, k));
     }
     coeffs.gain * y
 }
@@ -168,7 +168,7 @@ pub fn preset<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, x: R) {
         if forms_change(coeffs, k) {
             change::preset(&mut state.filter[k].input, y);
         }
-        y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y, is_behind_bandpass(coeffs, k));
+        y = filter::preset(&mut state.filter[k], &coeffs.filter[k], y, follows_bandpass(coeffs, k));
     }
 }
 

@@ -1,10 +1,19 @@
 #include "{{ header }}"
 
 {% include "c/guards.h" %}
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
+{%- if !block.set.is_empty() %}
+#ifndef AXGEN_CONST_SECTION
+#define AXGEN_CONST_SECTION
+#endif
+{%- endif %}
 {%- if uses_magnitude %}
 
 /* |value|, without a library call */
-static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
+AXGEN_CODE_SECTION static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs{{ suffix }}(value);
@@ -20,7 +29,7 @@ static {{ real }} {{ block.prefix }}_magnitude({{ real }} value)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
 #endif
-static bool {{ block.prefix }}_is_zero({{ real }} value)
+AXGEN_CODE_SECTION static bool {{ block.prefix }}_is_zero({{ real }} value)
 {
     return value == 0.0{{ suffix }};
 }
@@ -32,7 +41,7 @@ static bool {{ block.prefix }}_is_zero({{ real }} value)
 
 /* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
  * so that every value is rounded correctly */
-static int32_t {{ block.prefix }}_nearest({{ real }} value)
+AXGEN_CODE_SECTION static int32_t {{ block.prefix }}_nearest({{ real }} value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign{{ suffix }}({{ nearly_half }}, value));
@@ -44,13 +53,13 @@ static int32_t {{ block.prefix }}_nearest({{ real }} value)
 {% let (margin, next_line, constants) = ("", "\n * ", &block.shared) -%}
 {% include "c/constants.c" %}
 {%- if !block.set.is_empty() %}
-const {{ block.prefix }}_params {{ block.prefix }}_designed = {
+AXGEN_CONST_SECTION const {{ block.prefix }}_params {{ block.prefix }}_designed = {
 {%- for member in block.set %}
     {{ member.value }}{% if !loop.last %},{% endif %} /* {{ member.name }} */
 {%- endfor %}
 };
 {% endif %}
-void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
+AXGEN_CODE_SECTION void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile {{ block.prefix }}_state *const state = fresh;
@@ -59,7 +68,7 @@ void {{ block.prefix }}_init({{ block.prefix }}_state *fresh)
 {%- endif %}
 {{ block.init }}}
 
-void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
+AXGEN_CODE_SECTION void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 {
 {%- for member in block.inputs %}
     inputs->{{ member.name }} = {{ member.value }};
@@ -74,7 +83,7 @@ void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static void {{ block.prefix }}_any_cycle(
+AXGEN_CODE_SECTION static void {{ block.prefix }}_any_cycle(
     {{ block.prefix }}_state *restrict state,
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)
@@ -84,7 +93,7 @@ static void {{ block.prefix }}_any_cycle(
 {{ block.any_cycle }}}
 
 {% endif -%}
-void {{ block.prefix }}_step(
+AXGEN_CODE_SECTION void {{ block.prefix }}_step(
     {{ block.prefix }}_state *restrict state,
     const {{ block.prefix }}_inputs *restrict inputs,
     {{ block.prefix }}_outputs *restrict outputs)

@@ -14,7 +14,10 @@
 /* To offer the set, declare it with this line and write inputs.params = &{{ of.name }}; */
 extern const {{ of.block }}_params {{ of.name }};
 
-const {{ of.block }}_params {{ of.name }} = {
+#ifndef AXGEN_CONST_SECTION
+#define AXGEN_CONST_SECTION
+#endif
+AXGEN_CONST_SECTION const {{ of.block }}_params {{ of.name }} = {
 {%- for (name, value) in of.members %}
     {{ value }}{% if !loop.last %},{% endif %} /* {{ name }} */
 {%- endfor %}

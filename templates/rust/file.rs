@@ -8,16 +8,29 @@
 // checksum    {{ crate::digest::NO_CHECKSUM }}
 // licence     {{ crate::target::LICENCE }}
 
-// {{ purpose }}
+//! {{ purpose }}
+//!
+{%- if !certificate.is_empty() %}
+//! {{ certificate }}
+//!
+{%- endif %}
+//! ```ignore
+//! use {{ module }}::{self_test, step, Inputs, Outputs, State};
+//!
+//! assert_eq!(self_test(), 0); // at start-up: this build computes the bits of the reference
+//! let (mut state, mut outputs) = (State::new(), Outputs::new());
+//! let inputs = Inputs::new(); // write the signals of this cycle
+//! step(&mut state, &inputs, &mut outputs); // once per position-controller cycle
+//! ```
 
-{% if !certificate.is_empty() -%}
-// {{ certificate }}
+#![allow(dead_code)] // a caller need not use every item
+#![allow(rustdoc::broken_intra_doc_links, clippy::doc_markdown)] // the comments of all languages; units are in square brackets
+#![allow(clippy::unreadable_literal, clippy::approx_constant)] // the digits of all languages
+#![allow(clippy::struct_excessive_bools, clippy::struct_field_names)] // signals have the names of all languages
 
-{% endif -%}
 {% if !set.is_empty() -%}
 /// A parameter set, written by `axgen params-of`. The block checks a set before it uses it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Params {
 {%- for member in set %}
     /// {{ member.lines("\n    /// ") }}
@@ -28,7 +41,6 @@ pub struct Params {
 {% endif -%}
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Inputs {
 {%- for member in inputs %}
     /// {{ member.lines("\n    /// ") }}; start {{ member.value }}
@@ -38,8 +50,6 @@ pub struct Inputs {
 
 /// Written by [`step`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
-#[allow(dead_code)] // not every caller reads all of them
 pub struct Outputs {
 {%- for member in outputs %}
     /// {{ member.lines("\n    /// ") }}
@@ -80,18 +90,61 @@ impl Default for {{ name }} {
 // The constants below require IEEE 754 arithmetic in which every operation is rounded once.
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("this block needs arithmetic in the declared type: compile it for x86 with SSE2");
-{% for group in constants %}
+
+// Figures that the caller can check.
+{%- for member in figures %}
+/// {{ member.lines("\n/// ") }}
+pub const {{ member.name }}: {{ member.ty }} = {{ member.value }};
+{%- endfor %}
+{% for named in enums %}
+// {{ named.note }}
+{%- for variant in named.variants %}
+/// {{ variant.constant.lines("\n/// ") }}
+pub const {{ variant.constant.name }}: {{ named.ty }} = {{ variant.constant.value }};
+{%- endfor %}
+
+/// {{ named.note }}
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr({{ named.ty }})]
+pub enum {{ named.name }} {
+{%- for variant in named.variants %}
+    /// {{ variant.constant.lines("\n    /// ") }}
+    {{ variant.name }} = {{ variant.constant.name }},
+{%- endfor %}
+}
+
+impl {{ named.name }} {
+    /// The value with this number; `None`: no value has it.
+    #[must_use]
+    pub const fn from_number(number: {{ named.ty }}) -> Option<Self> {
+        match number {
+{%- for variant in named.variants %}
+            {{ variant.constant.name }} => Some(Self::{{ variant.name }}),
+{%- endfor %}
+            _ => None,
+        }
+    }
+}
+
+impl From<{{ named.name }}> for {{ named.ty }} {
+    fn from(value: {{ named.name }}) -> Self {
+        value as Self
+    }
+}
+{% endfor %}
+{%- for group in constants %}
 {%- if !group.note.is_empty() %}
 // {{ group.note }}
 {%- endif %}
 {%- for member in group.constants %}
 /// {{ member.lines("\n/// ") }}
-const {{ member.name }}: {{ member.ty }} = {{ member.value }};
+{% if public.contains(member.name) %}pub {% endif %}const {{ member.name }}: {{ member.ty }} = {{ member.value }};
 {%- endfor %}
 {% endfor %}
 {%- if uses_nearest %}
 /// Nearest integer, halves away from zero; the added constant is the largest number below 1/2, so that every value is
 /// rounded correctly.
+#[allow(clippy::cast_possible_truncation)] // the range is proved
 fn nearest(value: {{ real }}) -> i32 {
     (value + {{ nearly_half }}_{{ real }}.copysign(value)) as i32
 }
@@ -99,13 +152,13 @@ fn nearest(value: {{ real }}) -> i32 {
 {%- if !any_cycle.is_empty() %}
 /// All cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers.
 #[inline(never)]
-#[allow(clippy::all)] // one statement for each statement of the reference
+#[allow(clippy::all, clippy::pedantic)] // one statement for each statement of the reference
 #[rustfmt::skip]
 fn any_cycle(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {{ any_cycle }}}
 {% endif %}
 /// Call once per position-controller cycle.
-#[allow(clippy::all)] // one statement for each statement of the reference
+#[allow(clippy::all, clippy::pedantic)] // one statement for each statement of the reference
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {%- if state.is_empty() %}

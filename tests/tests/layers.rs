@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 type Module = String;
 
 /// The folders of the crates' sources, by the names that `use` lines give them.
-const CRATES: [(&str, &str); 9] = [
+const CRATES: [(&str, &str); 10] = [
     ("portable", "reference/portable/src"),
     ("reference", "reference/src"),
     ("compiler", "generator/compiler/src"),
@@ -21,6 +21,7 @@ const CRATES: [(&str, &str); 9] = [
     ("nc", "golden/nc/src"),
     ("machine", "golden/machine/src"),
     ("golden", "golden/src"),
+    ("commands", "generator/commands/src"),
 ];
 
 fn root() -> PathBuf {

@@ -1,5 +1,5 @@
-//! The emitted Rust as a user's crate sees it: no warning, no panic, no unsafe; tools of the toolchain leave it alone, and its
-//! self-test finds what a build could do wrong. What it computes is compared by the engines.
+//! The emitted Rust as a user's crate sees it: no warning, no panic, no unsafe; tools of the toolchain leave it alone, the example
+//! of its documentation runs, and its self-test finds what a build could do wrong. What it computes is compared by the engines.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::print_stdout, reason = "`--nocapture` shows how many faults were planted and found")]
@@ -11,6 +11,7 @@ use generator::target::{self, File};
 use golden::case::{self, Case, VECTOR_SAMPLES};
 use golden::engine::{self, Failure, rust};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 use std::process::Command;
@@ -48,7 +49,7 @@ fn library(modules: &[Vec<File>]) -> TempDir {
         // A small function is in no object until one that must not be inlined calls it.
         let caller = format!("{below}::State, {below}::Inputs, {below}::Outputs");
         callers += &format!(
-            "\n#[inline(never)]\npub fn run_{below}((s, i, o): &mut ({caller})) -> u32 {{\n    \
+            "\n#[inline(never)]\n#[must_use]\npub fn run_{below}((s, i, o): &mut ({caller})) -> u32 {{\n    \
              {below}::step(s, i, o);\n    {below}::self_test()\n}}\n"
         );
     }
@@ -103,10 +104,34 @@ fn the_toolchain_leaves_modules_as_they_are() {
         silent(
             "clippy-driver",
             folder.path(),
-            &library(&["--edition", "2021", "-W", "clippy::all", "--emit", "metadata"]),
+            &library(&["--edition", "2021", "-W", "clippy::all", "-W", "clippy::pedantic", "--emit", "metadata"]),
         );
     }
     silent("rustdoc", folder.path(), &["--edition", "2021", "--crate-name", "modules", "-D", "warnings"]);
+}
+
+/// The example of each block: in a user's crate it is not run, because its path is another one.
+#[test]
+fn the_examples_of_the_documentation_run() {
+    let mut of_blocks: BTreeMap<&str, Vec<File>> = BTreeMap::new();
+    let cases = all();
+    for case in &cases {
+        of_blocks.entry(case.block.program.block).or_insert_with(|| module(case));
+    }
+    assert_eq!(of_blocks.len(), 8, "{:?}", of_blocks.keys());
+    let mut modules: Vec<Vec<File>> = of_blocks.into_values().collect();
+    for (number, files) in modules.iter_mut().enumerate() {
+        let stem = files[0].name.trim_end_matches(".rs").to_owned();
+        let text = files[0].text.replace("//! ```ignore\n", "//! ```\n");
+        files[0].text = text.replace(&format!("use {stem}::{{"), &format!("use modules::m{number:03}::{{"));
+    }
+    let folder = library(&modules);
+    let build = [&LIBRARY[..], &["--edition", "2021", "--crate-name", "modules"]].concat();
+    silent(&rust::command(), folder.path(), &build);
+    let arguments = ["--test", "--edition", "2021", "--crate-name", "modules", "-L", ".", "lib.rs"];
+    let output = Command::new("rustdoc").args(arguments).current_dir(folder.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success() && said.contains("8 passed; 0 failed;"), "{said}");
 }
 
 /// The symbols of the object that a build makes of modules, checked for overflow too.

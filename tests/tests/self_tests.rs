@@ -12,8 +12,6 @@ use golden::samples::Samples;
 use rayon::prelude::*;
 use st::{Block, Dialect};
 
-const DIALECTS: [Dialect; 4] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
-
 /// What is emitted of a case in a dialect: the block, which was read once, and the file of its self-test.
 struct Emitted<'a> {
     case: &'a Case,
@@ -45,8 +43,8 @@ impl<'a> Emitted<'a> {
 fn a_self_test_finds_nothing_in_its_block() {
     in_both_real_types().par_iter().enumerate().for_each(|(number, case)| {
         // The dialects differ in names and declarations: a plain run has the plain one and one of the others in turn.
-        let more = &DIALECTS[1..];
-        let dialects = [&DIALECTS[..1], by_depth(&more[number % more.len()..][..1], more, more)].concat();
+        let more = &Dialect::ALL[1..];
+        let dialects = [&Dialect::ALL[..1], by_depth(&more[number % more.len()..][..1], more, more)].concat();
         for dialect in dialects {
             let emitted = Emitted::of(case, dialect);
             assert_eq!(emitted.differing(&emitted.block), 0, "{}: {dialect:?}", title(case));

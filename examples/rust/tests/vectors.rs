@@ -1,6 +1,6 @@
 //! The approved vectors: the crate computes the same bits as on the day when they were recorded (`axgen golden record golden/x`).
 
-use drive::axis_x_ipc::{Inputs, Outputs};
+use drive::axis_x_ipc::{ErrorId, Inputs, Mode, Outputs, State, CYCLE_TIME_NS, LIMIT, MODE_ON};
 use drive::Axis;
 
 /// The rows of a file of vectors: for each signal its name and its cell.
@@ -44,7 +44,7 @@ fn shown(outputs: &Outputs, name: &str) -> String {
 
 #[test]
 fn the_vectors_are_as_approved() {
-    let mut axis = Axis::start().expect("the bits of the reference");
+    let mut axis = Axis::<State>::start(CYCLE_TIME_NS).expect("the bits of the reference");
     let (inputs, outputs) = (rows("inputs.csv"), rows("outputs.csv"));
     assert_eq!((inputs.len(), outputs.len()), (200, 200));
     for (cycle, (inputs, expected)) in inputs.iter().zip(&outputs).enumerate() {
@@ -54,4 +54,17 @@ fn the_vectors_are_as_approved() {
             assert_eq!(&shown(found, name), cell, "cycle {cycle}: {name}");
         }
     }
+}
+
+#[test]
+fn numbers_have_names() {
+    let mut axis = Axis::<State>::start(1_000_000).expect("the cycle time of the set, and the bits of the reference");
+    assert!(Axis::<State>::start(2_000_000).is_none());
+    assert_eq!((axis.inputs.mode, Mode::from_number(MODE_ON)), (Mode::On.into(), Some(Mode::On)));
+    assert!(axis.cycle().v_add.abs() <= LIMIT);
+    assert_eq!(ErrorId::from_number(axis.error_id()), Some(ErrorId::None));
+    axis.inputs.mode = 7;
+    axis.cycle();
+    assert_eq!(ErrorId::from_number(axis.error_id()), Some(ErrorId::Mode));
+    assert_eq!((Mode::from_number(7), ErrorId::from_number(4711)), (None, None));
 }

@@ -1,6 +1,5 @@
 //! The command line: its arguments, in the words of its help. Nothing is done here.
 
-use crate::emit;
 use crate::measure;
 use crate::messages::Format;
 use crate::results::Files;
@@ -10,6 +9,7 @@ use crate::simulate;
 use crate::verify;
 use clap::{Args, Parser, Subcommand};
 use clap_complete::Shell;
+use commands::emit;
 use golden::measure::Excitation;
 use std::path::PathBuf;
 
@@ -50,6 +50,8 @@ pub enum Command {
     Measure(MeasureArguments),
     /// Proposes stages for an axis from its recordings, with what they would leave of each vibration
     Tune(TuneArguments),
+    /// Writes all of the axes as one page of HTML, to print and to archive: parameters, loops, coefficients, verification
+    Report(ReportArguments),
     /// Runs an NC program on an axis, in a closed loop with a simple drive: a stimulus for `run`, and a picture
     Scenario(ScenarioArguments),
     /// Shows what a change between two sets means, in Hz, dB, degrees and seconds
@@ -204,6 +206,9 @@ pub struct GenerateArguments {
     #[arg(long, value_name = "SAMPLES", num_args = 0..=1, require_equals = true, default_missing_value = "100000",
         value_parser = verify::samples, conflicts_with = "emit")]
     pub runner: Option<usize>,
+    /// Write a description of each block in C for calibration tools (A2L): names, units and limits of its signals
+    #[arg(long, conflicts_with = "emit")]
+    pub a2l: bool,
     /// Folder for the files; created if it does not exist
     #[arg(long, value_name = "DIR", default_value = "generated")]
     pub out: PathBuf,
@@ -438,6 +443,46 @@ pub struct TuneArguments {
     pub json: bool,
     /// Replace any files of these names, not only earlier pictures
     #[arg(long)]
+    pub force: bool,
+}
+
+/// What is reported, and where the page goes.
+#[derive(Args)]
+pub struct ReportArguments {
+    #[command(flatten)]
+    pub set: SetArguments,
+    /// Only this axis, may be given several times [default: all]
+    #[arg(long = "axis", value_name = "X")]
+    pub axes: Vec<String>,
+    #[command(flatten)]
+    pub drive: DriveArguments,
+    /// Target whose files are traced, may be given several times [default: the set's targets, else c and st]
+    #[arg(long = "target", value_name = "T")]
+    pub targets: Vec<String>,
+    /// Engine in addition to the reference, may be given several times [default: all that need no compiler]
+    #[arg(long = "engine", value_name = "E")]
+    pub engines: Vec<String>,
+    /// Samples of each run
+    #[arg(long, value_name = "N", default_value = "20000", value_parser = verify::samples)]
+    pub samples: usize,
+    /// CSV file of a recorder, of one axis: moves with all stages off, from rest to rest
+    #[arg(long, value_name = "FILE")]
+    pub recording: Option<PathBuf>,
+    /// A second recording of the same machine, made with an excitation: the response, and the side that vibrations are from
+    #[arg(long, value_name = "FILE", requires = "recording")]
+    pub excited: Option<PathBuf>,
+    /// The excited recording's sequence: bits of the register, and cycles of a clock, such as 11x2; `default`: that of the cycle
+    /// [default: as v_excite shows it]
+    #[arg(long, value_name = "BITS[xCLOCK]", value_parser = measure::excitation, requires = "excited")]
+    pub excitation: Option<Excitation>,
+    /// Which column of the CSV files is which signal, where the names differ; `SCOPE=-` leaves a column out
+    #[arg(long, value_name = "SCOPE=SIGNAL", value_parser = run::mapping, requires = "recording")]
+    pub map: Vec<(String, String)>,
+    /// HTML file for the page, `-`: standard output [default: -]
+    #[arg(short, long, visible_alias = "output", value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replace any file of that name, not only an earlier report
+    #[arg(long, requires = "out")]
     pub force: bool,
 }
 

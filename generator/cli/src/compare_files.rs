@@ -3,8 +3,8 @@
 use crate::exit::Exit;
 use crate::leftovers::{Leftovers, Scope};
 use crate::output;
-use crate::plan::Plan;
 use crate::recorded::Recorded;
+use commands::plan::Plan;
 use generator::config;
 use generator::diagnostics::Slashes;
 use generator::digest::is_text;

@@ -37,7 +37,7 @@ fn needed(engine: Engine) -> Option<Needed> {
 }
 
 /// Whether an engine's compiler, if it needs one, produces a program that runs.
-pub fn works(engine: Engine) -> bool {
+fn works(engine: Engine) -> bool {
     let Some(Needed { command, options, program: [name, text], .. }) = needed(engine) else { return true };
     let Ok(folder) = tempfile::tempdir() else { return false };
     let (source, program) = (folder.path().join(name), folder.path().join("works"));
@@ -52,12 +52,12 @@ fn runs(program: &Path) -> bool {
     Command::new(program).output().is_ok_and(|output| output.status.success())
 }
 
-/// The message about an engine that does not work; `text` is the engine's own message.
-pub fn broken(engine: Engine, text: &str) -> String {
-    let Some(Needed { language, command, variable, .. }) = needed(engine) else { return text.to_owned() };
+/// The message about an engine that does not work at all; `text` is the engine's own message.
+pub fn broken(engine: Engine, text: &str) -> Option<String> {
+    let Needed { language, command, variable, .. } = needed(engine).filter(|_| !works(engine))?;
     let text = if text.trim().is_empty() { "nothing" } else { text.trim() };
-    format!(
+    Some(format!(
         "the {language} compiler `{command}` cannot compile an empty program; mend it, or set {variable} to another. \
          It said: {text}"
-    )
+    ))
 }

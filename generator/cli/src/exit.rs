@@ -2,6 +2,7 @@
 
 use crate::messages::{self, Format};
 use crate::output;
+use commands::refused;
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
 use std::fmt::Display;
@@ -23,7 +24,7 @@ pub enum Exit {
 impl Exit {
     /// An error in the input; `of` is the file or the option.
     pub fn input(code: &'static str, of: impl Display, found: impl Display) -> Self {
-        Self::Input(Diagnostic::error(code, Place::whole(of), found.to_string()).into())
+        Self::Input(refused::input(code, of, found))
     }
 
     /// An error of the environment; `of` is the file or the program.
@@ -36,18 +37,18 @@ impl Exit {
         Self::environment(codes::UNWRITABLE, of, error)
     }
 
-    /// An unknown name on the command line, with the known names.
-    pub fn no_such(option: &str, what: &str, name: &str, known: &[&str]) -> Self {
-        let found = format!("no {what} `{}`", name.escape_default());
-        Self::Input(Diagnostic::error(codes::NO_SUCH, Place::whole(option), found).allowed(known.join(", ")).into())
-    }
-
     /// Reports the reason, if it has not been reported.
     pub fn say(self, format: Format) -> Self {
         if let Self::Input(report) | Self::Environment(report) = &self {
             output::say(&messages::text(report, format));
         }
         self
+    }
+}
+
+impl From<Report> for Exit {
+    fn from(report: Report) -> Self {
+        Self::Input(report)
     }
 }
 

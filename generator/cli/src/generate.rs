@@ -2,21 +2,22 @@
 
 use crate::arguments::GenerateArguments;
 use crate::compare_files::{self, Show};
-use crate::emit;
 use crate::exit::Exit;
-use crate::input::{self, counted};
+use crate::input;
 use crate::into_folder::{self, Done};
 use crate::leftovers::Scope;
 use crate::messages::{self, Format};
 use crate::output;
-use crate::plan::Plan;
+use crate::plan;
 use crate::recorded::Recorded;
-use generator::diagnostics::{Diagnostic, Place, Slashes};
+use commands::emit;
+use commands::generate::{self, Count};
+use generator::diagnostics::Slashes;
 use generator::generate::PAGE;
 use generator::pipeline::Set;
-use generator::target::{self, DEFAULT_TARGETS, TARGETS, Target};
+use generator::summary;
+use generator::target::Target;
 use generator::write::{Folder, Refusal};
-use generator::{codes, summary};
 use std::path::Path;
 
 /// Largest number of axes that are described one by one; of more, only the number is printed.
@@ -33,10 +34,12 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     let GenerateArguments { set: arguments, axes, out, .. } = of;
     let (mut set, warnings) = input::read(arguments, format)?;
     for name in axes {
-        input::axis(&set, Some(name))?;
+        commands::axis(&set, Some(name))?;
     }
     if let Some(stage) = &of.emit {
-        return emit::run(set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.axis.name)), stage);
+        let axes = set.axes.iter().filter(|axis| axes.is_empty() || axes.contains(&axis.axis.name));
+        output::print(emit::text(axes, stage)?)?;
+        return Ok(Exit::Done);
     }
     let compare = if of.diff { Some(Show::Lines) } else { of.check.then_some(Show::Names) };
     let (purpose, recorded) = match compare {
@@ -46,19 +49,22 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
             (Purpose::Write(folder), recorded)
         }
     };
-    let mut targets = chosen(&of.targets, &set, &recorded)?;
+    let mut targets = generate::targets(&of.targets, &set.targets, recorded.targets())?;
     if let Some(samples) = of.runner {
-        targets = with_runners(targets, samples)?;
+        targets = generate::each_with(targets, ["runners", "--runner"], |target| target.with_runners(samples))?;
+    }
+    if of.a2l {
+        targets = generate::each_with(targets, ["descriptions", "--a2l"], Target::with_descriptions)?;
     }
     let scope = Scope::new(&set, axes, &of.targets);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));
-    let plan = Plan::new((&set, axes, &targets), &recorded, &dropped, out);
+    let plan = plan::for_folder((&set, axes, &targets), &recorded, &dropped, out);
     let folder = match purpose {
         Purpose::Compare(show) => return compare_files::run(&plan, &recorded, &scope, show),
         Purpose::Write(folder) => folder,
     };
     let done = into_folder::write(folder, &plan, &recorded, &scope, of.force)?;
-    let left_out = plan.left_out(out);
+    let left_out = plan::left_out(&plan, out);
     set.axes.retain(|axis| axes.is_empty() || axes.contains(&axis.axis.name));
     let report = done.leftovers.report(out);
     output::say(&messages::text(&report, format));
@@ -75,35 +81,6 @@ pub fn refused(refusal: Refusal) -> Exit {
     }
 }
 
-/// The targets of the command line, else of the set, else the default ones and those of the set's files in the folder: these
-/// were requested earlier, and would become outdated.
-fn chosen(named: &[String], set: &Set, recorded: &Recorded) -> Result<Vec<Target>, Exit> {
-    let there = recorded.targets().into_iter().filter(|name| target::named(name).is_some());
-    let usual: Vec<String> = DEFAULT_TARGETS.into_iter().chain(there).map(str::to_owned).collect();
-    let names = [named, &set.targets, &usual].into_iter().find(|names| !names.is_empty()).unwrap_or_default();
-    let mut targets: Vec<Target> = Vec::with_capacity(names.len());
-    for name in names {
-        let known = TARGETS.map(|target| target.name);
-        let target = target::named(name).ok_or_else(|| Exit::no_such("--target", "target", name, &known))?;
-        // A target that is named twice is generated once.
-        if targets.iter().all(|chosen| chosen.name != target.name) {
-            targets.push(target);
-        }
-    }
-    Ok(targets)
-}
-
-/// The targets, with runners where the language has them.
-fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Exit> {
-    if targets.iter().all(|target| target.with_runners(samples).is_none()) {
-        let names: Vec<&str> = targets.iter().map(|target| target.name).collect();
-        let found = format!("no target with runners: {}", names.join(", "));
-        let diagnostic = Diagnostic::error(codes::NO_SUCH, Place::whole("--runner"), found);
-        return Err(Exit::Input(diagnostic.allowed("c").instead("--target c --runner").into()));
-    }
-    Ok(targets.into_iter().map(|target| target.with_runners(samples).unwrap_or(target)).collect())
-}
-
 fn say(set: &Set, done: &Done, out: &Path, warnings: usize) -> Result<(), Exit> {
     let Done { paths, written, leftovers } = done;
     if set.axes.len() <= DESCRIBED_AXES {
@@ -117,13 +94,11 @@ fn say(set: &Set, done: &Done, out: &Path, warnings: usize) -> Result<(), Exit> 
     for file in &leftovers.removed {
         output::line(format!("{}: removed, no longer generated", out.join(file).slashes()))?;
     }
-    let removed = leftovers.removed.len();
-    output::line(format!(
-        "{}: {} written, {} unchanged, {}{}",
-        counted(set.axes.len(), "axe").replace("axe", "axis").replace("axiss", "axes"),
-        counted(written.changed, "file"),
-        written.unchanged,
-        if removed == 0 { String::new() } else { format!("{removed} removed, ") },
-        counted(warnings, "warning"),
-    ))
+    output::line(generate::last_line(Count {
+        axes: set.axes.len(),
+        written: written.changed,
+        unchanged: written.unchanged,
+        removed: leftovers.removed.len(),
+        warnings,
+    }))
 }

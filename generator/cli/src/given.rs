@@ -5,11 +5,11 @@ use crate::exit::Exit;
 use crate::messages::Format;
 use crate::run::is_standard;
 use crate::scenario;
+use commands::samples::checked;
 use generator::blocks::{Block, Designed};
 use generator::codes;
 use generator::config::{self, LARGEST_SAMPLES, Unreadable};
-use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
-use golden::mistake::Mistake;
+use generator::diagnostics::{Diagnostic, Place, Slashes};
 use golden::recording::{self, Recording};
 use golden::samples::{Samples, Shape};
 use golden::signals;
@@ -45,12 +45,12 @@ pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: 
     let is_alone = request.stimulus.is_none() && request.scenario.is_none();
     let recording = tables[1].as_ref().zip(compare).map(|(table, file)| {
         let recording = recording::read(table, [&inputs, &outputs], is_alone, &request.map, cycle);
-        checked(recording, &unknown, file)
+        checked(recording, &unknown, &name_of(file))
     });
     let recording = recording.transpose()?;
     let (inputs, given) = match (tables[0].as_ref().zip(stimulus), request.scenario.as_deref(), &recording) {
         (Some((table, file)), ..) => {
-            checked(recording::stimulus(table, [&inputs, &outputs], &request.map, cycle), &unknown, file)?
+            checked(recording::stimulus(table, [&inputs, &outputs], &request.map, cycle), &unknown, &name_of(file))?
         }
         (None, Some(program), _) => {
             let options = scenario::options(&request.moved_by);
@@ -64,27 +64,6 @@ pub fn read(request: &RunArguments, designed: &Designed, block: &Block, format: 
         }
     };
     Ok(Given { inputs, given, recording })
-}
-
-/// The result of reading, or all errors, including unknown names in the map.
-pub fn checked<T>(read: Result<T, Vec<Mistake>>, unknown: &[Mistake], file: &Path) -> Result<T, Exit> {
-    match read {
-        Ok(read) if unknown.is_empty() => Ok(read),
-        Ok(_) => Err(wrong(file, unknown)),
-        Err(mistakes) => Err(wrong(file, &[&mistakes, unknown].concat())),
-    }
-}
-
-/// The mistakes of a file of samples.
-pub fn wrong(file: &Path, mistakes: &[Mistake]) -> Exit {
-    let whole = Place::whole(name_of(file));
-    let mut report = Report::default();
-    for Mistake { code, line, column, found, allowed, instead } in mistakes {
-        let place = Place { line: *line, column: *column, ..whole.clone() };
-        let said = Diagnostic::error(code, place, found).allowed(allowed);
-        report.push(if instead.is_empty() { said } else { said.instead(instead) });
-    }
-    Exit::Input(report.shortened())
 }
 
 /// The text of a file of samples.

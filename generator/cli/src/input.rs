@@ -4,10 +4,9 @@ use crate::arguments::{ListArguments, SetArguments};
 use crate::exit::Exit;
 use crate::messages::{self, Format};
 use crate::output;
-use generator::blocks::Designed;
-use generator::codes;
+use commands::words::counted;
 use generator::config::{self, ListOptions, OptionKey};
-use generator::diagnostics::{Diagnostic, Place, Report};
+use generator::diagnostics::Report;
 use generator::pipeline::{self, Set};
 
 impl ListArguments {
@@ -45,27 +44,4 @@ pub fn said<T>(result: Option<T>, report: &Report, format: Format) -> Result<T, 
         }
         Exit::Input(Report::default())
     })
-}
-
-/// The axis of that name, or the only one.
-pub fn axis<'s>(set: &'s Set, name: Option<&str>) -> Result<&'s Designed, Exit> {
-    const OPTION: &str = "--axis";
-    let names: Vec<&str> = set.axes.iter().map(|of| of.axis.name.as_str()).collect();
-    match (name, set.axes.as_slice()) {
-        (None, [axis]) => Ok(axis),
-        (None, _) => {
-            let which = Diagnostic::error(codes::USAGE, Place::whole(OPTION), "the set has several axes: which one?");
-            Err(Exit::Input(which.allowed(names.join(", ")).into()))
-        }
-        (Some(name), axes) => {
-            axes.iter().find(|of| of.axis.name == name).ok_or_else(|| Exit::no_such(OPTION, "axis", name, &names))
-        }
-    }
-}
-
-/// `1 file`, `2 files`.
-pub fn counted(count: impl std::fmt::Display, what: &str) -> String {
-    let count = count.to_string();
-    let plural = if count == "1" { "" } else { "s" };
-    format!("{count} {what}{plural}")
 }

@@ -6,8 +6,8 @@
 use crate::exit::Exit;
 use crate::generate::refused;
 use crate::leftovers::{Leftovers, Scope};
-use crate::plan::Plan;
 use crate::recorded::Recorded;
+use commands::plan::Plan;
 use generator::digest::is_text;
 use generator::manifest::{self, Manifest};
 use generator::target::File;

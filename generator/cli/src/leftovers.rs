@@ -1,7 +1,7 @@
 //! The leftovers of a folder: files that the set generated earlier and no longer generates; and the manifest after the run.
 
-use crate::input::counted;
 use crate::recorded::Recorded;
+use commands::words::counted;
 use generator::codes;
 use generator::config;
 use generator::diagnostics::{Diagnostic, Place, Report, Slashes};

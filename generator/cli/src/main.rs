@@ -8,12 +8,9 @@ mod arguments;
 mod check;
 mod command_line;
 mod compare_files;
-mod compared;
 mod compiler;
 mod diff;
-mod emit;
 mod exit;
-mod explain;
 mod export;
 mod generate;
 mod given;
@@ -27,14 +24,13 @@ mod measure;
 mod messages;
 mod one_file;
 mod output;
-mod params;
 mod params_of;
 mod plan;
 mod recorded;
+mod report;
 mod results;
 mod run;
 mod scenario;
-mod schema;
 mod shared;
 mod shell;
 mod simulate;
@@ -43,7 +39,9 @@ mod tune;
 mod verify;
 
 use arguments::{Cli, Command, Golden};
+use commands::{explain, params};
 use exit::Exit;
+use generator::{reference_page, schema};
 use messages::Format;
 use std::process::ExitCode;
 #[cfg(unix)]
@@ -79,18 +77,26 @@ fn run(command: Command, format: Format) -> Result<Exit, Exit> {
         Command::Simulate(of) => simulate::run(&of, format),
         Command::Measure(of) => measure::run(&of, format),
         Command::Tune(of) => tune::run(&of, format),
+        Command::Report(of) => report::run(&of, format),
         Command::Scenario(of) => scenario::run(&of, format),
         Command::Diff { old, new, read } => diff::run(&old, &new, &read.options(Vec::new()), format),
         Command::Import { list, read, to } => import::run(&list, &read.options(Vec::new()), &to, format),
         Command::Export { set, axis, to } => export::run(&set, axis.as_deref(), &to, format),
-        Command::Params { parameter, markdown } => params::run(parameter.as_deref(), markdown),
+        Command::Params { markdown: true, .. } => printed(reference_page::text()),
+        Command::Params { parameter, markdown: false } => printed(params::text(parameter.as_deref())?),
         Command::ParamsOf(of) => params_of::run(&of, format),
-        Command::Explain { code } => explain::run(code.as_deref()),
+        Command::Explain { code } => printed(explain::text(code.as_deref())?),
         Command::Init { file } => init::run(&file),
-        Command::Schema => schema::run(),
+        Command::Schema => printed(schema::text() + "\n"),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { folder, force } => shell::man(&folder, force),
         Command::Golden { command: Golden::Record { cases, again } } => golden_cases::record(&cases, again),
         Command::Golden { command: Golden::Verify { cases, results } } => golden_cases::verify(&cases, &results),
     }
+}
+
+/// Prints the result of a command that needs no file.
+fn printed(text: impl AsRef<[u8]>) -> Result<Exit, Exit> {
+    output::print(text)?;
+    Ok(Exit::Done)
 }

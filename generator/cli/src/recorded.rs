@@ -80,7 +80,8 @@ impl Recorded {
 
     /// The regular files of a folder below the output folder, by name, that may be generated ones.
     fn names(&self, folder: &str) -> Vec<String> {
-        const ENDS: [&str; 10] = ["c", "h", "rs", "st", "scl", "xml", "md", "TcPOU", "TcDUT", "plcproj-fragment"];
+        const ENDS: [&str; 12] =
+            ["c", "h", "a2l", "rs", "toml", "st", "scl", "xml", "md", "TcPOU", "TcDUT", "plcproj-fragment"];
         let entries = fs::read_dir(self.out.join(folder)).into_iter().flatten().flatten();
         let files = entries.filter(|entry| entry.file_type().is_ok_and(|found| found.is_file()));
         let names = files.filter_map(|entry| entry.file_name().into_string().ok());

@@ -1,19 +1,17 @@
 //! `axgen run`: one block, one engine, samples from a CSV file to a CSV file, or compared with a recording.
 
 use crate::arguments::RunArguments;
-use crate::compared;
 use crate::exit::Exit;
-use crate::given;
+use crate::given::{self, name_of};
 use crate::input;
-use crate::messages::Format;
+use crate::messages::{self, Format};
 use crate::one_file::{self, Rule};
 use crate::output;
-use generator::blocks::Designed;
-use generator::blocks::{self, Block};
+use commands::compared;
+use commands::verify::engine_named;
 use generator::codes;
-use golden::case::named_block;
 use golden::csv::{self, Reals};
-use golden::engine::{self, ENGINES, Engine};
+use golden::engine;
 use golden::evidence;
 use golden::samples::{Samples, Shape};
 use std::path::Path;
@@ -27,8 +25,8 @@ pub fn mapping(text: &str) -> Result<(String, String), &'static str> {
 /// Runs the command.
 pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read(&of.subject.set, format)?;
-    let designed = input::axis(&set, of.subject.axis.as_deref())?;
-    let block = block_of(designed, &of.block)?;
+    let designed = commands::axis(&set, of.subject.axis.as_deref())?;
+    let block = commands::block(designed, &of.block)?;
     let engine = engine_named(&of.engine)?;
     let out = of.out.as_deref().filter(|out| !is_standard(out));
     // An earlier output has the same first line.
@@ -55,26 +53,12 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
     let evidence = evidence::of(&inputs, &given, &recording);
     let others = set.axes.iter().filter(|other| other.axis.name != designed.axis.name).collect();
     let subject = compared::Subject { designed, block: &block, engine, others };
-    compared::evidence(&evidence, &recording, &subject)?;
-    let agrees = compared::agreement(&recording, &inputs, found, &subject)?;
-    let proves = compared::proof(&evidence, file, format);
-    Ok(if agrees && proves { Exit::Done } else { Exit::Different })
-}
-
-/// The block of that name.
-pub fn block_of(designed: &Designed, name: &str) -> Result<Block, Exit> {
-    let names = blocks::names(&designed.axis);
-    if !names.contains(&name) {
-        return Err(Exit::no_such("--block", "block", name, &names));
-    }
-    Ok(named_block(designed, name).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}")))
-}
-
-/// The engine of that name.
-pub fn engine_named(name: &str) -> Result<Engine, Exit> {
-    let names = ENGINES.map(|engine| engine.to_string());
-    let found = ENGINES.into_iter().find(|engine| engine.to_string() == name);
-    found.ok_or_else(|| Exit::no_such("--engine", "engine", name, &names.each_ref().map(String::as_str)))
+    compared::evidence(&evidence, &recording, &subject).into_iter().try_for_each(output::line)?;
+    let (lines, agrees) = compared::agreement(&recording, &inputs, &found, &subject);
+    lines.into_iter().try_for_each(output::line)?;
+    let lacks = compared::proof(&evidence, &name_of(file));
+    output::say(&messages::text(&lacks, format));
+    Ok(if agrees && !lacks.has_errors() { Exit::Done } else { Exit::Different })
 }
 
 /// Whether a path means standard input or output.

@@ -2,26 +2,25 @@
 
 use crate::arguments::{ProgramArguments, ScenarioArguments};
 use crate::exit::Exit;
-use crate::input::{self, counted};
+use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
-use crate::run::block_of;
-use generator::blocks::{self, Block, Designed};
-use generator::codes;
+use commands::scenario;
+use generator::blocks::{Block, Designed};
 use generator::config;
-use generator::diagnostics::{Diagnostic, Place, Report, Slashes};
+use generator::diagnostics::Slashes;
 use golden::csv::{self, Reals};
 use golden::samples::Samples;
-use golden::scenario::{self, Mistake, Note, Options, Scenario, picture};
+use golden::scenario::{MOST, Options, Scenario, picture};
 use golden::svg;
 use std::path::Path;
 
 /// Runs the command.
 pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(&of.subject.set, of.drive.keys(), format)?;
-    let designed = input::axis(&set, of.subject.axis.as_deref())?;
-    let block = block_of_scenario(designed, of.block.as_deref())?;
+    let designed = commands::axis(&set, of.subject.axis.as_deref())?;
+    let block = scenario::block(designed, of.block.as_deref())?;
     let outputs = [of.stimulus.as_deref(), of.picture.as_deref()];
     let outputs: Vec<&Path> = outputs.into_iter().flatten().collect();
     one_file::told_apart(&outputs)?;
@@ -31,7 +30,7 @@ pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let scenario = made(&of.scenario, designed, &block, &options(&of.moved_by), format)?;
     let stimulus = csv::write(&[&scenario.inputs.without_constant()], Reals::Decimal);
     let name = of.scenario.file_stem().unwrap_or_default().to_string_lossy();
-    let drawn = picture::svg(&scenario, &name, designed);
+    let drawn = picture::of(&scenario, &name, designed).svg();
     // An earlier stimulus has signals of the block in its first line; an earlier picture was written by axgen.
     let is_stimulus = |found: &[u8]| is_header(found, &scenario.inputs);
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
@@ -41,32 +40,10 @@ pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     let picture = of.picture.as_deref().map(|path| one_file::stage(path, drawn.as_bytes(), of_picture));
     let staged = [stimulus.transpose()?, picture.transpose()?];
     one_file::commit(staged.into_iter().flatten())?;
-    output::print(table(&scenario, designed, &block))?;
+    output::print(scenario::table(&scenario, designed, &block))?;
     let Some(message) = scenario.oscillation.message() else { return Ok(Exit::Done) };
     output::print(format!("{message}\n"))?;
     Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
-}
-
-/// A table of the times of the program's blocks.
-fn table(scenario: &Scenario, designed: &Designed, block: &Block) -> String {
-    let time = |sample: usize| sample as f64 * designed.axis.cycle_time();
-    let samples = scenario.inputs.len();
-    let mut text = format!(
-        "axis {}, block {}: {}, {:.3} s\n{:>6}  {:<6} {:>10} {:>10}\n",
-        designed.axis.name,
-        block.program.block,
-        counted(samples, "sample"),
-        time(samples),
-        "line",
-        "block",
-        "from [s]",
-        "to [s]"
-    );
-    for step in &scenario.steps {
-        let number = step.number.map_or_else(String::new, |number| format!("N{number}"));
-        text += &format!("{:>6}  {number:<6} {:>10.3} {:>10.3}\n", step.line, time(step.from), time(step.to));
-    }
-    text
 }
 
 /// Whether a file begins with the names of some of these signals, as a stimulus does.
@@ -74,15 +51,6 @@ fn is_header(found: &[u8], inputs: &Samples) -> bool {
     let first = found.split(|byte| *byte == b'\n').next().unwrap_or_default();
     let is_signal = |name: &[u8]| inputs.shape.signals.iter().any(|signal| signal.name.as_bytes() == name);
     first.split(|byte| *byte == b',').all(is_signal)
-}
-
-/// The block of a scenario.
-pub fn block_of_scenario(designed: &Designed, name: Option<&str>) -> Result<Block, Exit> {
-    let names = blocks::names(&designed.axis);
-    match name.or(scenario::usual_block(&names)) {
-        Some(name) => block_of(designed, name),
-        None => Err(Exit::no_such("--axis", "block", &designed.axis.name, &names)),
-    }
 }
 
 /// The options of a program, from the command line.
@@ -93,8 +61,7 @@ pub fn options(of: &ProgramArguments) -> Options {
 
 /// A number of cycles that fits into memory.
 pub fn cycles(text: &str) -> Result<usize, String> {
-    let most = scenario::MOST;
-    text.parse().ok().filter(|cycles| (1..=most).contains(cycles)).ok_or(format!("1 to {most} is allowed"))
+    text.parse().ok().filter(|cycles| (1..=MOST).contains(cycles)).ok_or(format!("1 to {MOST} is allowed"))
 }
 
 /// The scenario of a program on an axis. Parts of the program that do not act as written are warnings on standard error.
@@ -105,26 +72,11 @@ pub fn made(
     options: &Options,
     format: Format,
 ) -> Result<Scenario, Exit> {
+    let file = program.slashes();
     let bytes = config::load(program).map_err(|of| {
         let (code, found) = of.said();
-        Exit::input(code, program.slashes(), found)
+        Exit::input(code, &file, found)
     })?;
-    // Comments of programs contain umlauts in the encodings of old systems: then each byte is a character of Latin-1.
-    let text =
-        String::from_utf8(bytes).unwrap_or_else(|error| error.as_bytes().iter().copied().map(char::from).collect());
-    let place = |line, column| Place { line, column, ..Place::whole(program.slashes()) };
-    let mut report = Report::default();
-    let scenario = scenario::run(&text, designed, block, options).map_err(|mistakes| {
-        for Mistake { line, column, found, allowed, instead } in mistakes {
-            report.push(
-                Diagnostic::error(codes::NC_PROGRAM, place(line, column), found).allowed(allowed).instead(instead),
-            );
-        }
-        Exit::Input(std::mem::take(&mut report))
-    })?;
-    for Note { code, line, column, found, instead } in &scenario.notes {
-        let said = Diagnostic::warning(code, place(*line, *column), found.as_str());
-        report.push(if instead.is_empty() { said } else { said.instead(instead.as_str()) });
-    }
+    let (scenario, report) = scenario::run((&file, bytes), designed, block, options)?;
     input::said(Some(scenario), &report, format)
 }

@@ -4,6 +4,7 @@
 //! then names existing files only, in any order of writing, and writing one axis again does not remove another:
 //! docs/decisions/files.md.
 
+use commands::words::made;
 use generator::blocks::Designed;
 use generator::diagnostics::Slashes;
 use generator::generate::{axis_files, units};
@@ -59,8 +60,7 @@ fn is_there(designed: &Designed, target: &Target, out: &Path, files: &str) -> bo
     if !files.contains(&target::stem(&designed.axis.name)) {
         return false;
     }
-    let files = axis_files(designed, slice::from_ref(target));
-    let files = files.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
+    let files = made(axis_files(designed, slice::from_ref(target)));
     !files.is_empty() && files.iter().all(|file| out.join(&file.name).is_file())
 }
 

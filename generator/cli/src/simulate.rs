@@ -6,8 +6,8 @@ use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
-use crate::run::block_of;
 use crate::times;
+use commands::words::made;
 use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
@@ -41,14 +41,14 @@ pub fn noise(text: &str) -> Result<f64, String> {
 /// Runs the command.
 pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> {
     let (set, _) = input::read_to_look_at(&to.subject.set, to.drive.keys(), format)?;
-    let designed = input::axis(&set, to.subject.axis.as_deref())?;
+    let designed = commands::axis(&set, to.subject.axis.as_deref())?;
     let has_stages = blocks::names(&designed.axis).contains(&"ipc");
     if !has_stages && to.moves.is_none() && to.excited.is_none()
         || to.csv.is_some()
         || to.picture.is_some()
         || to.recorded.is_some()
     {
-        block_of(designed, "ipc")?;
+        commands::block(designed, "ipc")?;
     }
     let moved = moved(designed, to)?;
     let begins = |head: &'static str| move |found: &[u8]| found.starts_with(head.as_bytes());
@@ -66,19 +66,20 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
-        let Some(out) = out else { return Ok(()) };
+        let Some(out) = out else { return Ok::<_, Exit>(()) };
         staged.push(one_file::stage(out, text()?.as_bytes(), rule)?);
         Ok(())
     };
     stage(&to.moves, of_recording, &|| Ok(recording::moves(designed, moved, to.dwell, noise)))?;
     stage(&to.excited, of_recording, &|| excited(designed, moved, to.speed, noise))?;
-    stage(&to.recorded, Rule::by_force(to.force), &|| {
-        Ok(recording::of_block(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)))
-    })?;
-    let simulation = has_stages.then(|| simulate::run(designed, moved, to.dwell).unwrap_or_else(|why| defect(&why)));
+    stage(&to.recorded, Rule::by_force(to.force), &|| Ok(made(recording::of_block(designed, moved, to.dwell))))?;
+    let simulation = has_stages.then(|| made(simulate::run(designed, moved, to.dwell)));
     if let Some(simulation) = &simulation {
         stage(&to.csv, of_csv, &|| Ok(text::csv(simulation)))?;
-        stage(&to.picture, of_picture, &|| Ok(picture::svg(simulation, &designed.axis.name)))?;
+        stage(&to.picture, of_picture, &|| {
+            let picture = picture::of(simulation, &designed.axis.name);
+            Ok(picture.map_or_else(String::new, |picture| picture.svg()))
+        })?;
     }
     one_file::commit(staged)?;
     let Some(simulation) = simulation else { return Ok(Exit::Done) };
@@ -111,10 +112,6 @@ fn allowed(outs: &[(Option<&Path>, Rule<'_>)], set: &Path) -> Result<(), Exit> {
 
 /// A recording of a move with the excitation of the axis.
 fn excited(designed: &Designed, moved: Moved, speed: Option<f64>, noise: f64) -> Result<String, Exit> {
-    block_of(designed, "excitation")?;
+    commands::block(designed, "excitation")?;
     recording::excited(designed, moved, speed, noise).map_err(|why| Exit::input(codes::USAGE, "--excited", why))
-}
-
-fn defect(why: &str) -> ! {
-    panic!("a defect of axgen: {why}")
 }

@@ -3,19 +3,19 @@
 use crate::arguments::{DriveArguments, SetArguments, TuneArguments};
 use crate::exit::Exit;
 use crate::input;
-use crate::measure::{Reading, Recordings, say, verdicts_json};
+use crate::measure;
 use crate::messages::{self, Format};
 use crate::one_file::{self, Rule};
 use crate::output;
-use generator::axis::{Filter, Mode, Stage};
+use commands::json;
+use commands::measure::{Reading, say};
+use commands::tune::{chosen, proposals, setup};
 use generator::codes;
 use generator::config;
 use generator::diagnostics::Slashes;
-use generator::parameters::words::Words;
 use golden::measure::{Measured, Record, Verdict};
 use golden::svg;
-use golden::tune::{self, Prefer, Proposal, Stages, Tuning, signals, text};
-use serde_json::{Value, json};
+use golden::tune::{self, Prefer, Proposal, Stages, signals, text};
 use std::path::{Path, PathBuf};
 
 /// Runs the command.
@@ -28,10 +28,10 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
     let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
-    let designed = input::axis(&set, of.subject.axis.as_deref())?;
+    let designed = commands::axis(&set, of.subject.axis.as_deref())?;
     let cycle_time = Some(designed.axis.cycle_time());
     let reading = Reading { map: &of.map, cycle_time, excitation: of.excitation };
-    let all = Recordings::read(&of.recording, of.excited.as_deref(), &reading)?;
+    let all = measure::read(&of.recording, of.excited.as_deref(), &reading)?;
     let prefer = if of.response.is_some() { Prefer::Set } else { Prefer::Excited };
     let stages = if of.stage.is_empty() { Stages::Proposed } else { Stages::Given };
     let mut tuning = tune::tune(designed, &all.own.1, all.second(), prefer, stages);
@@ -49,7 +49,7 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
         tuning.verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
     }
     if of.json {
-        output::line(format!("{:#}", as_json(name, &tuning, &all)))?;
+        output::line(json::text(&proposals(name, &tuning, &all)))?;
     } else {
         output::print(text::report(&tuning, name))?;
         let mut report = all.said();
@@ -79,25 +79,6 @@ fn allowed(arguments: &SetArguments, of: &TuneArguments, rules: [Rule<'_>; 2]) -
     Ok(())
 }
 
-/// The proposal of a name, else the first one; `None` after a message.
-fn chosen(tuning: &mut Tuning, kind: Option<&str>) -> Option<Proposal> {
-    let is_it = |of: &&Proposal| kind.is_none_or(|kind| of.kind.word() == kind);
-    let found = tuning.proposals.iter().find(is_it).cloned();
-    if let (None, Some(kind), false) = (&found, kind, tuning.proposals.is_empty()) {
-        let all: Vec<&str> = tuning.proposals.iter().map(|of| of.kind.word()).collect();
-        let found = format!("there is no proposal {kind}; there are: {}", all.join(", "));
-        let instead = "one of these; `first` is for a drive whose response is not known";
-        tuning.verdicts.push(Verdict::refusal(codes::NO_PROPOSAL, found, instead));
-    }
-    found
-}
-
-/// The lines above a picture.
-fn setup(axis: &str, tuning: &Tuning, of: &Proposal) -> Vec<String> {
-    let report = text::report(&Tuning { proposals: vec![of.clone()], ..tuning.clone() }, axis);
-    report.lines().map(|line| line.trim_start().to_owned()).collect()
-}
-
 /// Writes the files that were asked for, all or none.
 fn draw(
     moves: &Measured,
@@ -108,8 +89,8 @@ fn draw(
 ) -> Result<(), Exit> {
     let [of_signals, of_picture] = rules;
     let staged = of.signals.as_deref().map(|path| one_file::stage(path, signals::csv(with).as_bytes(), of_signals));
-    let picture = of.picture.as_deref().zip(signals::svg(moves, with, setup.to_vec()));
-    let picture = picture.map(|(path, picture)| one_file::stage(path, picture.as_bytes(), of_picture));
+    let picture = of.picture.as_deref().zip(signals::picture(moves, with, setup.to_vec()));
+    let picture = picture.map(|(path, picture)| one_file::stage(path, picture.svg().as_bytes(), of_picture));
     one_file::commit([staged.transpose()?, picture.transpose()?].into_iter().flatten())
 }
 
@@ -124,7 +105,7 @@ fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is
         return Err(Exit::input(codes::NOT_WRITTEN, path.slashes(), "has changed meanwhile; nothing was written"));
     }
     one_file::write(Some(path), &applied.after, Rule::by_force(true))?;
-    let count = input::counted(of.stages.len(), "stage");
+    let count = commands::words::counted(of.stages.len(), "stage");
     let head = format!("{}: {} of {}, enable DRYRUN", path.slashes(), count, of.kind.word());
     let lines: Vec<String> = std::iter::once(head).chain(applied.changes).collect();
     if is_json {
@@ -132,60 +113,4 @@ fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is
         return Ok(());
     }
     lines.into_iter().try_for_each(output::line)
-}
-
-fn as_json(axis: &str, tuning: &Tuning, all: &Recordings<'_>) -> Value {
-    let each = || all.all().flat_map(|(_, measured)| &measured.verdicts).chain(&tuning.verdicts);
-    let of = |refuses: bool| verdicts_json(each().filter(move |verdict: &&Verdict| verdict.refuses == refuses));
-    json!({
-        "axis": axis,
-        "proposals": tuning.proposals.iter().map(|proposal| proposal_json(tuning, proposal)).collect::<Vec<_>>(),
-        "refused": of(true),
-        "notes": of(false),
-    })
-}
-
-fn proposal_json(tuning: &Tuning, proposal: &Proposal) -> Value {
-    let predicted = proposal.predicted.as_ref();
-    let residuals = predicted.iter().flat_map(|of| tuning.chosen.iter().zip(&of.left.residuals));
-    let residuals = residuals.map(|(chosen, left)| json!({ "hz": chosen.hz, "ratio": left }));
-    json!({
-        "kind": proposal.kind.word(),
-        "stages": proposal.stages.iter().enumerate().map(stage_json).collect::<Vec<_>>(),
-        "residuals": residuals.collect::<Vec<_>>(),
-        "ring_down": predicted.and_then(|of| of.left.ring),
-        "following_error_ratio": predicted.and_then(|of| of.effect.following_error),
-        "peak_v_add": predicted.map(|of| of.effect.peak_v_add),
-        "ms": predicted.map(|of| of.ms[0]),
-        "ms_half_cycle": predicted.map(|of| of.ms[1]),
-        "ms_load": predicted.map(|of| &of.ms[2..]),
-        "hardly_useful": predicted.map(|_| proposal.is_useless()),
-    })
-}
-
-fn stage_json((index, stage): (usize, &Stage)) -> Value {
-    let (direct_source, damping) = match stage.mode {
-        Mode::Direct { source } => (Some(source.name()), None),
-        Mode::Indirect { osc_damping } | Mode::SetPoint { osc_damping } => (None, Some(osc_damping)),
-    };
-    let bandpass = stage.filter.iter().find_map(|filter| match filter {
-        Filter::Bandpass { prototype, order, f0, q_factor } => Some((prototype.name(), *order, *f0, *q_factor)),
-        Filter::NoFilter | Filter::Allpass { .. } => None,
-    });
-    let allpass = stage.filter.iter().find_map(|filter| match filter {
-        Filter::Allpass { f0, q_factor } => Some(json!({ "f0": f0, "q": q_factor })),
-        Filter::NoFilter | Filter::Bandpass { .. } => None,
-    });
-    json!({
-        "stage": index,
-        "mode": stage.mode.word(),
-        "direct_source": direct_source,
-        "f0": bandpass.map(|of| of.2),
-        "q": bandpass.map(|of| of.3),
-        "damping": damping,
-        "weight": stage.weight(),
-        "prototype": bandpass.map(|of| of.0),
-        "order": bandpass.map(|of| of.1),
-        "allpass": allpass,
-    })
 }

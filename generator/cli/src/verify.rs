@@ -7,19 +7,15 @@ use crate::input;
 use crate::messages::Format;
 use crate::output;
 use crate::results::{Files, Outcome};
-use crate::run::engine_named;
 use crate::scenario;
-use generator::blocks::Designed;
-use generator::blocks::{self, Block};
-use generator::codes;
-use generator::diagnostics::{Diagnostic, Place, Report};
+use commands::verify::{self, Verification};
+use commands::words::made;
+use generator::blocks::{self, Block, Designed};
 use generator::pipeline::Set;
-use golden::compare::{FirstDifference, compare};
-use golden::engine::{self, ENGINES, Engine, Failure};
-use golden::exercise::{self, coverage::coverage};
+use golden::engine::Engine;
+use golden::exercise;
 use golden::samples::Samples;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The largest number of samples, with inputs and outputs, that a computer's memory can hold.
@@ -31,16 +27,9 @@ pub fn samples(text: &str) -> Result<usize, String> {
     within.ok_or_else(|| format!("a whole number from 1 to {MOST_SAMPLES} is allowed"))
 }
 
-/// The engines of these names, preceded by the reference; all if there is no name.
-fn chosen(names: &[String]) -> Result<Vec<Engine>, Exit> {
-    let engines = names.iter().map(|name| engine_named(name)).collect::<Result<Vec<_>, _>>()?;
-    let is_chosen = |engine: &Engine| *engine == Engine::Reference || engines.is_empty() || engines.contains(engine);
-    Ok(ENGINES.into_iter().filter(is_chosen).collect())
-}
-
 /// Runs the command: every block of every axis, or one block with the inputs of a scenario.
 pub fn run(of: &VerifyArguments, format: Format) -> Result<Exit, Exit> {
-    let engines = chosen(&of.engines)?;
+    let engines = verify::engines(&of.engines)?;
     let (set, _) = input::read(&of.set, format)?;
     of.results.kept_apart(Some(&of.set.set))?;
     match &of.scenario {
@@ -53,31 +42,30 @@ pub fn run(of: &VerifyArguments, format: Format) -> Result<Exit, Exit> {
     .end(&of.results)
 }
 
-fn every_block(set: &Set, samples: usize, engines: &[Engine], format: Format) -> Result<Run, Exit> {
+fn every_block<'a>(set: &Set, samples: usize, engines: &'a [Engine], format: Format) -> Result<Run<'a>, Exit> {
     let blocks: usize = set.axes.iter().map(|of| blocks::names(&of.axis).len()).sum();
-    let mut run = Run::start(blocks * engines.len(), format)?;
+    let mut run = Run::start(blocks, engines, format)?;
     for designed in &set.axes {
-        let blocks = blocks::blocks(designed).unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"));
-        for block in &blocks {
-            run.every_engine(engines, designed, block, &exercise::inputs(designed, block, samples))?;
+        for block in &made(blocks::blocks(designed)) {
+            run.every_engine(designed, block, &exercise::inputs(designed, block, samples))?;
         }
     }
     Ok(run)
 }
 
-fn of_scenario(
+fn of_scenario<'a>(
     set: &Set,
     program: &Path,
     of: &VerifyArguments,
-    engines: &[Engine],
+    engines: &'a [Engine],
     format: Format,
-) -> Result<Run, Exit> {
-    let designed = input::axis(set, of.axis.as_deref())?;
-    let block = scenario::block_of_scenario(designed, of.block.as_deref())?;
+) -> Result<Run<'a>, Exit> {
+    let designed = commands::axis(set, of.axis.as_deref())?;
+    let block = commands::scenario::block(designed, of.block.as_deref())?;
     let options = scenario::options(&of.moved_by);
     let inputs = scenario::made(program, designed, &block, &options, format)?.inputs;
-    let mut run = Run::start(engines.len(), format)?;
-    run.every_engine(engines, designed, &block, &inputs)?;
+    let mut run = Run::start(1, engines, format)?;
+    run.every_engine(designed, &block, &inputs)?;
     Ok(run)
 }
 
@@ -93,21 +81,18 @@ fn progress(runs: usize, format: Format) -> ProgressBar {
 }
 
 /// The results of the runs.
-struct Run {
+struct Run<'a> {
     outcomes: Vec<Outcome>,
-    /// the missing engines, and the reasons
-    missing: BTreeMap<Engine, String>,
+    verification: Verification<'a>,
     bar: ProgressBar,
 }
 
-impl Run {
+impl<'a> Run<'a> {
     /// Prints the head of the table of this number of runs.
-    fn start(runs: usize, format: Format) -> Result<Self, Exit> {
-        output::line(format!(
-            "{:<20} {:<16} {:<10} {:>10} {:>15}  first difference",
-            "axis", "block", "engine", "samples", "differing bits"
-        ))?;
-        Ok(Self { outcomes: Vec::new(), missing: BTreeMap::new(), bar: progress(runs, format) })
+    fn start(runs: usize, engines: &'a [Engine], format: Format) -> Result<Self, Exit> {
+        output::line(verify::head())?;
+        let verification = Verification::new(engines, &compiler::broken);
+        Ok(Self { outcomes: Vec::new(), verification, bar: progress(runs * engines.len(), format) })
     }
 
     /// Writes the results. A missing engine is reported at the end, after the others have run.
@@ -117,84 +102,23 @@ impl Run {
         if self.outcomes.iter().any(|outcome| outcome.failure.is_some()) {
             return Ok(Exit::Different);
         }
-        let missing = self.missing.into_iter();
-        let diagnostics: Vec<Diagnostic> = missing
-            .map(|(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why))
-            .collect();
-        let report = Report { diagnostics };
+        let report = self.verification.missing();
         if report.has_errors() { Err(Exit::Environment(report)) } else { Ok(Exit::Done) }
     }
 
     /// Prints a line for each engine, and stores its result.
-    fn every_engine(
-        &mut self,
-        engines: &[Engine],
-        designed: &Designed,
-        block: &Block,
-        inputs: &Samples,
-    ) -> Result<(), Exit> {
-        let (axis, of_block) = (&designed.axis.name, block.program.block);
-        let mut expected: Option<Samples> = None;
-        for &engine in engines {
-            self.bar.set_message(format!("{axis} {of_block} {engine}"));
-            let is_missing = self.missing.contains_key(&engine);
-            let found = (!is_missing).then(|| engine::run(engine, designed, block, inputs));
-            let (bits, first) = self.judge(engine, found, &mut expected);
-            if !self.missing.contains_key(&engine) {
-                let differs = !first.is_empty() || bits != "0";
-                let failure = differs.then(|| format!("{bits} differing bits; {first}"));
-                self.outcomes.push(Outcome { group: axis.clone(), name: format!("{of_block} {engine}"), failure });
+    fn every_engine(&mut self, designed: &Designed, block: &Block, inputs: &Samples) -> Result<(), Exit> {
+        let Self { outcomes, verification, bar } = self;
+        bar.set_message(format!("{} {}", designed.axis.name, block.program.block));
+        let reached = verification.block(designed, block, inputs, |row| {
+            if !row.is_missing {
+                let name = format!("{} {}", row.block, row.engine);
+                outcomes.push(Outcome { group: row.axis.clone(), name, failure: row.failure() });
             }
-            let bits = if engine == Engine::Reference { "(reference)" } else { &bits };
-            let samples = inputs.len();
-            let row = format!("{axis:<20} {of_block:<16} {engine:<10} {samples:>10} {bits:>15}  {first}");
-            self.bar.suspend(|| output::line(row))?;
-            self.bar.inc(1);
-        }
-        if let Some(outputs) = expected {
-            let reached = coverage(designed, block, inputs, &outputs);
-            let line = format!("{axis:<20} {of_block:<16} reached: {reached}");
-            let missing = reached.missing().map(|line| format!("{:<20} {:<16}   {line}", "", ""));
-            for line in [line].into_iter().chain(missing) {
-                self.bar.suspend(|| output::line(line))?;
-            }
-        }
-        Ok(())
+            bar.suspend(|| output::line(row.text()))?;
+            bar.inc(1);
+            Ok::<_, Exit>(())
+        })?;
+        reached.into_iter().try_for_each(|line| bar.suspend(|| output::line(line)))
     }
-
-    /// The number of differing bits of an engine, and the first difference. Without a result, the engine is missing.
-    fn judge(
-        &mut self,
-        engine: Engine,
-        found: Option<Result<Samples, Failure>>,
-        expected: &mut Option<Samples>,
-    ) -> (String, String) {
-        let none = "-".to_owned();
-        match found {
-            Some(Ok(found)) => {
-                let difference = compare(expected.as_ref().unwrap_or(&found), &found);
-                expected.get_or_insert(found);
-                (difference.bits.to_string(), difference.first.map(place).unwrap_or_default())
-            }
-            Some(Err(Failure::SelfTest(sample))) => (none, format!("self-test, sample {sample}")),
-            Some(Err(Failure::Broken(text))) if compiler::works(engine) => (none, text),
-            Some(Err(failure)) => {
-                let why = match failure {
-                    Failure::Broken(text) => compiler::broken(engine, &text),
-                    failure => failure.to_string(),
-                };
-                self.missing.insert(engine, why);
-                (none, NOT_RUN.to_owned())
-            }
-            None => (none, NOT_RUN.to_owned()),
-        }
-    }
-}
-
-/// The text in the row of a missing engine.
-const NOT_RUN: &str = "not run";
-
-fn place(place: FirstDifference) -> String {
-    let FirstDifference { sample, signal, expected, found } = place;
-    format!("sample {sample}, {signal}: {expected:?} expected, {found:?} found")
 }

@@ -66,9 +66,9 @@ fn one_axis_alone() {
     );
 }
 
-/// A runner next to each block in C, of as many samples as are asked for; the other files stay as they are.
+/// A runner next to each block in C, of as many samples as are requested, and a description; the other files stay as they are.
 #[test]
-fn runners_stand_beside_the_blocks() {
+fn runners_and_descriptions_are_written_next_to_the_blocks() {
     let folder = folder();
     let names = |run: &Run| run.out.lines().filter(|line| line.starts_with("generated/")).count();
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner"]);
@@ -81,6 +81,9 @@ fn runners_stand_beside_the_blocks() {
     assert!(read(folder.path(), "generated/axis_c_ipc_runner.c").contains("sample < 1500u"));
     let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500", "--check"]);
     assert_eq!(run.code, 0, "{}", run.out);
+    let run = axgen(folder.path(), &["generate", "machine.toml", "--runner=1500", "--a2l"]);
+    assert!(run.out.ends_with("3 axes: 3 files written, 15 unchanged, 0 warnings\n"), "{}", run.out);
+    assert!(read(folder.path(), "generated/axis_c_ipc.a2l").contains("SYMBOL_LINK \"axis_c_ipc_out\" 0\n"));
 }
 
 #[test]

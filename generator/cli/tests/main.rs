@@ -16,6 +16,7 @@ mod misuse;
 mod params_of;
 mod pipeline;
 mod recordings;
+mod report;
 #[cfg(unix)]
 mod safety;
 mod scenario;

@@ -196,7 +196,9 @@ fn short_names_stay_short() {
     }
     let (_, out, err) = axgen(folder.path(), &["params-of", "new.toml", "--on", "old.toml"]);
     let text = String::from_utf8(out).unwrap();
-    let name = text.lines().find_map(|line| line.strip_prefix("const ax_abcdefghijkl_ipc_params ")?.split(' ').next());
+    let name = text
+        .lines()
+        .find_map(|line| line.strip_prefix("AXGEN_CONST_SECTION const ax_abcdefghijkl_ipc_params ")?.split(' ').next());
     assert!(name.is_some_and(|name| name.len() == 31), "{text}{err}");
 }
 
@@ -217,7 +219,10 @@ fn the_constant_in_c() {
     assert_eq!(lines[4], " * axis        X");
     assert_eq!(lines[6], " * cycle time  1000000 ns");
     let set = &lines[5][15..23];
-    assert!(lines.contains(&format!("const axis_x_ipc_params axis_x_ipc_set_{set} = {{").as_str()), "{text}");
+    assert!(
+        lines.contains(&format!("AXGEN_CONST_SECTION const axis_x_ipc_params axis_x_ipc_set_{set} = {{").as_str()),
+        "{text}"
+    );
     assert!(lines.contains(&"    -0.9, /* stage0_gain */") && lines.contains(&"    200000.0, /* limit */"), "{text}");
 }
 

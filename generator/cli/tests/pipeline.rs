@@ -73,7 +73,7 @@ pub fn copy(from: &Path, to: &Path) {
 }
 
 /// What stands after a key of YAML, in all its lines.
-fn behind<'t>(text: &'t str, key: &str) -> Vec<&'t str> {
+fn after<'t>(text: &'t str, key: &str) -> Vec<&'t str> {
     text.lines().filter_map(|line| line.trim().strip_prefix(key)).map(str::trim).collect()
 }
 
@@ -83,11 +83,11 @@ fn a_changed_list_fails_until_its_files_are_written_again() {
     let repository = Repository::new();
     repository.begin();
     let build = "cargo install --locked --path axgen/generator/cli";
-    assert_eq!(behind(&repository.text(".github/workflows/axgen.yml"), "- run:"), [build, "./check.sh"]);
+    assert_eq!(after(&repository.text(".github/workflows/axgen.yml"), "- run:"), [build, "./check.sh"]);
     let gitlab = repository.text(".gitlab-ci.yml");
     assert!(gitlab.contains(&format!("- {build}\n  script:\n    - ./check.sh\n")), "{gitlab}");
     let hook = repository.text(".pre-commit-config.yaml");
-    let [hook] = behind(&hook, "entry:")[..] else { panic!("{hook}") };
+    let [hook] = after(&hook, "entry:")[..] else { panic!("{hook}") };
     repository.succeeds("./check.sh");
     repository.succeeds(hook);
     for results in ["verify.xml", "golden.xml"] {
@@ -137,13 +137,17 @@ fn a_build_script_compiles_the_emitted_c() {
     assert!(code != 0 && said.contains("generated/axis_x_ipc.c"), "{said}");
 }
 
-/// Firmware in Rust that has the emitted module: the crate's own tests find another block, and vectors of another.
+/// Firmware in Rust with the crate of the emitted blocks: the tests find another block, and vectors of another.
 #[test]
 fn a_crate_with_the_emitted_module_tests_itself() {
     let repository = Repository::from("rust");
     repository.begin();
-    let said = repository.succeeds("cargo test --offline");
-    for test in ["axis_x_ipc::tests::this_build_has_the_bits_of_the_reference", "the_vectors_are_as_approved"] {
+    let said = repository.succeeds("cargo test --offline --workspace");
+    for test in [
+        "axis_x_ipc::tests::this_build_has_the_bits_of_the_reference",
+        "the_vectors_are_as_approved",
+        "numbers_have_names",
+    ] {
         assert!(said.contains(&format!("test {test} ... ok")), "{said}");
     }
     let module = repository.text("generated/axis_x_ipc.rs");
@@ -151,11 +155,11 @@ fn a_crate_with_the_emitted_module_tests_itself() {
     assert!(module.contains(gain));
     fs::write(repository.0.path().join("generated/axis_x_ipc.rs"), module.replace(gain, &format!("{start}-2.0;")))
         .unwrap();
-    let (code, said) = repository.shell("cargo test --offline --no-fail-fast");
+    let (code, said) = repository.shell("cargo test --offline --workspace --no-fail-fast");
     assert!(code != 0 && said.matches("... FAILED").count() == 2, "{said}");
     repository.change_the_list();
     repository.succeeds("axgen generate axes.toml --out generated --force");
-    let (code, said) = repository.shell("cargo test --offline --no-fail-fast");
+    let (code, said) = repository.shell("cargo test --offline --workspace --no-fail-fast");
     assert!(code != 0 && said.matches("... FAILED").count() == 1, "the vectors were approved for 53 Hz: {said}");
 }
 

@@ -9,7 +9,7 @@ mod lead;
 mod text;
 
 pub use crate::blocks::ipc::closed_loop::Known;
-pub use text::{headline, text};
+pub use text::{STAGE, headline, margins, stage_cells, text};
 
 use crate::axis::{DriveModel, Stage};
 use crate::blocks::Designed;
@@ -17,6 +17,7 @@ use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::{self, StageDesign};
 use crate::design::response;
 use portable::Extreme;
+use serde::Serialize;
 use stability::{Complex64, Curve, Loop, Margins, Points};
 
 /// Points of a curve between its lowest frequency, a part of the lowest f0, and the Nyquist frequency.
@@ -42,7 +43,7 @@ pub struct OfDrive {
 }
 
 /// A stage in a loop.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OfStage {
     pub stage: usize,
     pub weight: f64,

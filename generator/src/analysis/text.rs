@@ -2,8 +2,8 @@
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
-use crate::blocks::Designed;
 use crate::blocks::ipc::stage::StageDesign;
+use crate::blocks::{Designed, Reserve};
 use crate::number::{decimals, digits, down_to, significant};
 use stability::MAX_MS;
 
@@ -34,19 +34,29 @@ pub fn text(designed: &Designed) -> String {
 
 fn of_drive(of: &OfDrive) -> Vec<String> {
     let mut lines = vec![format!("  {}", headline(of))];
-    lines.push("    stage  weight  phase at f0  calm up to  stable up to".to_owned());
-    lines.extend(of.stages.iter().map(|stage| {
-        format!(
-            "    {:<5}  {:<6}  {:<11}  {:<10}  {:<12}  {}",
-            stage.stage,
-            significant(stage.weight, 4),
-            format!("{} deg", decimals(stage.phase_at_f0_deg, 0)),
-            down_to(stage.largest_weight, 3),
-            down_to(stage.largest_stable_weight, 3),
-            reserve(stage)
-        )
-    }));
+    let mut line = |[stage, weight, phase, calm, stable, reserve]: [String; 6]| {
+        let row = format!("    {stage:<5}  {weight:<6}  {phase:<11}  {calm:<10}  {stable:<12}  {reserve}");
+        lines.push(row.trim_end().to_owned());
+    };
+    line(STAGE.map(str::to_owned));
+    of.stages.iter().map(stage_cells).for_each(line);
     lines
+}
+
+/// The columns of a stage in a loop.
+pub const STAGE: [&str; 6] = ["stage", "weight", "phase at f0", "calm up to", "stable up to", ""];
+
+/// The cells of a stage in a loop.
+#[must_use]
+pub fn stage_cells(stage: &OfStage) -> [String; 6] {
+    [
+        stage.stage.to_string(),
+        significant(stage.weight, 4),
+        format!("{} deg", decimals(stage.phase_at_f0_deg, 0)),
+        down_to(stage.largest_weight, 3),
+        down_to(stage.largest_stable_weight, 3),
+        reserve(stage).to_owned(),
+    ]
 }
 
 /// A drive, and the sum of the stages with it.
@@ -56,31 +66,34 @@ pub fn headline(of: &OfDrive) -> String {
 }
 
 fn sum(of: &OfDrive) -> String {
+    let [verdict, ms, gain, phase] = margins(of);
+    if ms.is_empty() { verdict } else { format!("{verdict}: Ms {ms}, gain margin {gain}, phase margin {phase}") }
+}
+
+/// The verdict on a loop, its Ms, gain margin and phase margin; the last three are empty if there are none.
+#[must_use]
+pub fn margins(of: &OfDrive) -> [String; 4] {
     let Some([ms, hz]) = of.margins.ms else {
-        return match of.margins.stable {
-            true => "stable, but perhaps not: within the errors of the measurement it may oscillate".to_owned(),
-            false => "UNSTABLE: it oscillates".to_owned(),
+        let verdict = match of.margins.stable {
+            true => "stable, but perhaps not: within the errors of the measurement it may oscillate",
+            false => "UNSTABLE: it oscillates",
         };
+        return [verdict.to_owned(), String::new(), String::new(), String::new()];
     };
     let word = if ms <= MAX_MS { "calm" } else { "stable, with little reserve" };
     let margin = |value: Option<f64>, unit: &str| {
         value.map_or_else(|| "unlimited".to_owned(), |value| format!("{} {unit}", decimals(value, 1)))
     };
-    format!(
-        "{word}: Ms {} at {} Hz, gain margin {}, phase margin {}",
-        decimals(ms, 2),
-        significant(hz, 3),
+    [
+        word.to_owned(),
+        format!("{} at {} Hz", decimals(ms, 2), significant(hz, 3)),
         margin(of.margins.gain_db, "dB"),
-        margin(of.margins.phase_deg, "deg")
-    )
+        margin(of.margins.phase_deg, "deg"),
+    ]
 }
 
 fn reserve(stage: &OfStage) -> &'static str {
-    match stage.weight {
-        weight if weight <= stage.largest_weight => "calm",
-        weight if weight <= stage.largest_stable_weight => "little reserve",
-        _ => "unstable",
-    }
+    Reserve::of(stage.weight, [stage.largest_weight, stage.largest_stable_weight]).word()
 }
 
 /// Facts from the parameters without a loop, and the all-pass for the lag of a drive.

@@ -122,9 +122,13 @@ impl Stage {
         self.asked_weight().smaller(Self::MAX_WEIGHT)
     }
 
-    /// The text after a weight that is capped: ` (700 capped)`.
+    /// The text after its weight if that is capped: ` (700 capped)`.
     pub(crate) fn cap(&self) -> String {
-        let asked = self.asked_weight();
+        Self::cap_of(self.asked_weight())
+    }
+
+    /// The same of a weight in the parameters.
+    pub(crate) fn cap_of(asked: f64) -> String {
         if asked > Self::MAX_WEIGHT { format!(" ({} capped)", digits(asked)) } else { String::new() }
     }
 

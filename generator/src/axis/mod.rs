@@ -45,6 +45,12 @@ pub struct Axis {
 }
 
 impl Axis {
+    /// Whether its parameters ask for no block but improved position control. A new block that an axis may have alone is named
+    /// here: otherwise the axis gets `ipc`, too.
+    pub(crate) fn asks_for_nothing_else(&self) -> bool {
+        self.control.is_empty() && self.excitation.is_none()
+    }
+
     /// The real type of its blocks, as written in sets and lists.
     pub(crate) fn real_name(&self) -> &'static str {
         match self.real {

@@ -3,6 +3,7 @@
 use super::block::{Block, Certified, Figure};
 use super::designed::Designed;
 use super::effects::{self, Effects};
+use super::ipc::row::StageRow;
 use crate::axis::Axis;
 use crate::exercise::{Drill, Run};
 use compiler::pass::Defect;
@@ -45,8 +46,8 @@ pub trait BlockKind: Typed {
     fn summary(&self, designed: &Designed) -> Summary;
 
     /// Its meaning for the machine: in detail, one line each.
-    fn details(&self, designed: &Designed) -> Vec<String> {
-        self.summary(designed).lines
+    fn details(&self, designed: &Designed) -> Details {
+        Details { stages: Vec::new(), lines: self.summary(designed).lines }
     }
 
     /// Its effects by their names, for the semantic diff.
@@ -84,6 +85,15 @@ pub struct Summary {
     /// the text after the first line of its axis
     pub head: String,
     /// separate lines
+    pub lines: Vec<String>,
+}
+
+/// The meaning of a block for the machine.
+#[derive(Clone, Debug, Default)]
+pub struct Details {
+    /// those of improved position control
+    pub stages: Vec<StageRow>,
+    /// all of it in words
     pub lines: Vec<String>,
 }
 

@@ -29,8 +29,9 @@ pub use block::{Block, Certified, Figure};
 pub use designed::Designed;
 pub(crate) use effects::{Effect, Effects, differences};
 pub use ipc::feasibility::refusals;
+pub use ipc::row::{ActiveStage, Reserve, StageRow, WithDrive};
 pub(crate) use ipc::sets::shown;
-pub use kind::{Arithmetic, BlockKind, Design, Summary, Typed};
+pub use kind::{Arithmetic, BlockKind, Design, Details, Summary, Typed};
 pub use set_design::calls as calls_of_design;
 
 use crate::axis::Axis;
@@ -54,6 +55,7 @@ pub(crate) const IPC: &str = <reference::ipc::Ipc as Reference<f64>>::NAME;
 pub(crate) const FEEDFORWARD: &str = <reference::feedforward::Feedforward as Reference<f64>>::NAME;
 pub(crate) const POSITION_CONTROL: &str = <reference::position_control::PositionControl as Reference<f64>>::NAME;
 pub(crate) const SPINDLE: &str = <reference::spindle::Spindle as Reference<f64>>::NAME;
+pub(crate) const SET_DESIGN: &str = <reference::set_design::SetDesign as Reference<f64>>::NAME;
 pub(crate) const EXCITATION: &str = <reference::excitation::Excitation as Reference<f64>>::NAME;
 
 /// The blocks that the parameters of an axis ask for.

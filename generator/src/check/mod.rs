@@ -26,7 +26,7 @@ use crate::blocks::{
     excitation::check as excitation, feedforward::check as feedforward, position_control::check as position_control,
 };
 use crate::codes;
-use crate::config::values::{Values, key};
+use crate::config::values::{Key, Values, key};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::{AxisType, Boolean, DriveType, FeedforwardWord, RealType, Words};
 use crate::parameters::{Name, Value};
@@ -71,7 +71,19 @@ pub(crate) fn axis<'v>(
     home: Place,
     is_tuned: bool,
 ) -> Checked<'v> {
-    let mut effective = Effective::new(values, home);
+    checked(name, cycle_time, Effective::new(values, home), is_tuned)
+}
+
+/// The same with another value of a parameter, whether it is given or not.
+pub(crate) fn varied<'v>(
+    (name, values, home): (&str, &'v Values, Place),
+    cycle_time: u32,
+    other: (Key, Value),
+) -> Checked<'v> {
+    checked(name, Some(cycle_time), Effective::varied(values, home, other), false)
+}
+
+fn checked<'v>(name: &str, cycle_time: Option<u32>, mut effective: Effective<'v>, is_tuned: bool) -> Checked<'v> {
     if let Some(ns) = cycle_time {
         effective.note(key(Name::CycleTime), &Value::Duration(u64::from(ns)));
     }

@@ -2,6 +2,7 @@
 
 use crate::axis::Axis;
 use crate::blocks;
+use crate::parameters::words::{TargetName, Words};
 use crate::target::Target;
 
 /// Names in backquotes. Where the targets differ, each name is followed by the targets that have it.
@@ -92,9 +93,11 @@ fn other_controller(target: &str) -> Option<&'static str> {
 }
 
 /// The form in which `axgen params-of` writes a set for a target.
-fn set_form(target: &str) -> &str {
-    match target {
-        "twincat" | "codesys" => "st",
-        other => other,
+fn set_form(target: &str) -> &'static str {
+    match TargetName::named(target).expect("commissioning: a target is a word of its parameter") {
+        TargetName::C => "c",
+        TargetName::Rust => "rust",
+        TargetName::St | TargetName::TwinCat | TargetName::Codesys => "st",
+        TargetName::Scl => "scl",
     }
 }

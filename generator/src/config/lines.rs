@@ -124,9 +124,9 @@ fn comment_start(line: &[u8]) -> Result<usize, usize> {
         let rest = &line[from..];
         let plain = memchr::memchr3(b'#', b'(', b';', rest).unwrap_or(rest.len());
         let Some(at) = memchr::memchr3(b'/', b'"', b'\r', &rest[..plain]) else { return Ok(from + plain) };
-        let behind = &rest[at + 1..];
-        let string = memchr::memchr2(b'"', b'\r', behind).filter(|end| behind[*end] == b'"');
-        from += match (rest[at], behind.first(), string) {
+        let after = &rest[at + 1..];
+        let string = memchr::memchr2(b'"', b'\r', after).filter(|end| after[*end] == b'"');
+        from += match (rest[at], after.first(), string) {
             (b'\r', ..) => return Err(from + at),
             (b'/', Some(b'*' | b'/'), _) => return Ok(from + at),
             (b'"', _, Some(end)) => at + 1 + end + 1,

@@ -34,7 +34,7 @@ pub(crate) fn read(list: &AxisList) -> List {
         },
         source: &list.source,
         commented: None,
-        is_behind_end: false,
+        is_after_end: false,
         is_taken: false,
     };
     let mut unreadable = 0;
@@ -58,7 +58,7 @@ struct Reading<'s> {
     source: &'s Arc<Source>,
     /// the last line ended with a comment; the value is whether a continuation without a comment sign has been reported
     commented: Option<bool>,
-    is_behind_end: bool,
+    is_after_end: bool,
     /// the line was the value of the line above, which has been reported
     is_taken: bool,
 }
@@ -74,9 +74,7 @@ impl Reading<'_> {
             Content::Statement(statement) => (statement.comment, at + statement.comment_at()),
             Content::Unreadable { .. } => (&[][..], at),
         };
-        if let Some(said) =
-            odd_line::text_behind(comment).map(|behind| behind_comment(self.source, comment_at + behind))
-        {
+        if let Some(said) = odd_line::text_after(comment).map(|after| after_comment(self.source, comment_at + after)) {
             self.list.report.push(said);
         }
         let commented = self.commented.take();
@@ -84,7 +82,7 @@ impl Reading<'_> {
         match content {
             Content::Remark { .. } => true,
             Content::Statement(statement) if statement.is_end() => {
-                self.is_behind_end = true;
+                self.is_after_end = true;
                 true
             }
             Content::Statement(statement) if commented.is_some() && odd_line::is_prose(&statement) => {
@@ -119,7 +117,7 @@ impl Reading<'_> {
     /// A line with a path.
     fn statement(&mut self, at: usize, statement: &Statement<'_>, below: Option<Content<'_>>) -> bool {
         let place = || self.source.place(at + statement.path_at());
-        if self.is_behind_end {
+        if self.is_after_end {
             if matches!(path::find(statement.path), Path::Known { .. }) {
                 let found = format!("`{}` comes after `Ende`, where the list ends", statement.path);
                 let said = Diagnostic::error(codes::BEHIND_END, place(), found);
@@ -229,13 +227,13 @@ impl Reading<'_> {
         let (written, parameter) = (line.path, key.0.parameter());
         let spelled = value::spelled(parameter, line.value);
         let (path_at, value_at) = (start + line.path_at(), start + line.value_at() + spelled.at);
-        if !spelled.behind.is_empty() {
-            let place = source.place(start + line.value_at() + spelled.behind_at);
+        if !spelled.after.is_empty() {
+            let place = source.place(start + line.value_at() + spelled.after_at);
             let unit = if parameter.unit.is_empty() { String::new() } else { format!(" [{}]", parameter.unit) };
-            let (text, behind) = (value::shown(spelled.text), value::shown(spelled.behind));
-            let found = format!("a controller takes {behind} for a comment: the value is {text}{unit}");
+            let (text, after) = (value::shown(spelled.text), value::shown(spelled.after));
+            let found = format!("a controller takes {after} for a comment: the value is {text}{unit}");
             let said = Diagnostic::warning(codes::TEXT_BEHIND, place, found);
-            self.list.report.push(said.instead(format!("{written} {} # {}", spelled.text, spelled.behind)));
+            self.list.report.push(said.instead(format!("{written} {} # {}", spelled.text, spelled.after)));
         }
         if parameter.misprints.contains(&spelling) {
             let found = format!("`{written}` is a misprint of the manual");
@@ -267,7 +265,7 @@ impl Reading<'_> {
     }
 }
 
-fn behind_comment(source: &Source, at: usize) -> Diagnostic {
+fn after_comment(source: &Source, at: usize) -> Diagnostic {
     let found = "text after `*/`: a comment ends with its line, and the controller does not read the text";
     let said = Diagnostic::error(codes::COMMENT, source.place(at), found);
     said.allowed("a comment to the end of the line").instead("the text in a line of its own")

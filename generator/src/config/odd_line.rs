@@ -30,11 +30,11 @@ pub(super) fn is_prose(line: &Statement<'_>) -> bool {
 }
 
 /// The text after the end of a comment `/* ... */`, which belongs to the comment.
-pub(super) fn text_behind(comment: &[u8]) -> Option<usize> {
+pub(super) fn text_after(comment: &[u8]) -> Option<usize> {
     let end = comment.strip_prefix(b"/*")?.windows(2).position(|two| two == b"*/")? + 4;
     let blanks = comment[end..].iter().position(|byte| !byte.is_ascii_whitespace())?;
-    let behind = &comment[end + blanks..];
-    let is_comment = [&b"#"[..], b"(", b"/*", b";", b"//"].iter().any(|sign| behind.starts_with(sign));
+    let after = &comment[end + blanks..];
+    let is_comment = [&b"#"[..], b"(", b"/*", b";", b"//"].iter().any(|sign| after.starts_with(sign));
     (!is_comment).then_some(end + blanks)
 }
 

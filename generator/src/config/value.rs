@@ -31,14 +31,14 @@ impl Refused {
 pub(crate) struct Spelled<'t> {
     pub(crate) text: &'t str,
     pub(crate) at: usize,
-    pub(crate) behind: &'t str,
-    pub(crate) behind_at: usize,
+    pub(crate) after: &'t str,
+    pub(crate) after_at: usize,
 }
 
 pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
     if let Some(end) = line.strip_prefix('"').and_then(|string| string.find('"')) {
-        let behind = line[end + 2..].trim_ascii_start();
-        return Spelled { text: &line[1..=end], at: 1, behind, behind_at: line.len() - behind.len() };
+        let after = line[end + 2..].trim_ascii_start();
+        return Spelled { text: &line[1..=end], at: 1, after, after_at: line.len() - after.len() };
     }
     let end = match parameter.kind {
         Kind::Words(words) | Kind::Flags(words) if !line.starts_with(|c: char| c.is_ascii_digit()) => {
@@ -47,18 +47,18 @@ pub(crate) fn spelled<'t>(parameter: &Parameter, line: &'t str) -> Spelled<'t> {
         _ => end_of_word(line),
     };
     let (text, rest) = line.split_at(end);
-    let behind = rest.trim_ascii_start();
+    let after = rest.trim_ascii_start();
     // A second value, digit groups or a decimal comma after a blank are not a comment: the controller would read another
     // value than was meant.
-    if behind.is_empty() && !line.starts_with('=') {
-        return Spelled { text, at: 0, behind, behind_at: line.len() };
+    if after.is_empty() && !line.starts_with('=') {
+        return Spelled { text, at: 0, after, after_at: line.len() };
     }
-    let second = &behind[..end_of_word(behind)];
+    let second = &after[..end_of_word(after)];
     let is_digits = second.starts_with(|c: char| c.is_ascii_digit() || c == '.' || c == ',') && is_number(text);
     if is_digits || line.starts_with('=') || of_text(parameter, second).is_ok() && !second.is_empty() {
-        return Spelled { text: line, at: 0, behind: "", behind_at: line.len() };
+        return Spelled { text: line, at: 0, after: "", after_at: line.len() };
     }
-    Spelled { text, at: 0, behind, behind_at: line.len() - behind.len() }
+    Spelled { text, at: 0, after, after_at: line.len() - after.len() }
 }
 
 pub(super) fn end_of_word(text: &str) -> usize {
@@ -86,10 +86,9 @@ fn end_of_words(words: &'static [Word], line: &str) -> usize {
 }
 
 /// A number of IEC 61131-3 with its radix, `16#3E8`: a controller would read only the radix and treat the rest as a comment.
-pub(crate) fn with_radix(parameter: &Parameter, text: &[u8], behind: &[u8]) -> Option<Refused> {
-    let length =
-        behind.strip_prefix(b"#")?.iter().take_while(|byte| byte.is_ascii_hexdigit() || **byte == b'_').count();
-    let (radix, digits) = (str::from_utf8(text).ok()?, str::from_utf8(&behind[1..=length]).ok()?);
+pub(crate) fn with_radix(parameter: &Parameter, text: &[u8], after: &[u8]) -> Option<Refused> {
+    let length = after.strip_prefix(b"#")?.iter().take_while(|byte| byte.is_ascii_hexdigit() || **byte == b'_').count();
+    let (radix, digits) = (str::from_utf8(text).ok()?, str::from_utf8(&after[1..=length]).ok()?);
     let number = radix.parse().ok().filter(|radix| [2, 8, 16].contains(radix))?;
     let number = i64::from_str_radix(&digits.replace('_', ""), number).ok()?;
     let found = format!("is `{radix}#{digits}`: `#` begins a comment");

@@ -36,9 +36,9 @@ fn of_set(
     let Some(list) = given::list_of(&keys, axis.name, path, load) else {
         let base = imported(&keys).map_err(|refused| report.extend(refused)).ok()?;
         let filling = Filling { values: top.overridden_by(keys), report };
-        let Some(Imported { text: [before, lines, behind], encoding, place }) = base else { return filling.list(None) };
+        let Some(Imported { text: [before, lines, after], encoding, place }) = base else { return filling.list(None) };
         let list = filling.list(Some(&lines))?;
-        return file_of([&before, &list, &behind], encoding, &place, report);
+        return file_of([&before, &list, &after], encoding, &place, report);
     };
     let list = list.map_err(|unreadable| report.extend(unreadable)).ok()?;
     if list.source.is_converted() {
@@ -55,8 +55,8 @@ fn of_set(
         return None;
     }
     let filled = Filling { values: read.values.overridden_by(keys), report }.list(Some(list.bytes()))?;
-    let [before, behind] = list.around();
-    file_of([before, &filled, behind], list.source.encoding, &list.source.whole(), report)
+    let [before, after] = list.around();
+    file_of([before, &filled, after], list.source.encoding, &list.source.whole(), report)
 }
 
 /// The bytes of a list or a project, if its lists can be read.
@@ -103,7 +103,7 @@ fn imported(keys: &Values) -> Result<Option<Imported>, Report> {
     // An editor or version control may have changed the line ends of the whole set.
     let is_saved = setting.source.bytes[setting.value_at..].starts_with(b"\"\"\"\r\n");
     let crlf = keys.word(Name::ImportedLineEnd) == Some(LineEnd::CrLf);
-    let text = [Name::ImportedBefore, Name::ImportedLines, Name::ImportedBehind].map(|name| {
+    let text = [Name::ImportedBefore, Name::ImportedLines, Name::ImportedAfter].map(|name| {
         let text = keys.text(name).map_or("", |(text, _)| text);
         let text = if is_saved { text.replace("\r\n", "\n") } else { text.to_owned() };
         if crlf { text.replace('\n', "\r\n") } else { text }.into_bytes()
@@ -111,8 +111,8 @@ fn imported(keys: &Values) -> Result<Option<Imported>, Report> {
     let encoding = match keys.word(Name::ImportedEncoding).unwrap_or(ListEncoding::Utf8) {
         ListEncoding::Utf8 => Encoding::Plain,
         ListEncoding::Latin1 => {
-            let [before, lines, behind] = text.map(|text| encoded(text, Encoding::Latin1, &place));
-            return Ok(Some(Imported { text: [before?, lines?, behind?], encoding: Encoding::Plain, place }));
+            let [before, lines, after] = text.map(|text| encoded(text, Encoding::Latin1, &place));
+            return Ok(Some(Imported { text: [before?, lines?, after?], encoding: Encoding::Plain, place }));
         }
         ListEncoding::Utf16LittleEnd => Encoding::Utf16LittleEnd,
         ListEncoding::Utf16BigEnd => Encoding::Utf16BigEnd,

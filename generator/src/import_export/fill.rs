@@ -36,7 +36,7 @@ impl Filling<'_> {
         }
         let line_end = line_end.unwrap_or(b"\n");
         // A controller ignores everything after `Ende`.
-        let behind = end.map(|end| list.split_off(end)).unwrap_or_default();
+        let after = end.map(|end| list.split_off(end)).unwrap_or_default();
         let mut rest = self.rest(&written, base.is_none());
         if !rest.is_empty() && base.is_some() {
             rest.insert(0, "# Not in the list so far:".to_owned());
@@ -49,7 +49,7 @@ impl Filling<'_> {
             list.extend(line.as_bytes());
             list.extend(line_end);
         }
-        list.extend(behind);
+        list.extend(after);
         self.prove(&list);
         (!self.report.has_errors()).then_some(list)
     }

@@ -84,14 +84,14 @@ impl Taken {
                         cycle_time = Some(slot.text.to_owned());
                     } else {
                         let above = comments_above(std::mem::take(&mut above));
-                        let beside = match line.content {
+                        let comment = match line.content {
                             Content::Statement(statement) => {
-                                let behind = spelling::behind(parameter, statement.value);
-                                format!(" {}{}", behind, comment_text(statement.comment))
+                                let after = spelling::after(parameter, statement.value);
+                                format!(" {}{}", after, comment_text(statement.comment))
                             }
                             _ => String::new(),
                         };
-                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, beside.trim_end());
+                        tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, comment.trim_end());
                     }
                 }
                 (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
@@ -105,8 +105,8 @@ impl Taken {
             }
             left.extend(text);
         }
-        let [before, behind] = list.around();
-        Self { axis, lines: encoded([before, &left, behind], list.source.encoding), cycle_time }
+        let [before, after] = list.around();
+        Self { axis, lines: encoded([before, &left, after], list.source.encoding), cycle_time }
     }
 
     /// The text of the set, with the cycle time of the command line.
@@ -120,7 +120,7 @@ impl Taken {
                      # cycle_time = \"1ms\"\n"
                 .to_owned(),
         };
-        let Encoded { text: [before, lines, behind], encoding, crlf } = self.lines;
+        let Encoded { text: [before, lines, after], encoding, crlf } = self.lines;
         let axis = tables::text(name, self.axis);
         let encoding = match encoding {
             ListEncoding::Utf8 => String::new(),
@@ -135,13 +135,13 @@ impl Taken {
             true => String::new(),
             false => format!("{key} = {}\n", toml_string(text)),
         };
-        let (before, behind) = (part("before", &before), part("behind", &behind));
+        let (before, after) = (part("before", &before), part("after", &after));
         let file = comment_text(format!("# {file}").as_bytes());
         format!(
             "{file}, imported by axgen\n{cycle_time}\n{axis}\n\
              # The list, line by line; `axgen export` writes it back. `=` stands for a value that stands above, `=0X1` for one that was\n\
              # spelled so. Change values above. Parameters of other functions stand here, and all comments: those above are copies.\n\
-             [axis.{name}.imported_list]\n{encoding}{line_end}{before}lines = {lines}\n{behind}"
+             [axis.{name}.imported_list]\n{encoding}{line_end}{before}lines = {lines}\n{after}"
         )
     }
 }

@@ -64,7 +64,7 @@ pub(super) fn is_own(name: Name) -> bool {
         Name::List
         | Name::ImportedBefore
         | Name::ImportedLines
-        | Name::ImportedBehind
+        | Name::ImportedAfter
         | Name::ImportedEncoding
         | Name::ImportedLineEnd => false,
         Name::CycleTime => true,

@@ -36,9 +36,9 @@ pub(super) fn in_list(parameter: &Parameter, toml: &[u8], value: &Value) -> Stri
 }
 
 /// The text that a controller treats as a comment after a value, as a comment of TOML, with a blank after it.
-pub(super) fn behind(parameter: &Parameter, line: &str) -> String {
-    let behind = spelled(parameter, line).behind;
-    if behind.is_empty() { String::new() } else { format!("# {behind} ") }
+pub(super) fn after(parameter: &Parameter, line: &str) -> String {
+    let after = spelled(parameter, line).after;
+    if after.is_empty() { String::new() } else { format!("# {after} ") }
 }
 
 /// Whether every reader of TOML reads the text as its value without quotes: some reject a number beyond 64 bits.

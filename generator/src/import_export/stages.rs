@@ -62,9 +62,9 @@ fn in_list(source: &Arc<Source>, name: &str, stages: &[Stage]) -> Result<Vec<u8>
     if read.report.has_errors() {
         return Err(read.report);
     }
-    let [before, behind] = list.around();
+    let [before, after] = list.around();
     let edited = stages_in_list::edited(list.bytes(), stages);
-    list.source.encoding.encoded([before, &edited, behind].concat()).map_err(|character| {
+    list.source.encoding.encoded([before, &edited, after].concat()).map_err(|character| {
         let found = format!("the list has the character {character:?}, which its encoding lacks");
         Diagnostic::error(codes::BYTE, source.whole(), found).into()
     })

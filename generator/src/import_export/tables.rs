@@ -7,13 +7,13 @@ use toml_edit::{Array, ArrayOfTables, Decor, DocumentMut, InlineTable, Item, Key
 /// An array of tables whose line would be longer gets a header for each table.
 const WIDTH: usize = 102;
 
-/// Inserts a value at the path of a template with its indices; `above` contains the lines before it, `beside` the text after
+/// Inserts a value at the path of a template with its indices; `above` contains the lines before it, `comment` the text after
 /// it.
-pub(super) fn insert(axis: &mut Table, template: &str, index: [u32; 2], mut value: Value, above: &str, beside: &str) {
+pub(super) fn insert(axis: &mut Table, template: &str, index: [u32; 2], mut value: Value, above: &str, comment: &str) {
     let path = path_with(template, index);
     let (tables, key) = path.rsplit_once('.').unwrap_or(("", &path));
     let table = tables.split('.').filter(|part| !part.is_empty()).fold(axis, below);
-    *value.decor_mut() = Decor::new(" ", beside);
+    *value.decor_mut() = Decor::new(" ", comment);
     table.insert(key, Item::Value(value));
     if let Some(mut key) = table.key_mut(key) {
         key.leaf_decor_mut().set_prefix(above);
@@ -97,12 +97,12 @@ fn take_above(table: &mut Table) -> Option<String> {
 fn on_a_line(key: &str, tables: &ArrayOfTables) -> Option<(String, Array)> {
     let leaves = tables.iter().map(leaves).collect::<Option<Vec<_>>>()?.concat();
     let is_bare = |(key, value): &(&Key, &Value)| {
-        above(key.leaf_decor()).trim_start_matches('\n').is_empty() && beside(value).is_empty()
+        above(key.leaf_decor()).trim_start_matches('\n').is_empty() && comment(value).is_empty()
     };
     let (first, value) = leaves.first()?;
     let mut array: Array = tables.iter().map(inline).collect();
     let fits = key.len() + array.to_string().len() <= WIDTH && (leaves.len() == 1 || leaves.iter().all(is_bare));
-    *array.decor_mut() = Decor::new(" ", beside(value));
+    *array.decor_mut() = Decor::new(" ", comment(value));
     fits.then(|| (above(first.leaf_decor()).to_owned(), array))
 }
 
@@ -132,6 +132,6 @@ fn above(decor: &Decor) -> &str {
     decor.prefix().and_then(|lines| lines.as_str()).unwrap_or_default()
 }
 
-fn beside(value: &Value) -> &str {
+fn comment(value: &Value) -> &str {
     value.decor().suffix().and_then(|comment| comment.as_str()).unwrap_or_default()
 }

@@ -122,7 +122,7 @@ table! {
     /// what stands before these lines in their file, a project of TwinCAT
     ImportedBefore: AXIS_KEY("imported_list.before")
     /// what stands after these lines in their file
-    ImportedBehind: AXIS_KEY("imported_list.behind")
+    ImportedAfter: AXIS_KEY("imported_list.after", aliases: &["imported_list.behind"])
     /// what a character of these lines stands for in the file: its bytes in UTF-8 or UTF-16, or the one byte of its number
     ImportedEncoding: AXIS_KEY("imported_list.encoding", kind: Kind::Word(ListEncoding::WORDS), default: &["utf-8"])
     /// how every one of these lines ends

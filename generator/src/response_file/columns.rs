@@ -136,8 +136,8 @@ fn bracketed(name: &str) -> (&str, Option<&str>) {
     if let Some((bare, text)) = within('(', ')').filter(|(_, text)| unit(text).is_some()) {
         return (bare, Some(text));
     }
-    let behind = name.split_once('/').or_else(|| name.split_once(" in "));
-    match behind.filter(|(_, text)| unit(text).is_some()) {
+    let after = name.split_once('/').or_else(|| name.split_once(" in "));
+    match after.filter(|(_, text)| unit(text).is_some()) {
         Some((bare, text)) => (bare, Some(text)),
         None => (name, None),
     }

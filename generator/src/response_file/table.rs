@@ -190,7 +190,7 @@ fn averages(line: &str) -> Option<f64> {
     let words: Vec<&str> =
         lower.split(|letter: char| !letter.is_alphanumeric()).filter(|word| !word.is_empty()).collect();
     let at = words.iter().position(|word| AVERAGES.contains(word))?;
-    let behind = words.get(at + 1).and_then(|word| word.parse::<u32>().ok());
+    let after = words.get(at + 1).and_then(|word| word.parse::<u32>().ok());
     let before = || at.checked_sub(1).and_then(|at| words[at].parse::<u32>().ok());
-    behind.or_else(before).filter(|count| *count > 0).map(f64::from)
+    after.or_else(before).filter(|count| *count > 0).map(f64::from)
 }

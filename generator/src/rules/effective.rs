@@ -18,6 +18,8 @@ pub(crate) struct Effective<'a> {
     pub(crate) block: Option<&'static str>,
     /// values that replace a default
     adopted: BTreeMap<Key, Value>,
+    /// a value that replaces what is given
+    varied: Option<(Key, Value)>,
     used: BTreeMap<Key, Used>,
 }
 
@@ -30,7 +32,18 @@ struct Used {
 
 impl<'a> Effective<'a> {
     pub(crate) fn new(values: &'a Values, home: Place) -> Self {
-        Self { values, home, report: Report::default(), block: None, adopted: BTreeMap::new(), used: BTreeMap::new() }
+        let (adopted, used) = (BTreeMap::new(), BTreeMap::new());
+        Self { values, home, report: Report::default(), block: None, adopted, varied: None, used }
+    }
+
+    /// The same with another value of a parameter.
+    pub(crate) fn varied(values: &'a Values, home: Place, other: (Key, Value)) -> Self {
+        Self { varied: Some(other), ..Self::new(values, home) }
+    }
+
+    /// The values that blocks use, in the order of the table.
+    pub(crate) fn used(&self) -> impl Iterator<Item = (Key, &Value)> {
+        self.used.iter().map(|(key, used)| (*key, &used.value))
     }
 
     pub(crate) fn given(&self, key: Key) -> Option<&'a Setting> {
@@ -70,6 +83,9 @@ impl<'a> Effective<'a> {
     /// The effective value, validated; it is not added to the canonical form. An error is reported only once.
     pub(crate) fn validated(&mut self, key: Key) -> Option<Value> {
         let parameter = key.0.parameter();
+        if let Some((_, other)) = self.varied.as_ref().filter(|(varied, _)| *varied == key) {
+            return Some(other.clone());
+        }
         let refused = match self.given(key) {
             Some(setting) => match &setting.value {
                 Some(value) if parameter.contains(value) => return Some(value.clone()),

@@ -23,8 +23,8 @@ pub fn unit<'a>(axis: &'a str, files: &[(&str, String)]) -> Option<Unit<'a>> {
     of_files.sort_unstable();
     of_files.dedup();
     let real = |text: &String| match line(text, "real type ")? {
-        "LREAL" => Some(RealKind::F64),
-        "REAL" => Some(RealKind::F32),
+        "LREAL" | "f64" => Some(RealKind::F64),
+        "REAL" | "f32" => Some(RealKind::F32),
         _ => None,
     };
     let reals = files.iter().map(|(_, text)| real(text)).collect::<Option<_>>()?;

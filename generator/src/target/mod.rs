@@ -7,6 +7,7 @@ mod outline;
 mod rust;
 mod st;
 mod unit;
+mod values;
 
 pub(crate) use c::names::prefix as c_prefix;
 pub use called::of_names;
@@ -19,7 +20,8 @@ use crate::exercise::runner::Runner;
 use askama::Template;
 use compiler::legalise;
 use compiler::pass::{Defect, Stage};
-use compiler::program::Program;
+use compiler::print::{self, Language, Printer};
+use compiler::program::{Constant, Origin, Program};
 use portable::{Literal, RealKind};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -30,8 +32,8 @@ pub(crate) const VERSION: &str = env!("CARGO_PKG_VERSION");
 /// The licence statement in the head of a generated file.
 pub(crate) const LICENCE: &str = "this file belongs to the user of axgen; no licence of axgen applies to it";
 
-/// The folders that files lie in, below the output folder: itself, and those of TwinCAT.
-pub const FOLDERS: [&str; 5] = ["", "twincat/", "twincat/DUTs/", "twincat/POUs/", "twincat/Tests/"];
+/// The folders that files lie in, below the output folder: itself, the crate of Rust, and those of TwinCAT.
+pub const FOLDERS: [&str; 6] = ["", "rust/", "twincat/", "twincat/DUTs/", "twincat/POUs/", "twincat/Tests/"];
 
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
@@ -39,6 +41,7 @@ pub struct Target {
     pub name: &'static str,
     /// the passes that make a program expressible in the language
     pub passes: &'static [Stage],
+    language: &'static Language,
     /// the names of a block of an axis and of its self-test
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     /// the files of a block after these passes
@@ -49,29 +52,60 @@ pub struct Target {
     runner: Option<fn(&BlockIdentity, &TargetBlock<'_>, &Runner) -> File>,
     /// number of samples of the runner written with each block; `None`: no runner
     samples: Option<usize>,
+    /// the file of a block's description for calibration tools; not every language has one
+    description: Option<fn(&BlockIdentity, &TargetBlock<'_>) -> File>,
+    /// whether it is written
+    is_described: bool,
 }
 
 pub const TARGETS: [Target; 6] = [
     Target {
         runner: Some(c::runner::file),
-        ..target("c", legalise::WITH_OUTPUTS, c::names::block_and_test, c::files, |_| Vec::new())
+        description: Some(c::a2l::file),
+        ..target("c", legalise::WITH_OUTPUTS, &print::c::LANGUAGE, c::names::block_and_test, c::files, |_| Vec::new())
     },
-    target("rust", legalise::WITH_OUTPUTS, rust::called, rust::files, |_| Vec::new()),
-    target("st", legalise::WITH_DIGITS, st::called, st::plain, |_| Vec::new()),
-    target("twincat", legalise::WITH_TASK, st::twincat::called, st::twincat::files, st::twincat::shared),
-    target("codesys", legalise::WITH_ENABLE, st::codesys::called, st::codesys::files, st::codesys::shared),
-    target("scl", legalise::WITH_NAMES, st::scl_called, st::scl, st::scl_shared),
+    target("rust", legalise::WITH_OUTPUTS, &print::rust::LANGUAGE, rust::called, rust::files, rust::library::shared),
+    target("st", legalise::WITH_DIGITS, &print::st::PLAIN, st::called, st::plain, |_| Vec::new()),
+    target(
+        "twincat",
+        legalise::WITH_TASK,
+        &print::st::CODESYS,
+        st::twincat::called,
+        st::twincat::files,
+        st::twincat::shared,
+    ),
+    target(
+        "codesys",
+        legalise::WITH_ENABLE,
+        &print::st::CODESYS,
+        st::codesys::called,
+        st::codesys::files,
+        st::codesys::shared,
+    ),
+    target("scl", legalise::WITH_NAMES, &print::st::SCL, st::scl_called, st::scl, st::scl_shared),
 ];
 
-/// A target without runners.
+/// A target without runners and descriptions.
 const fn target(
     name: &'static str,
     passes: &'static [Stage],
+    language: &'static Language,
     called: fn(&str, &str, Option<&str>) -> [String; 2],
     files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
-    Target { name, passes, called, files, shared, runner: None, samples: None }
+    Target {
+        name,
+        passes,
+        language,
+        called,
+        files,
+        shared,
+        runner: None,
+        samples: None,
+        description: None,
+        is_described: false,
+    }
 }
 
 /// The targets of a set that names none.
@@ -111,10 +145,35 @@ impl Target {
         Ok((self.files)(identity, &self.block(block)?))
     }
 
+    /// The coefficients in the text of a block: the position of each among all of the block, its name, and the constant.
+    ///
+    /// # Errors
+    /// A defect of a legalising pass.
+    pub fn coefficients(&self, block: &Block) -> Result<Vec<(usize, String, Constant)>, Defect> {
+        let program = self.program(block)?;
+        let printer = Printer::new(&program, self.language, "");
+        let named = program.constants.iter().zip(&printer.names().constants).filter_map(|(constant, name)| {
+            let Origin::Coefficient(leaf) = constant.origin else { return None };
+            Some((leaf, name.clone(), constant.clone()))
+        });
+        Ok(named.collect())
+    }
+
     /// The target with a runner of this number of samples for each block, if the language has runners.
     #[must_use]
     pub fn with_runners(self, samples: usize) -> Option<Self> {
         self.runner.map(|_| Self { samples: Some(samples), ..self })
+    }
+
+    /// The target with a description of each block, if the language has them.
+    #[must_use]
+    pub fn with_descriptions(self) -> Option<Self> {
+        self.description.map(|_| Self { is_described: true, ..self })
+    }
+
+    /// The file of a block's description, if requested.
+    pub fn description(&self, identity: &BlockIdentity, block: &TargetBlock<'_>) -> Option<File> {
+        Some(self.description.filter(|_| self.is_described)?(identity, block))
     }
 
     /// The file of a block's runner, if requested; `record` runs the reference for the given number of samples.

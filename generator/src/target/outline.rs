@@ -181,14 +181,17 @@ impl Outline<'_> {
     }
 
     fn number(&self, constant: &Constant, name: &str, appearance: Appearance) -> Member {
-        let ty = Type::of_literal(constant.value).expect("outline: the passes leave what exists at run time");
         let value = match appearance {
             Appearance::Assigned => (self.language.operand)(constant.value).0,
             Appearance::Inline | Appearance::Declared | Appearance::Shared | Appearance::Enumerator => {
                 (self.language.literal)(constant.value)
             }
         };
-        Member { ty: self.ty(ty).into(), name: name.to_owned(), doc: self.doc(constant.doc), value }
+        Member { ty: self.ty_of(constant).into(), name: name.to_owned(), doc: self.doc(constant.doc), value }
+    }
+
+    pub(super) fn ty_of(&self, constant: &Constant) -> &'static str {
+        self.ty(Type::of_literal(constant.value).expect("outline: the passes leave what exists at run time"))
     }
 }
 

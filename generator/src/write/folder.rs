@@ -1,7 +1,7 @@
 //! The output folder: created if necessary, locked by one process at a time, and cleared of files of a killed process.
 
 use super::Refusal;
-use super::beside::{left_over, remove};
+use super::temporary::{left_over, remove};
 use crate::config;
 use crate::digest::has_right_checksum;
 use std::collections::{BTreeMap, BTreeSet};

@@ -9,10 +9,10 @@
 //! ```
 //! The guarantees and the reasons: `docs/decisions/files.md`.
 
-mod beside;
 mod folder;
 mod one;
 mod replace;
+mod temporary;
 
 pub use folder::{Folder, open};
 pub use one::{One, Replace, is_replaced, stage_one};
@@ -22,10 +22,10 @@ use crate::config::{self, Unreadable};
 use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
 use crate::digest::{has_right_checksum, is_text};
 use crate::target::File;
-use beside::{remove, staged};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::{fs, iter};
+use temporary::{remove, staged};
 
 /// What was done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -69,7 +69,7 @@ impl Refusal {
             Self::Torn(path, error, torn) => {
                 let found = format!("{error}; but for the files named below all are as they were before");
                 let not_put_back = |path: &PathBuf| {
-                    let kept = beside::kept(path);
+                    let kept = temporary::kept(path);
                     unwritable(path, format!("could not be put back; as it was before it is {}", kept.slashes()))
                 };
                 iter::once(unwritable(path, found)).chain(torn.iter().map(not_put_back)).collect()

@@ -1,7 +1,7 @@
 //! One requested file, by its path: staged next to it, then renamed. The caller decides which files it may replace.
 
-use super::beside::{left_over, remove, staged};
 use super::is_writable;
+use super::temporary::{left_over, remove, staged};
 use crate::diagnostics::Slashes;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};

@@ -1,7 +1,7 @@
 //! Renames staged files to their targets and removes other files, all or none. At any moment a target has its complete old
 //! or new content.
 
-use super::beside::{kept, remove, staged};
+use super::temporary::{kept, remove, staged};
 use super::{Change, Refusal, Staged};
 use std::fs;
 use std::io::{self, ErrorKind};

@@ -25,7 +25,7 @@ fn a_set_point_stage_whose_addition_comes_late() {
         ));
         let (set, report) = read_list(list.replace("ipc.", IPC));
         let set = set.unwrap_or_else(|| panic!("{report}"));
-        let text = summary::details(&set.axes[0]);
+        let text = summary::details(&set.axes[0]).text();
         let degrees = (360.0 * f0 * cycle * 10.0).round() / 10.0;
         assert_eq!(format!("{} % | {} % | {} deg", left(0.0), left(turn), degrees.round()), expected);
         let line = format!(

@@ -204,7 +204,7 @@ fn an_axis_that_is_no_spindle_is_what_it_was() {
 #[test]
 fn the_gain_of_the_drive() {
     let said = |lines: &str| {
-        let text = summary::details(&designed(lines));
+        let text = summary::details(&designed(lines)).text();
         text.lines().filter_map(|line| line.trim_start().strip_prefix("Kv ")).map(str::to_owned).collect::<Vec<_>>()
     };
     let axis = |drive: &str| format!("getriebe = [{{ kv = 2050, dynamik.vb_max = 500000 }}]\n{drive}");

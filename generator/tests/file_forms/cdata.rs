@@ -8,10 +8,10 @@ fn the_objects_hold_their_text_unescaped() {
         for (name, text) in case.with(&OBJECTS) {
             let mut rest = text.as_str();
             while let Some((_, inside)) = rest.split_once("<![CDATA[") {
-                let (section, behind) = inside.split_once("]]>").unwrap();
+                let (section, after) = inside.split_once("]]>").unwrap();
                 assert!(!section.contains("&lt;") && !section.contains("&amp;"), "{name}: {section}");
-                assert!(behind.starts_with("</"), "{name}: one section for an element");
-                rest = behind;
+                assert!(after.starts_with("</"), "{name}: one section for an element");
+                rest = after;
             }
             assert!(!rest.contains("]]>"), "{name}");
         }

@@ -31,8 +31,8 @@ fn every_named_value_of_a_signal_is_in_the_header() {
             };
             // The ids stand in the comment of the output as well: 0 none, 1 cycle_time, ...
             let flat = text.replace("\n     * ", " ");
-            let (before, behind) = flat.split_once("uint32_t error_id;").unwrap();
-            let comment = if behind.starts_with(" /*") { behind } else { before.rsplit_once("    /*").unwrap().1 };
+            let (before, after) = flat.split_once("uint32_t error_id;").unwrap();
+            let comment = if after.starts_with(" /*") { after } else { before.rsplit_once("    /*").unwrap().1 };
             let listed = comment[comment.find("0 none").unwrap()..].split("*/").next().unwrap();
             let ids: BTreeMap<String, i64> = listed
                 .split(", ")

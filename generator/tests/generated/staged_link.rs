@@ -34,7 +34,7 @@ fn a_link_that_appears_after_the_folder_was_opened_is_not_followed() {
             "mine",
             "nothing went through the link"
         );
-        assert!(!folder.path().join("nothing").exists(), "nothing was made behind the link");
+        assert!(!folder.path().join("nothing").exists(), "nothing was made through the link");
         assert!(!folder.path().join("a").exists());
     }
 }

@@ -72,10 +72,10 @@ fn a_set_names_a_project() {
     );
     let files: [File<'_>; 2] = [("set.toml", set.as_bytes()), ("m.tsproj", project.as_bytes())];
     let list = String::from_utf8(exported(&files)).unwrap();
-    let (before, behind) = project.split_at(project.rfind("kopf.achs_nr").unwrap());
-    let behind =
-        behind.replace("DRYRUN", "OFF").replace("Ende\r\n", "# Not in the list so far:\ngetriebe[0].kv 7\nEnde\r\n");
-    assert_eq!(list, format!("{before}{behind}"));
+    let (before, after) = project.split_at(project.rfind("kopf.achs_nr").unwrap());
+    let after =
+        after.replace("DRYRUN", "OFF").replace("Ende\r\n", "# Not in the list so far:\ngetriebe[0].kv 7\nEnde\r\n");
+    assert_eq!(list, format!("{before}{after}"));
     assert_eq!(exported(&[("m.tsproj", project.as_bytes())]), project.as_bytes(), "as it is");
 }
 

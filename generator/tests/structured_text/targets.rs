@@ -27,6 +27,8 @@ fn every_target_has_its_files() {
         "IMPORT_SCL.md",
         "axgen_mode.scl",
         "axgen_shared.xml",
+        "rust/Cargo.toml",
+        "rust/lib.rs",
         "twincat/DUTs/E_axgen_mode.TcDUT",
         "twincat/IMPORT.md",
         "twincat/POUs/F_axgen_in_range_LREAL.TcPOU",

@@ -1,14 +1,20 @@
 //! Ways to run a block. All of them must give the same bits.
 
+#[cfg(feature = "compilers")]
 mod c;
+#[cfg(feature = "compilers")]
 mod compiler;
 pub mod emitted;
+#[cfg(feature = "compilers")]
 mod process;
 mod program;
 mod reference;
+#[cfg(feature = "compilers")]
 pub mod rust;
 
+#[cfg(feature = "compilers")]
 pub use c::Harness;
+#[cfg(feature = "compilers")]
 pub use compiler::Compiler;
 pub use reference::{Cycle, start};
 
@@ -51,6 +57,14 @@ pub const ENGINES: [Engine; 8] = [
     Engine::Codesys,
     Engine::Scl,
 ];
+
+impl Engine {
+    /// Whether it runs compiled code: on a computer with a compiler, and with the feature `compilers`.
+    #[must_use]
+    pub fn is_compiled(self) -> bool {
+        matches!(self, Self::C | Self::Rust)
+    }
+}
 
 impl fmt::Display for Engine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -102,8 +116,12 @@ pub fn run(engine: Engine, designed: &Designed, block: &Block, inputs: &Samples)
     match engine {
         Engine::Reference => Ok(reference::run(designed, block, inputs)),
         Engine::Program => Ok(program::run(block, inputs)),
+        #[cfg(feature = "compilers")]
         Engine::C => run_c(designed, block, inputs, &Compiler::host()),
+        #[cfg(feature = "compilers")]
         Engine::Rust => rust::run(designed, block, inputs),
+        #[cfg(not(feature = "compilers"))]
+        Engine::C | Engine::Rust => Err(Failure::Environment(format!("there is no compiler here for engine {engine}"))),
         Engine::St => emitted::run(Dialect::Plain, designed, block, inputs),
         Engine::TwinCat => emitted::run(Dialect::TwinCat, designed, block, inputs),
         Engine::Codesys => emitted::run(Dialect::Codesys, designed, block, inputs),
@@ -152,6 +170,7 @@ fn taker(designed: &Designed) -> Result<Block, Failure> {
 ///
 /// # Errors
 /// The compiler is missing or rejects the block, or the block fails its self-test.
+#[cfg(feature = "compilers")]
 pub fn run_c(designed: &Designed, block: &Block, inputs: &Samples, compiler: &Compiler) -> Result<Samples, Failure> {
     Harness::compile(designed, block, compiler)?.run(inputs, compiler)
 }

@@ -15,7 +15,7 @@ const JUMP: f64 = 180.0;
 
 /// The picture of a recording, with the response of this one or of another one; `None` if there is no curve over time.
 #[must_use]
-pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
+pub fn of(measured: &Measured, excited: Option<&Excited>) -> Option<Picture> {
     let record = measured.record.as_ref()?;
     let time = Over {
         across: Across::Time { until: record.samples() as f64 * record.cycle },
@@ -37,8 +37,7 @@ pub fn svg(measured: &Measured, excited: Option<&Excited>) -> Option<String> {
     let has_spectra = !frequency.panels.is_empty();
     let parts = [Some(Part::Over(time)), has_spectra.then_some(Part::Over(frequency))];
     let setup = measured.verdicts.iter().map(|verdict| format!("{}: {}", verdict.code, verdict.found)).collect();
-    let picture = Picture { title: "measured".to_owned(), setup, parts: parts.into_iter().flatten().collect() };
-    Some(picture.svg())
+    Some(Picture { title: "measured".to_owned(), setup, parts: parts.into_iter().flatten().collect() })
 }
 
 /// A panel for each channel; velocities with one unit share a panel.

@@ -20,7 +20,7 @@ const STATES: [&str; 5] = ["POSITION", "TO_VELOCITY", "VELOCITY", "BRAKE", "TO_P
 
 /// The picture of a scenario of that name.
 #[must_use]
-pub fn svg(scenario: &Scenario, name: &str, designed: &Designed) -> String {
+pub fn of(scenario: &Scenario, name: &str, designed: &Designed) -> Picture {
     let run = Run { scenario, cycle: designed.axis.cycle_time() };
     let events = scenario.steps.iter().filter(|step| step.to > step.from);
     let events = events.map(|step| {
@@ -33,7 +33,7 @@ pub fn svg(scenario: &Scenario, name: &str, designed: &Designed) -> String {
     };
     let across = Across::Time { until: run.time(scenario.inputs.len()) };
     let parts = vec![Part::Over(Over { across, events: events.collect(), panels })];
-    Picture { title: name.to_owned(), setup: vec![setup(scenario, designed)], parts }.svg()
+    Picture { title: name.to_owned(), setup: vec![setup(scenario, designed)], parts }
 }
 
 fn setup(scenario: &Scenario, designed: &Designed) -> String {

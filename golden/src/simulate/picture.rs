@@ -16,10 +16,10 @@ const HIGHEST: f64 = 2.5;
 /// A signal of a record, cycle by cycle.
 type Signal = fn(&Record, usize) -> f64;
 
-/// The picture of the axis of that name.
+/// The picture of the axis of that name; `None` if nothing was run.
 #[must_use]
-pub fn svg(simulation: &Simulation, axis: &str) -> String {
-    let [Some(off), Some(on)] = [simulation.rows.first(), simulation.rows.last()] else { return String::new() };
+pub fn of(simulation: &Simulation, axis: &str) -> Option<Picture> {
+    let [off, on] = [simulation.rows.first()?, simulation.rows.last()?];
     let both = [("off", &off.record), ("on", &on.record)];
     let (setup, name, unit, seen): (_, _, _, Signal) = match simulation.moved {
         Moved::Demonstration => ("the demonstration plant", "load acceleration", "m/s^2", |record, n| record.sensor[n]),
@@ -53,12 +53,11 @@ pub fn svg(simulation: &Simulation, axis: &str) -> String {
     }
     let frequency =
         Over { across: Across::Frequency { from: LOWEST, to }, events: f0_events(&simulation.stages), panels };
-    Picture {
+    Some(Picture {
         title: format!("axis {axis}"),
         setup: [setup.to_owned()].into_iter().chain([off, on].map(numbers)).collect(),
         parts: vec![Part::Over(time), Part::Over(frequency)],
-    }
-    .svg()
+    })
 }
 
 /// The figures of a run, below the title.

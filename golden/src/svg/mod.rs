@@ -1,5 +1,5 @@
-//! Pictures as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Their meaning is not known
-//! here.
+//! Pictures as numbers and as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Their meaning is
+//! not known here.
 //!
 //! ```text
 //! scale    the place of a value, linear or logarithmic, and the lines of a scale
@@ -20,13 +20,14 @@ mod style;
 
 pub use style::STYLES;
 
+use serde::Serialize;
 use style::{INK, escaped, text};
 
 /// A position on the axis below, and the value.
 pub type Point = (f64, f64);
 
 /// The contents of a picture.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Picture {
     /// first line above
     pub title: String,
@@ -37,14 +38,15 @@ pub struct Picture {
 }
 
 /// A part of a picture with its own axes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Part {
     Over(Over),
     Plane(Plane),
 }
 
 /// Panels over one axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Over {
     pub across: Across,
     /// events with their times or frequencies: lines through these panels, with names above
@@ -53,7 +55,8 @@ pub struct Over {
 }
 
 /// The axis of panels.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Across {
     /// from 0 to this time [s]
     Time { until: f64 },
@@ -62,14 +65,15 @@ pub enum Across {
 }
 
 /// A panel over an axis.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Panel {
     Curves(Curves),
     Rows(Rows),
 }
 
 /// Curves on one scale.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize)]
 pub struct Curves {
     /// their quantity and unit
     pub name: String,
@@ -81,7 +85,7 @@ pub struct Curves {
 }
 
 /// One curve.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Curve {
     pub name: String,
     /// continuous pieces of the curve
@@ -89,13 +93,13 @@ pub struct Curve {
 }
 
 /// Rows, each with the times in which it is filled.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Rows {
     pub rows: Vec<(String, Vec<[f64; 2]>)>,
 }
 
 /// Curves in a plane with equal scales on both axes.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Plane {
     /// its contents
     pub name: String,

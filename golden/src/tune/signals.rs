@@ -34,8 +34,8 @@ pub fn with_stages(tuning: &Tuning, record: &Record, stages: &[Stage]) -> Option
     let left = what_if.left(&c);
     let added: Vec<Complex64> = left.iter().zip(&c).map(|(left, c)| left * c).collect();
     let (v_motor, v_add) = (what_if.whole(motor, &left, 1.0), what_if.whole(motor, &added, 0.0));
-    // By how much the way of the motor falls behind, in the unit of its velocity times s.
-    let behind = following_error(&vec![0.0; v_motor.len()], signals[motor], &v_motor, cycle);
+    // By how much the way of the motor lags, in the unit of its velocity times s.
+    let lag = following_error(&vec![0.0; v_motor.len()], signals[motor], &v_motor, cycle);
     let gain = tuning.position_gain.unwrap_or(0.0);
     let size = |channel: &Channel| channel.unit.map(|unit| unit.size);
     let scale = |channel: &Channel| Some(size(&channels[motor])? / size(channel)?);
@@ -47,10 +47,10 @@ pub fn with_stages(tuning: &Tuning, record: &Record, stages: &[Stage]) -> Option
         "v_motor" => Some(v_motor.clone()),
         "a_load" | "v_direct" => Some(what_if.whole(k, &left, 1.0)),
         "v_add" => plus(channel, &|n| v_add[n]),
-        "following_error" => plus(channel, &|n| behind[n]),
-        "x_actual" => plus(channel, &|n| -behind[n]),
-        "v_command" => plus(channel, &|n| gain * behind[n]),
-        "v_cmd" => plus(channel, &|n| gain * behind[n] + v_add[n]),
+        "following_error" => plus(channel, &|n| lag[n]),
+        "x_actual" => plus(channel, &|n| -lag[n]),
+        "v_command" => plus(channel, &|n| gain * lag[n]),
+        "v_cmd" => plus(channel, &|n| gain * lag[n] + v_add[n]),
         _ => Some(channel.values.clone()),
     }))
 }
@@ -86,7 +86,7 @@ fn with_digits(value: f64) -> f64 {
 
 /// The picture: as recorded, and with the stages.
 #[must_use]
-pub fn svg(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<String> {
+pub fn picture(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<Picture> {
     let record = moves.record.as_ref()?;
     let both = [("as recorded", record), ("with the stages", with)];
     let mut panels = Vec::new();
@@ -108,5 +108,5 @@ pub fn svg(moves: &Measured, with: &Record, setup: Vec<String>) -> Option<String
     let panels = both.into_iter().flat_map(|(label, of)| spectra(moves, of, [BAND[0], to], label)).collect();
     let frequency = Over { across: Across::Frequency { from: BAND[0], to }, events: Vec::new(), panels };
     let parts = vec![Part::Over(time), Part::Over(frequency)];
-    Some(Picture { title: "moves with stages, predicted".to_owned(), setup, parts }.svg())
+    Some(Picture { title: "moves with stages, predicted".to_owned(), setup, parts })
 }

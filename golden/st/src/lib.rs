@@ -76,3 +76,7 @@ pub enum Dialect {
     /// an external source of Siemens S7-1200 and S7-1500
     Scl,
 }
+
+impl Dialect {
+    pub const ALL: [Self; 4] = [Self::Plain, Self::TwinCat, Self::Codesys, Self::Scl];
+}

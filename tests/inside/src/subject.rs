@@ -12,7 +12,7 @@ pub trait Subject<R: Real>: Block<R> {
     fn coefficients() -> Self::Coeffs;
 }
 
-/// Makes a block of the functions `init` and `step` beside it: its name, its four structs, its coefficients.
+/// Makes a block of the functions `init` and `step` next to it: its name, its four structs, its coefficients.
 #[macro_export]
 macro_rules! subject {
     ($name:literal, $state:ty, $coeffs:ty, $inputs:ty, $outputs:ty, $coefficients:expr) => {
@@ -60,7 +60,7 @@ macro_rules! subject {
     };
 }
 
-/// A random program in one real type, behind functions that know no type of its own.
+/// A random program in one real type, after functions that know no type of its own.
 #[derive(Clone, Copy)]
 pub struct Instance {
     /// the program's name
@@ -79,7 +79,7 @@ pub struct Instance {
     pub run: fn(&[Vec<Literal>]) -> Vec<Frame>,
 }
 
-/// What a cycle leaves behind.
+/// What a cycle has changed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// all outputs

@@ -20,7 +20,7 @@ fn a_wider_evaluation_gives_the_same_bits() {
     single.par_iter().for_each(|case| {
         let inputs = case::inputs(case, by_depth(10_000, 50_000, 200_000)).unwrap();
         let expected = engine::run(Engine::Reference, &case.axis, &case.block, &inputs).unwrap();
-        for dialect in [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl] {
+        for dialect in Dialect::ALL {
             // The others differ in names alone.
             let part = if dialect == Dialect::Plain { 1 } else { by_depth(10, 10, 1) };
             let (inputs, expected) = (inputs.first(inputs.len() / part), expected.first(expected.len() / part));

@@ -48,28 +48,28 @@ impl Step {
     }
 
     /// The number between these words. It is taken out.
-    pub fn number(&mut self, before: &str, behind: &str) -> f64 {
+    pub fn number(&mut self, before: &str, after: &str) -> f64 {
         let starts = self.rest.match_indices(before).map(|(at, _)| at + before.len());
         let range = |start: usize| {
             let tail = &self.rest[start..];
             let length = tail.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(tail.len());
             let length = tail[..length].trim_end_matches('.').len();
-            (length > 0 && tail[length..].starts_with(behind)).then_some(start..start + length)
+            (length > 0 && tail[length..].starts_with(after)).then_some(start..start + length)
         };
         let range = starts.filter_map(range).next();
         let range =
-            range.unwrap_or_else(|| panic!("step {} does not say `{before}NUMBER{behind}`: {}", self.id, self.rest));
+            range.unwrap_or_else(|| panic!("step {} does not say `{before}NUMBER{after}`: {}", self.id, self.rest));
         let text = self.rest[range.clone()].to_owned();
         self.rest.replace_range(range, "#");
         text.parse().unwrap_or_else(|_| panic!("step {}: {text} is no number", self.id))
     }
 
     /// What stands in backquotes between these words.
-    pub fn name(&self, before: &str, behind: &str) -> String {
+    pub fn name(&self, before: &str, after: &str) -> String {
         let start = format!("{before}`");
         let names = self.rest.match_indices(&start).filter_map(|(at, _)| self.rest[at + start.len()..].split_once('`'));
-        let name = names.filter(|(_, rest)| rest.starts_with(behind)).map(|(name, _)| name.to_owned()).next();
-        name.unwrap_or_else(|| panic!("step {} does not say `{before}NAME{behind}`: {}", self.id, self.rest))
+        let name = names.filter(|(_, rest)| rest.starts_with(after)).map(|(name, _)| name.to_owned()).next();
+        name.unwrap_or_else(|| panic!("step {} does not say `{before}NAME{after}`: {}", self.id, self.rest))
     }
 
     /// What it tells to write to inputs, in this order: `a := 1`. All of it is taken out.

@@ -85,7 +85,7 @@ impl Step4 {
             return Self::default();
         }
         let writes = step.writes();
-        assert_eq!(writes.len(), 2, "OFF before, ON behind the change: {writes:?}");
+        assert_eq!(writes.len(), 2, "OFF before, ON after the change: {writes:?}");
         step.says("Load the new block at standstill");
         Self { writes: [vec![writes[0].clone()], vec![writes[1].clone()]], command: step.commands.first().cloned() }
     }

@@ -107,8 +107,10 @@ impl<'p> Printer<'p> {
         let appearances = (language.appearances)(program, &signals);
         let constant = |(constant, appearance): (&Constant, &Appearance), names: &mut Names| {
             let name = match appearance {
-                Appearance::Enumerator | Appearance::Shared => names.take(&format!("{block}.{}", constant.path)),
-                Appearance::Inline | Appearance::Declared | Appearance::Assigned => names.take(&constant.path),
+                Appearance::Enumerator | Appearance::Shared if !block.is_empty() => {
+                    names.take(&format!("{block}.{}", constant.path))
+                }
+                _ => names.take(&constant.path),
             };
             let is_capital = language.has_capitals || *appearance == Appearance::Enumerator;
             if is_capital { name.to_ascii_uppercase() } else { name }

@@ -24,8 +24,12 @@ pub static LANGUAGE: Language = Language {
     // `&&` next to `||` is legal but easily misread.
     logic: [Level::And, Level::Comparison],
     form,
-    has_enumerations: false,
-    appearances: |program, _| vec![Appearance::Declared; program.constants.len()],
+    has_enumerations: true,
+    appearances: |program, signals| {
+        let is_value = |index| signals.iter().any(|signal| signal.constants.contains(&index));
+        let appearance = |index| if is_value(index) { Appearance::Enumerator } else { Appearance::Declared };
+        (0..program.constants.len()).map(appearance).collect()
+    },
     before: ["inputs.", "outputs.", "state.", "", ""],
     inside: ".",
     has_structs: true,

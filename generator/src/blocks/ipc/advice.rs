@@ -72,7 +72,7 @@ fn whole(axis: &Axis, e: &mut Effective<'_>) {
         let instead = Some("the stages in the list of the master".to_owned());
         e.warn(codes::SLAVE_STAGES, key(Name::GantryMaster), found, instead);
     }
-    let does_nothing = axis.control.is_empty() && axis.excitation.is_none();
+    let does_nothing = axis.asks_for_nothing_else();
     if active == 0 && !slave && (does_nothing || axis.ipc.enable != Enable::Off) {
         let found = match does_nothing {
             true => "no stage is active: the block puts out 0".to_owned(),
@@ -134,9 +134,9 @@ fn damping_generations(e: &mut Effective<'_>, i: u32, stage: &Stage) {
     };
     let newer = e.all_given().find(|(key, setting)| is_new(*key, setting));
     if let Some(((_, index), setting)) = newer {
-        let beside = path_with(setting.spelling, index);
+        let newer = path_with(setting.spelling, index);
         let found = format!(
-            "stage[{i}].filter.damping (P-AXIS-00756) is given together with `{beside}` of the newer parameters"
+            "stage[{i}].filter.damping (P-AXIS-00756) is given together with `{newer}` of the newer parameters"
         );
         let instead = format!("{} (P-AXIS-00850) alone", path_with(Name::OscDamping.parameter().path, [i, 0]));
         e.warn(codes::GENERATIONS, old_key, found, Some(instead));

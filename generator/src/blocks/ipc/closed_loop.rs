@@ -68,7 +68,8 @@ impl Known {
     }
 
     /// In words.
-    pub(crate) fn words(&self) -> String {
+    #[must_use]
+    pub fn words(&self) -> String {
         match self {
             Self::Delay { cycles, time_constant: None } => format!("a drive that only delays {}", delay(*cycles)),
             Self::Delay { cycles, time_constant: Some(time) } => {
@@ -88,7 +89,7 @@ fn milliseconds(time: f64) -> String {
 }
 
 /// Whether a stage closes a loop through the velocity of the motor; any other stage does not change the stability.
-fn looks_at_motor(mode: Mode) -> bool {
+pub(crate) fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
         Mode::Direct { source: DirectSource::Direct } | Mode::SetPoint { .. } => false,

@@ -4,9 +4,11 @@
 use super::certificate::{designed, noise};
 use super::closed_loop::{self, Known};
 use super::filter;
+use super::row::{ActiveStage, Reserve, StageRow, WithDrive};
 use super::stage::StageDesign;
 use crate::axis::{Axis, Enable, Mode};
 use crate::blocks::designed::Designed;
+use crate::blocks::kind::Details;
 use crate::design::band::warped;
 use crate::design::response::{self, Complex, angle, magnitude};
 use crate::number::{decimals, down_to, significant};
@@ -20,20 +22,29 @@ use stability::{Loop, MAX_MS};
 const SMALL_LIMIT: u32 = 50;
 const LARGE_LIMIT: u32 = 500;
 
-/// The lines of the block.
-pub(super) fn lines(designed: &Designed) -> Vec<String> {
-    let stages: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
-    if stages.is_empty() {
-        return vec!["improved position control: no stage is active, it adds nothing".to_owned()];
+/// The stages of the block, and its lines, which begin with their table.
+pub(super) fn details(designed: &Designed) -> Details {
+    let active: Vec<&StageDesign> = designed.stage.iter().flatten().collect();
+    let stages = rows(designed);
+    if active.is_empty() {
+        return Details {
+            stages,
+            lines: vec!["improved position control: no stage is active, it adds nothing".to_owned()],
+        };
     }
-    let mut lines = table(designed);
+    let mut lines = table(&stages);
     lines.extend([limit(&designed.axis), start(&designed.axis, designed.ipc.fade_cycles)]);
-    lines.extend(self::stages(designed));
-    if designed.axis.real == RealKind::F32 {
-        lines.push(precision(&stages, &designed.axis));
+    let figures = || stages.iter().filter_map(|row| Some((row.stage, row.active.as_ref()?)));
+    lines.extend(figures().map(|(stage, of)| format!("stage {stage}: {}", of.verdict)));
+    if figures().any(|(_, of)| !of.reserves.is_empty()) && designed.axis.drive.response.is_none() {
+        let of_mechanics = "mechanics are not in them; a measured response has them (drive.response)";
+        lines.push(format!("the weights hold for the drive alone: {of_mechanics}"));
     }
-    lines.extend(neighbours(stages));
-    lines
+    if designed.axis.real == RealKind::F32 {
+        lines.push(precision(&active, &designed.axis));
+    }
+    lines.extend(neighbours(active));
+    Details { stages, lines }
 }
 
 /// The ratio of a vibration to the roundings of single precision.
@@ -42,36 +53,56 @@ fn precision(stages: &[&StageDesign], axis: &Axis) -> String {
     noise::text(&ratios.collect::<Vec<_>>(), axis.ipc.v_max)
 }
 
+/// The stages with their numbers and verdicts.
+fn rows(designed: &Designed) -> Vec<StageRow> {
+    let drives = Known::of(&designed.axis.drive);
+    let points = closed_loop::points(designed, &drives, designed.axis.drive.position_gain);
+    let closed = |points| drives.iter().map(move |known| (known.words(), Loop::new(points, known.drive())));
+    let loops: Vec<(String, Loop<'_>)> = points.iter().flat_map(closed).collect();
+    let row = |(stage, design): (usize, &Option<StageDesign>)| StageRow {
+        stage,
+        mode: design.as_ref().map_or(StageMode::NotActive.name(), |design| design.stage.mode.word()),
+        active: design.as_ref().map(|design| active(design, &loops)),
+    };
+    designed.stage.iter().enumerate().map(row).collect()
+}
+
+fn active(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
+    let stage = &design.stage;
+    let [f0, q_factor] = stage.filter[stage.first_bandpass() as usize].f0_and_q().unwrap_or_default();
+    let loops = if closed_loop::looks_at_motor(stage.mode) { loops } else { &[] };
+    let reserves: Vec<WithDrive> = loops.iter().map(|of| with_drive(design, of)).collect();
+    ActiveStage {
+        source: stage.mode.source(),
+        f0,
+        q_factor,
+        damping: stage.mode.osc_damping(),
+        weight: stage.weight(),
+        asked_weight: stage.asked_weight(),
+        phase_at_f0_deg: angle(at_f0(design)),
+        filters: stage.filter.iter().filter_map(filter::in_table).collect(),
+        reserve: reserves.first().map(|of| of.reserve),
+        verdict: verdict(design, &reserves),
+        reserves,
+    }
+}
+
+fn with_drive(design: &StageDesign, (drive, closed): &(String, Loop<'_>)) -> WithDrive {
+    let [calm, stable] = [closed.largest_weight(design.index), closed.largest_stable_weight(design.index)];
+    let reserve = Reserve::of(design.stage.weight(), [calm, stable]);
+    WithDrive { drive: drive.clone(), calm_up_to: calm, stable_up_to: stable, reserve }
+}
+
 /// A row for each stage, in columns.
-fn table(designed: &Designed) -> Vec<String> {
-    let head = ["stage", "mode", "f0", "Q", "weight", "phase at f0", "filters"].map(str::to_owned).to_vec();
-    let rows = designed.stage.iter().enumerate().map(|(i, design)| match design {
-        None => vec![i.to_string(), StageMode::NotActive.name().to_owned()],
-        Some(design) => row(design),
-    });
-    let rows: Vec<Vec<String>> = std::iter::once(head).chain(rows).collect();
+fn table(stages: &[StageRow]) -> Vec<String> {
+    let head = StageRow::COLUMNS.map(str::to_owned).to_vec();
+    let rows: Vec<Vec<String>> = std::iter::once(head).chain(stages.iter().map(StageRow::cells)).collect();
     let width = |column: usize| rows.iter().filter_map(|row| row.get(column)).map(String::len).max().unwrap_or(0);
     let line = |row: &Vec<String>| {
         let cells = row.iter().enumerate().map(|(column, cell)| format!("{cell:<width$}", width = width(column)));
         cells.collect::<Vec<_>>().join("  ").trim_end().to_owned()
     };
     rows.iter().map(line).collect()
-}
-
-fn row(design: &StageDesign) -> Vec<String> {
-    let stage = &design.stage;
-    let [f0, q_factor] = stage.filter[stage.first_bandpass() as usize].f0_and_q().unwrap_or_default();
-    let damping = stage.mode.osc_damping().map_or_else(String::new, |damping| format!(", D {damping}"));
-    let filters: Vec<String> = stage.filter.iter().filter_map(filter::in_table).collect();
-    vec![
-        design.index.to_string(),
-        format!("{}{damping}", stage.mode.text()),
-        format!("{f0} Hz"),
-        q_factor.to_string(),
-        format!("{}{}", significant(stage.weight(), 4), stage.cap()),
-        format!("{} deg", decimals(angle(at_f0(design)), 0)),
-        filters.join(", "),
-    ]
 }
 
 /// The response of a stage at its f0, from its input velocity to its output.
@@ -102,8 +133,8 @@ fn start(axis: &Axis, fade_cycles: u32) -> String {
 }
 
 /// A stage without a loop; for one with a loop, its largest weights with several drives.
-fn of_stage(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
-    let (stage, index) = (&design.stage, design.index);
+fn verdict(design: &StageDesign, reserves: &[WithDrive]) -> String {
+    let stage = &design.stage;
     let [f0, weight] = [stage.f0(), stage.weight()].map(|value| significant(value, 4));
     match stage.mode {
         Mode::SetPoint { .. } => {
@@ -112,44 +143,27 @@ fn of_stage(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> String {
             let (left, late) = (left(h), left(h * response::delay(warped(stage.f0(), design.cycle_time))));
             let turn = decimals(360.0 * stage.f0() * design.cycle_time, 1);
             format!(
-                "stage {index}: filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz; \
+                "filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz; \
                  {late} % where the drive gets v_add a cycle late, which turns it by 360 f0 Ts = {turn} deg"
             )
         }
-        Mode::Direct { source: DirectSource::Direct } => format!(
-            "stage {index}: weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far"
-        ),
+        Mode::Direct { source: DirectSource::Direct } => {
+            format!("weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far")
+        }
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
-            let figures: Vec<String> = loops.iter().enumerate().map(|(n, of)| bears(n, of, index)).collect();
-            format!("stage {index}: weight {weight}; {}", figures.join("; "))
+            let figures: Vec<String> = reserves.iter().enumerate().map(bears).collect();
+            format!("weight {weight}; {}", figures.join("; "))
         }
     }
 }
 
 /// The weights up to which the loop stays well damped, and stable, with a drive; for a further drive only the numbers.
-fn bears(n: usize, (drive, closed): &(String, Loop<'_>), stage: usize) -> String {
-    let [calm, stable] = [closed.largest_weight(stage), closed.largest_stable_weight(stage)];
-    let [calm, stable] = [calm, stable].map(|weight| down_to(weight, 2));
+fn bears((n, of): (usize, &WithDrive)) -> String {
+    let (drive, [calm, stable]) = (&of.drive, [of.calm_up_to, of.stable_up_to].map(|weight| down_to(weight, 2)));
     match n {
         0 => format!("{drive} stays calm (Ms <= {MAX_MS}) up to {calm} and stable up to {stable}"),
         _ => format!("{drive}: {calm} and {stable}"),
     }
-}
-
-/// The stages in words, and their restrictions.
-fn stages(designed: &Designed) -> Vec<String> {
-    let drives = Known::of(&designed.axis.drive);
-    let points = closed_loop::points(designed, &drives, designed.axis.drive.position_gain);
-    let closed = |points| drives.iter().map(move |known| (known.words(), Loop::new(points, known.drive())));
-    let loops: Vec<(String, Loop<'_>)> = points.iter().flat_map(closed).collect();
-    let mut lines: Vec<String> = designed.stage.iter().flatten().map(|design| of_stage(design, &loops)).collect();
-    if points.is_some() && designed.axis.drive.response.is_none() {
-        lines.push(
-            "the weights hold for the drive alone: mechanics are not in them; a measured response has them (drive.response)"
-                .to_owned(),
-        );
-    }
-    lines
 }
 
 /// The distances of stages with adjacent bands.

@@ -14,13 +14,14 @@ pub(crate) mod filter;
 mod never_acts;
 pub(crate) mod notes;
 mod phase;
+pub(crate) mod row;
 pub(crate) mod sets;
 pub(crate) mod stage;
 mod unstable;
 mod with_sets;
 
 use super::products::VERIFIED;
-use super::{BlockKind, Certified, Design, Figure, Summary, Typed};
+use super::{BlockKind, Certified, Design, Details, Figure, Summary, Typed};
 use crate::axis::{Axis, Stage};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
@@ -43,7 +44,7 @@ impl Design for Ipc {
 impl BlockKind for Ipc {
     /// An axis without any block gets this block, which outputs 0, and a warning.
     fn is_asked_for(&self, axis: &Axis) -> bool {
-        axis.ipc.is_active() || axis.control.is_empty() && axis.excitation.is_none()
+        axis.ipc.is_active() || axis.asks_for_nothing_else()
     }
 
     fn short_name(&self) -> &'static str {
@@ -83,11 +84,11 @@ impl BlockKind for Ipc {
         Summary { head, lines: stages.chain(ipc.takes_sets().then(|| with_sets::line(designed))).collect() }
     }
 
-    fn details(&self, designed: &Designed) -> Vec<String> {
+    fn details(&self, designed: &Designed) -> Details {
         // A gantry slave's block never acts.
         match designed.axis.control.master {
-            Some(_) => Vec::new(),
-            None => details::lines(designed),
+            Some(_) => Details::default(),
+            None => details::details(designed),
         }
     }
 

@@ -157,12 +157,12 @@ impl StageDesign {
         let edges = edges(&band).map(|t| frequency(t, self.cycle_time));
         self.filter[index] = Some(FilterDesign { index, filter, band, edges });
         let coeffs = &self.coeffs.filter[index];
-        let is_behind = self.stage.filter[..index].iter().any(kinds::is_selective) && kind.is_selective();
+        let follows_bandpass = self.stage.filter[..index].iter().any(kinds::is_selective) && kind.is_selective();
         let mut shapes = Shapes::default();
         portable_design::shapes(&mut shapes, coeffs, prototype, &band);
         for (i, shape) in shapes.section.into_iter().enumerate().take(kind.order()) {
             let numbers = kind.numbers(coeffs, i);
-            let is_by_change = i == 0 && !is_behind;
+            let is_by_change = i == 0 && !follows_bandpass;
             let section = |[a, b, c]: [f64; 3]| Trapezoidal { a, b, c, output: kind.output(), is_by_change };
             self.section.push(Section {
                 element: Element {

@@ -1,12 +1,12 @@
 //! The macros of a header that a program can compare, and the named values of signals. Structs and functions are in the
 //! template.
 
-use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
+use crate::target::outline::{COMMENT_WIDTH, Group, Outline};
+use crate::target::values::{group, of_signals};
 use crate::target::{BlockIdentity, TargetBlock, unit};
 use compiler::print::{c::LANGUAGE, comment};
-use compiler::program::values::Signal;
-use compiler::program::{Origin, Type, Var, Variable};
-use portable::{Literal, RealKind};
+use compiler::program::{Origin, Type, Variable};
+use portable::RealKind;
 use std::collections::BTreeSet;
 
 /// A macro, without the beginning of the block's names.
@@ -73,7 +73,7 @@ fn words(name: &str, digest: &str, doc: &str) -> Vec<Macro> {
 }
 
 /// Size and alignment of a member.
-fn one_of(ty: Type, real: RealKind) -> [usize; 2] {
+pub(super) fn one_of(ty: Type, real: RealKind) -> [usize; 2] {
     match (ty, real) {
         (Type::Bool, _) => [1; 2],
         (Type::I32 | Type::U32, _) | (Type::Real, RealKind::F32) => [4; 2],
@@ -83,34 +83,30 @@ fn one_of(ty: Type, real: RealKind) -> [usize; 2] {
 
 /// Size and alignment of a struct of members with these sizes and alignments.
 fn room(members: impl Iterator<Item = [usize; 2]>) -> [usize; 2] {
+    layout(members).1
+}
+
+/// The offsets of the members of such a struct; its size and alignment.
+pub(super) fn layout(members: impl Iterator<Item = [usize; 2]>) -> (Vec<usize>, [usize; 2]) {
     let (mut end, mut widest) = (0_usize, 1_usize);
-    for [size, alignment] in members {
-        end = end.next_multiple_of(alignment) + size;
+    let offset = |[size, alignment]: [usize; 2]| {
+        let start = end.next_multiple_of(alignment);
+        end = start + size;
         widest = widest.max(alignment);
-    }
-    [end.next_multiple_of(widest), widest]
+        start
+    };
+    let offsets = members.map(offset).collect();
+    (offsets, [end.next_multiple_of(widest), widest])
 }
 
 /// The values of signals, one group for signals with common values; then other enumerations.
 pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
-    let program = &*outline.block.program;
-    let mut groups: Vec<(Vec<Var>, BTreeSet<usize>)> = Vec::new();
-    for Signal { var, constants } in outline.printer.signals() {
-        match groups.iter_mut().find(|(_, known)| !known.is_disjoint(constants)) {
-            Some((signals, known)) => {
-                signals.push(*var);
-                known.extend(constants);
-            }
-            None => groups.push((vec![*var], constants.clone())),
-        }
-    }
-    let signals =
-        groups.iter().map(|(signals, constants)| group(outline, &of_signals(outline, signals), signals, constants));
-    let mut enumerations: Vec<Group> = signals.collect();
+    let of_signals = of_signals(outline);
+    let is_known = |index: usize| of_signals.iter().any(|values| values.constants.contains(&index));
     let mut rest: Vec<(&'static str, BTreeSet<usize>)> = Vec::new();
-    for (index, constant) in program.constants.iter().enumerate() {
+    for (index, constant) in outline.block.program.constants.iter().enumerate() {
         let Origin::Variant(variant) = constant.origin else { continue };
-        if groups.iter().any(|(_, known)| known.contains(&index)) {
+        if is_known(index) {
             continue;
         }
         match rest.iter_mut().find(|(doc, _)| *doc == variant.of.doc) {
@@ -118,42 +114,6 @@ pub(super) fn enumerations(outline: &Outline<'_>) -> Vec<Group> {
             None => rest.push((variant.of.doc, [index].into())),
         }
     }
-    enumerations.extend(rest.iter().map(|(doc, constants)| group(outline, doc, &[], constants)));
-    enumerations
-}
-
-/// Named values in the order of their numbers. A comment that begins with the name of the signal is shortened by it.
-fn group(outline: &Outline<'_>, note: &str, signals: &[Var], constants: &BTreeSet<usize>) -> Group {
-    let program = &*outline.block.program;
-    let number = |index: usize| match program.constants[index].value {
-        Literal::I32(value) => i64::from(value),
-        Literal::U32(value) => i64::from(value),
-        other => panic!("header: {other:?} is not an integer"),
-    };
-    let mut order: Vec<usize> = constants.iter().copied().collect();
-    order.sort_by_key(|index| (number(*index), *index));
-    let member = |index: usize| {
-        let doc = outline.doc(program.constants[index].doc);
-        let named = signals.iter().find_map(|signal| doc.strip_prefix(&format!("{}: ", program.path(*signal))));
-        let value = match program.constants[index].value {
-            Literal::U32(value) => value.to_string(),
-            other => (LANGUAGE.literal)(other),
-        };
-        let doc = named.unwrap_or(&doc).to_owned();
-        Member { ty: "".into(), name: outline.printer.names().constants[index].clone(), doc, value }
-    };
-    Group {
-        note: comment::wrapped(&[note], COMMENT_WIDTH, "\n * "),
-        constants: order.into_iter().map(member).collect(),
-    }
-}
-
-/// The signals that have these values.
-fn of_signals(outline: &Outline<'_>, signals: &[Var]) -> String {
-    let names = outline.printer.names();
-    let name = |signal: &Var| {
-        let kind = if matches!(signal, Var::Input(_)) { "input" } else { "output" };
-        format!("the {kind} {}", names[*signal])
-    };
-    format!("values of {}", signals.iter().map(name).collect::<Vec<_>>().join(" and of "))
+    let rest: Vec<Group> = rest.iter().map(|(doc, constants)| group(outline, doc, &[], constants)).collect();
+    of_signals.into_iter().map(|values| values.group).chain(rest).collect()
 }

@@ -1,5 +1,6 @@
-//! The three files of a block in C: its header, its source, its self-test.
+//! The three files of a block in C: its header, its source, its self-test; and those that a user requests in addition.
 
+pub(super) mod a2l;
 mod exercise;
 mod header;
 pub(super) mod names;

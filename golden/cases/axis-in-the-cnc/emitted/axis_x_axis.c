@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    5f8195bf6ad2b4d4048d2ab3fb827e35
+ * checksum    7745d1aac45e58aa8fd6ff9c777fbecf
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static double axis_x_axis_magnitude(double value)
+AXGEN_CODE_SECTION static double axis_x_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -47,7 +51,7 @@ static double axis_x_axis_magnitude(double value)
 
 /* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
  * so that every value is rounded correctly */
-static int32_t axis_x_axis_nearest(double value)
+AXGEN_CODE_SECTION static int32_t axis_x_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -56,7 +60,7 @@ static int32_t axis_x_axis_nearest(double value)
 #endif
 }
 
-void axis_x_axis_init(axis_x_axis_state *fresh)
+AXGEN_CODE_SECTION void axis_x_axis_init(axis_x_axis_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_axis_state *const state = fresh;
@@ -70,7 +74,7 @@ void axis_x_axis_init(axis_x_axis_state *fresh)
     state->ipc_stage1_filter0_section0_s2 = 0.0;
 }
 
-void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
+AXGEN_CODE_SECTION void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
 {
     inputs->x_command = 0.0;
     inputs->x_actual = 0.0;
@@ -85,7 +89,7 @@ void axis_x_axis_inputs_init(axis_x_axis_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_axis_step(
+AXGEN_CODE_SECTION void axis_x_axis_step(
     axis_x_axis_state *restrict state,
     const axis_x_axis_inputs *restrict inputs,
     axis_x_axis_outputs *restrict outputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  6d45c1b35d4481cd8b3cffdceb646e22
  * structure   3d16984b9144ac2a0928da46c422a764
- * checksum    67c2896c3c10a4fcc83665679c4bcd44
+ * checksum    91c89554e000f3729007f67a36d47849
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_excitation.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static double axis_x_excitation_magnitude(double value)
+AXGEN_CODE_SECTION static double axis_x_excitation_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -45,7 +49,7 @@ static double axis_x_excitation_magnitude(double value)
 #endif
 }
 
-void axis_x_excitation_init(axis_x_excitation_state *fresh)
+AXGEN_CODE_SECTION void axis_x_excitation_init(axis_x_excitation_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_excitation_state *const state = fresh;
@@ -62,14 +66,14 @@ void axis_x_excitation_init(axis_x_excitation_state *fresh)
     state->period = 0u;
 }
 
-void axis_x_excitation_inputs_init(axis_x_excitation_inputs *inputs)
+AXGEN_CODE_SECTION void axis_x_excitation_inputs_init(axis_x_excitation_inputs *inputs)
 {
     inputs->v_motor = 0.0;
     inputs->hold_to_run = false;
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_excitation_step(
+AXGEN_CODE_SECTION void axis_x_excitation_step(
     axis_x_excitation_state *restrict state,
     const axis_x_excitation_inputs *restrict inputs,
     axis_x_excitation_outputs *restrict outputs)

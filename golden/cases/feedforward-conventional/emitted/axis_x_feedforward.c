@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  43173c9abf2e1de76d5853ce7539dd7d
  * structure   492cb4559603e904c751d6a62b8c0542
- * checksum    d55f7d86f915a37fe23306ee89959fe2
+ * checksum    2416a2b2d8615c1a59da1f2cf9b6b2a2
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_feedforward.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static double axis_x_feedforward_magnitude(double value)
+AXGEN_CODE_SECTION static double axis_x_feedforward_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -45,14 +49,14 @@ static double axis_x_feedforward_magnitude(double value)
 #endif
 }
 
-void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
+AXGEN_CODE_SECTION void axis_x_feedforward_init(axis_x_feedforward_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_feedforward_state *const state = fresh;
     state->unused = false;
 }
 
-void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
+AXGEN_CODE_SECTION void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
 {
     inputs->v_interpolator = 0.0;
     inputs->a_interpolator = 0.0;
@@ -64,7 +68,7 @@ void axis_x_feedforward_inputs_init(axis_x_feedforward_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_x_feedforward_step(
+AXGEN_CODE_SECTION void axis_x_feedforward_step(
     axis_x_feedforward_state *restrict state,
     const axis_x_feedforward_inputs *restrict inputs,
     axis_x_feedforward_outputs *restrict outputs)

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   05f362d744a21ffc060cc92ef672ff90
- * checksum    c2004ba16ee6c639bd44c4afa5421611
+ * checksum    84bd2ad08bc5c8b82078ad0bbe9ca883
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -34,9 +34,16 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
+#ifndef AXGEN_CONST_SECTION
+#define AXGEN_CONST_SECTION
+#endif
 
 /* |value|, without a library call */
-static float axis_x_ipc_magnitude(float value)
+AXGEN_CODE_SECTION static float axis_x_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -50,7 +57,7 @@ static float axis_x_ipc_magnitude(float value)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
 #endif
-static bool axis_x_ipc_is_zero(float value)
+AXGEN_CODE_SECTION static bool axis_x_ipc_is_zero(float value)
 {
     return value == 0.0f;
 }
@@ -78,7 +85,7 @@ static const float axis_x_ipc_sample_limit = 1000000000.0f;
  * subnormal numbers */
 static const float axis_x_ipc_least_change = 1.0e-18f;
 
-const axis_x_ipc_params axis_x_ipc_designed = {
+AXGEN_CONST_SECTION const axis_x_ipc_params axis_x_ipc_designed = {
     262723498u, /* structure */
     748831309u, /* set_id */
     8000.0f, /* limit */
@@ -90,7 +97,7 @@ const axis_x_ipc_params axis_x_ipc_designed = {
     -3.0f /* stage0_gain */
 };
 
-void axis_x_ipc_init(axis_x_ipc_state *fresh)
+AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_x_ipc_state *const state = fresh;
@@ -137,7 +144,7 @@ void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->ipc_stage0_filter0_section0_p = 0.0f;
 }
 
-void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
+AXGEN_CODE_SECTION void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
 {
     inputs->v_motor = 0.0f;
     inputs->mode = 0;
@@ -151,7 +158,7 @@ void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static void axis_x_ipc_any_cycle(
+AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
     axis_x_ipc_state *restrict state,
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
@@ -613,7 +620,7 @@ static void axis_x_ipc_any_cycle(
     }
 }
 
-void axis_x_ipc_step(
+AXGEN_CODE_SECTION void axis_x_ipc_step(
     axis_x_ipc_state *restrict state,
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)

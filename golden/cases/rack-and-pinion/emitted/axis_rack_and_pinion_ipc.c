@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    4075e7d3c679da7386402128f5e1b621
+ * checksum    34c4a072da4bd0c30818b202c2fade5d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static double axis_rack_and_pinion_ipc_magnitude(double value)
+AXGEN_CODE_SECTION static double axis_rack_and_pinion_ipc_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -45,7 +49,7 @@ static double axis_rack_and_pinion_ipc_magnitude(double value)
 #endif
 }
 
-void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
+AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_rack_and_pinion_ipc_state *const state = fresh;
@@ -59,7 +63,7 @@ void axis_rack_and_pinion_ipc_init(axis_rack_and_pinion_ipc_state *fresh)
     state->stage1_filter0_section0_s2 = 0.0;
 }
 
-void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *inputs)
+AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *inputs)
 {
     inputs->v_motor = 0.0;
     inputs->mode = 1;
@@ -68,7 +72,7 @@ void axis_rack_and_pinion_ipc_inputs_init(axis_rack_and_pinion_ipc_inputs *input
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_rack_and_pinion_ipc_step(
+AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_step(
     axis_rack_and_pinion_ipc_state *restrict state,
     const axis_rack_and_pinion_ipc_inputs *restrict inputs,
     axis_rack_and_pinion_ipc_outputs *restrict outputs)

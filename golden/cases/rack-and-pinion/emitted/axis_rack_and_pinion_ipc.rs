@@ -5,26 +5,39 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    13b05bb1bb18351693c0ff7f207117eb
+// checksum    0bea23934ea4cd4f99a584d0ecfe16e0
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
-// Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
-// first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
-// v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
-// call continues the filters from their old state.
+//! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
+//! first call that finds the mode ON or DRYRUN presets the filters to the present input, with v_add = 0. In ON
+//! v_add then fades in. While the block is not called, v_add keeps its last value and must not be added; the next
+//! call continues the filters from their old state.
+//!
+//! range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
+//! 4.355187e15, within double precision
+//! stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
+//! measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg
+//! stage[1] at 11 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 8.588009 Hz:
+//! designed 1.642602 at -156.3142 deg, measured 1.642602 at -156.3142 deg; at 14.08801 Hz: designed 1.42671 at
+//! 91.62457 deg, measured 1.42671 at 91.62457 deg
+//! largest deviation of measured from designed: 7.8e-15
+//!
+//! ```ignore
+//! use axis_rack_and_pinion_ipc::{self_test, step, Inputs, Outputs, State};
+//!
+//! assert_eq!(self_test(), 0); // at start-up: this build computes the bits of the reference
+//! let (mut state, mut outputs) = (State::new(), Outputs::new());
+//! let inputs = Inputs::new(); // write the signals of this cycle
+//! step(&mut state, &inputs, &mut outputs); // once per position-controller cycle
+//! ```
 
-// range: |v| <= 530000 gives |v_add| <= 2308249 before the limit and no |state| above 783998.6; for |v| <= 1e15:
-// 4.355187e15, within double precision
-// stage[0] at 53 Hz: designed 3 at 180 deg, measured 3 at 180 deg; at 50.41374 Hz: designed 2.12132 at -135 deg,
-// measured 2.12132 at -135 deg; at 55.71374 Hz: designed 2.12132 at 135 deg, measured 2.12132 at 135 deg
-// stage[1] at 11 Hz: designed 2.240571 at 147.9946 deg, measured 2.240571 at 147.9946 deg; at 8.588009 Hz:
-// designed 1.642602 at -156.3142 deg, measured 1.642602 at -156.3142 deg; at 14.08801 Hz: designed 1.42671 at
-// 91.62457 deg, measured 1.42671 at 91.62457 deg
-// largest deviation of measured from designed: 7.8e-15
+#![allow(dead_code)] // a caller need not use every item
+#![allow(rustdoc::broken_intra_doc_links, clippy::doc_markdown)] // the comments of all languages; units are in square brackets
+#![allow(clippy::unreadable_literal, clippy::approx_constant)] // the digits of all languages
+#![allow(clippy::struct_excessive_bools, clippy::struct_field_names)] // signals have the names of all languages
 
 /// Written by the caller.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
 pub struct Inputs {
     /// velocity of the motor encoder, v_ist1 [um/s]; input of DIRECT and INDIRECT (P-AXIS-00753); start 0.0
     pub v_motor: f64,
@@ -41,8 +54,6 @@ pub struct Inputs {
 
 /// Written by [`step`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(rustdoc::broken_intra_doc_links)] // units are in square brackets
-#[allow(dead_code)] // not every caller reads all of them
 pub struct Outputs {
     /// additive velocity of improved position control, to be added to the manipulated variable [um/s]
     pub v_add: f64,
@@ -147,9 +158,105 @@ impl Default for State {
 #[cfg(all(target_arch = "x86", not(target_feature = "sse2")))]
 compile_error!("this block needs arithmetic in the declared type: compile it for x86 with SSE2");
 
+// Figures that the caller can check.
+/// guaranteed bound of |v_add| before the limit, for |v| <= 530000 [um/s]
+pub const BOUND: f64 = 2308249.013526049;
+/// digest of the parameters, as in the head of this file
+pub const PARAMETERS: u128 = 0xadd150623ccfc280dfd3932ca6046864;
+/// digest of the structure: equal for blocks that differ only in the values of their coefficients
+pub const STRUCTURE: u128 = 0xab1fc7d6ae031da803a122fb0c80af1b;
+
+// values of the input mode
+/// the block is off
+pub const MODE_OFF: i32 = 0;
+/// the block acts
+pub const MODE_ON: i32 = 1;
+/// the block calculates and does not act
+pub const MODE_DRYRUN: i32 = 2;
+
+/// values of the input mode
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Mode {
+    /// the block is off
+    Off = MODE_OFF,
+    /// the block acts
+    On = MODE_ON,
+    /// the block calculates and does not act
+    Dryrun = MODE_DRYRUN,
+}
+
+impl Mode {
+    /// The value with this number; `None`: no value has it.
+    #[must_use]
+    pub const fn from_number(number: i32) -> Option<Self> {
+        match number {
+            MODE_OFF => Some(Self::Off),
+            MODE_ON => Some(Self::On),
+            MODE_DRYRUN => Some(Self::Dryrun),
+            _ => None,
+        }
+    }
+}
+
+impl From<Mode> for i32 {
+    fn from(value: Mode) -> Self {
+        value as Self
+    }
+}
+
+// values of the output error_id
+/// no fault
+pub const ERROR_NONE: u32 = 0;
+/// task_cycle_ns is not the cycle time that the coefficients were designed for
+pub const ERROR_CYCLE_TIME: u32 = 1;
+/// mode is none of OFF, ON, DRYRUN
+pub const ERROR_MODE: u32 = 2;
+/// the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
+pub const ERROR_STATE: u32 = 3;
+/// v_motor is not within the sample limit
+pub const ERROR_V_MOTOR: u32 = 12;
+
+/// values of the output error_id
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u32)]
+pub enum ErrorId {
+    /// no fault
+    None = ERROR_NONE,
+    /// task_cycle_ns is not the cycle time that the coefficients were designed for
+    CycleTime = ERROR_CYCLE_TIME,
+    /// mode is none of OFF, ON, DRYRUN
+    Mode = ERROR_MODE,
+    /// the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
+    State = ERROR_STATE,
+    /// v_motor is not within the sample limit
+    VMotor = ERROR_V_MOTOR,
+}
+
+impl ErrorId {
+    /// The value with this number; `None`: no value has it.
+    #[must_use]
+    pub const fn from_number(number: u32) -> Option<Self> {
+        match number {
+            ERROR_NONE => Some(Self::None),
+            ERROR_CYCLE_TIME => Some(Self::CycleTime),
+            ERROR_MODE => Some(Self::Mode),
+            ERROR_STATE => Some(Self::State),
+            ERROR_V_MOTOR => Some(Self::VMotor),
+            _ => None,
+        }
+    }
+}
+
+impl From<ErrorId> for u32 {
+    fn from(value: ErrorId) -> Self {
+        value as Self
+    }
+}
+
 // cycle time 1000 us; the coefficients are valid only for this cycle time
 /// cycle time that all coefficients were designed for [ns]
-const CYCLE_TIME_NS: u32 = 1000000;
+pub const CYCLE_TIME_NS: u32 = 1000000;
 
 // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
 // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751), quality
@@ -200,7 +307,7 @@ const STAGE1_GAIN: f64 = -1.9;
 
 // largest |v_add| = 530000: 1000 * 0.1 % (P-AXIS-00757) of 530000 (P-AXIS-00212)
 /// largest |v_add|
-const LIMIT: f64 = 530000.0;
+pub const LIMIT: f64 = 530000.0;
 /// -limit
 const LOWER_LIMIT: f64 = -530000.0;
 
@@ -219,29 +326,13 @@ const FADE_CYCLES: u32 = 100;
 const FADE_STEP: f64 = 0.01;
 
 // constants that do not depend on the axis
-/// error_id: no fault
-const ERROR_NONE: u32 = 0;
 /// largest magnitude of a sample in range, far above any real signal; NaN and infinity are out of range
 const SAMPLE_LIMIT: f64 = 1000000000000000.0;
-/// error_id: v_motor is not within the sample limit
-const ERROR_V_MOTOR: u32 = 12;
-/// mode: the block acts
-const MODE_ON: i32 = 1;
-/// error_id: task_cycle_ns is not the cycle time that the coefficients were designed for
-const ERROR_CYCLE_TIME: u32 = 1;
-/// error_id: the block's memory was corrupted, or an input is far above P-AXIS-00212; the block restarts
-const ERROR_STATE: u32 = 3;
-/// mode: the block is off
-const MODE_OFF: i32 = 0;
-/// mode: the block calculates and does not act
-const MODE_DRYRUN: i32 = 2;
-/// error_id: mode is none of OFF, ON, DRYRUN
-const ERROR_MODE: u32 = 2;
 /// added in every update of s2, so that a section at rest never decays into subnormal numbers
 const ANTI_DENORMAL: f64 = 1.0e-30;
 
 /// Call once per position-controller cycle.
-#[allow(clippy::all)] // one statement for each statement of the reference
+#[allow(clippy::all, clippy::pedantic)] // one statement for each statement of the reference
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
     let runs: bool;
@@ -403,8 +494,7 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 /// it once at start-up on the machine. It also detects a build that reorders floating-point operations or treats a NaN as a
 /// number.
 #[must_use]
-#[allow(dead_code)] // a build need not call it
-#[allow(clippy::all)] // generated arithmetic, some factors are equal
+#[allow(clippy::all, clippy::pedantic)] // generated arithmetic, some factors are equal
 #[rustfmt::skip]
 pub fn self_test() -> u32 {
     // the reference's digest of all outputs and of the state, after each sample

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    55cf502fd5f7fb8f6488a0f20b07abd4
+ * checksum    a53d1bab985c9959a29dc4625fe9ca7e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static float axis_c_ipc_magnitude(float value)
+AXGEN_CODE_SECTION static float axis_c_ipc_magnitude(float value)
 {
 #if defined(__GNUC__)
     return __builtin_fabsf(value);
@@ -45,7 +49,7 @@ static float axis_c_ipc_magnitude(float value)
 #endif
 }
 
-void axis_c_ipc_init(axis_c_ipc_state *fresh)
+AXGEN_CODE_SECTION void axis_c_ipc_init(axis_c_ipc_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_c_ipc_state *const state = fresh;
@@ -78,7 +82,7 @@ void axis_c_ipc_init(axis_c_ipc_state *fresh)
     state->stage2_filter0_input_before = 0.0f;
 }
 
-void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
+AXGEN_CODE_SECTION void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
 {
     inputs->v_command = 0.0f;
     inputs->v_motor = 0.0f;
@@ -88,7 +92,7 @@ void axis_c_ipc_inputs_init(axis_c_ipc_inputs *inputs)
     inputs->task_cycle_ns = 0u;
 }
 
-void axis_c_ipc_step(
+AXGEN_CODE_SECTION void axis_c_ipc_step(
     axis_c_ipc_state *restrict state,
     const axis_c_ipc_inputs *restrict inputs,
     axis_c_ipc_outputs *restrict outputs)

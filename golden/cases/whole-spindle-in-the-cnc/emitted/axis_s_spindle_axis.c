@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
  * structure   35984cbae348854795e867e977de15ae
- * checksum    41c30e403c9471d367800d17c1153b1b
+ * checksum    1dfc247a7f8f8a03469a831419cbf4d8
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -34,9 +34,13 @@
 #pragma clang attribute push(__attribute__((no_builtin("memset", "memcpy", "memmove"))), apply_to = function)
 #endif
 #endif
+/* Sections of code and of constants: none, unless the firmware defines these macros. */
+#ifndef AXGEN_CODE_SECTION
+#define AXGEN_CODE_SECTION
+#endif
 
 /* |value|, without a library call */
-static double axis_s_spindle_axis_magnitude(double value)
+AXGEN_CODE_SECTION static double axis_s_spindle_axis_magnitude(double value)
 {
 #if defined(__GNUC__)
     return __builtin_fabs(value);
@@ -50,7 +54,7 @@ static double axis_s_spindle_axis_magnitude(double value)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wfloat-equal"
 #endif
-static bool axis_s_spindle_axis_is_zero(double value)
+AXGEN_CODE_SECTION static bool axis_s_spindle_axis_is_zero(double value)
 {
     return value == 0.0;
 }
@@ -60,7 +64,7 @@ static bool axis_s_spindle_axis_is_zero(double value)
 
 /* nearest integer, halves away from zero, without a library call; the added constant is the largest number below 1/2,
  * so that every value is rounded correctly */
-static int32_t axis_s_spindle_axis_nearest(double value)
+AXGEN_CODE_SECTION static int32_t axis_s_spindle_axis_nearest(double value)
 {
 #if defined(__GNUC__)
     return (int32_t)(value + __builtin_copysign(0.49999999999999994, value));
@@ -144,7 +148,7 @@ static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle (fast path) is next */
 static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
 
-void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
+AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
     /* volatile: each member is written on its own, so that no compiler calls memset */
     volatile axis_s_spindle_axis_state *const state = fresh;
@@ -197,7 +201,7 @@ void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
     state->axis_ipc_stage0_filter0_section0_s2 = 0.0;
 }
 
-void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
+AXGEN_CODE_SECTION void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
 {
     inputs->x_command = 0.0;
     inputs->x_actual = 0.0;
@@ -225,7 +229,7 @@ void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
 #if defined(__GNUC__)
 __attribute__((noinline))
 #endif
-static void axis_s_spindle_axis_any_cycle(
+AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     axis_s_spindle_axis_state *restrict state,
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)
@@ -1381,7 +1385,7 @@ static void axis_s_spindle_axis_any_cycle(
     }
 }
 
-void axis_s_spindle_axis_step(
+AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
     axis_s_spindle_axis_state *restrict state,
     const axis_s_spindle_axis_inputs *restrict inputs,
     axis_s_spindle_axis_outputs *restrict outputs)

@@ -4,14 +4,12 @@ use portable::{Literal, RealKind};
 use proptest::prelude::*;
 use st::{Block, Dialect};
 
-const DIALECTS: [Dialect; 4] = [Dialect::Plain, Dialect::TwinCat, Dialect::Codesys, Dialect::Scl];
-
 /// A block of which a text may have instances.
 const INNER: &str = "FUNCTION_BLOCK inner\nVAR_INPUT\n    a : BOOL;\nEND_VAR\nVAR_OUTPUT\n    b : BOOL;\nEND_VAR\nb := NOT a;\nEND_FUNCTION_BLOCK\n";
 
 /// Reads a text in each form, and runs what can be read.
 fn read(text: &str) {
-    for dialect in DIALECTS {
+    for dialect in Dialect::ALL {
         for real in [RealKind::F64, RealKind::F32] {
             let inner = Block::read(Dialect::Plain, INNER, "inner", real).expect("a block without a mistake");
             let Ok(block) = Block::read_with(dialect, text, "probe", real, &[inner]) else { continue };

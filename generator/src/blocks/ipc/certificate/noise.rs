@@ -54,9 +54,9 @@ fn ratio(sections: &[Trapezoidal], design: &StageDesign) -> f64 {
     let t = warped(design.stage.f0(), design.cycle_time);
     let (mut offset, mut vibration, mut noise) = (1.0, VIBRATION, 0.0);
     for (i, section) in sections.iter().enumerate() {
-        let behind = &sections[i + 1..];
-        let gain = |t| behind.iter().map(|section| magnitude(section.response(t))).product::<f64>();
-        let largest = behind.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::larger);
+        let after = &sections[i + 1..];
+        let gain = |t| after.iter().map(|section| magnitude(section.response(t))).product::<f64>();
+        let largest = after.iter().map(Trapezoidal::centre).map(gain).fold(gain(t), f64::larger);
         noise += of_section(section, t, offset, vibration) * largest * largest;
         vibration *= magnitude(section.response(t));
         if section.output.loses_the_offset() {

@@ -83,7 +83,7 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
     let slowest = sections.iter().map(|sums| sums.free.even).fold(0.0, f64::larger);
     let mut response = Vec::new();
     let mut total = 0.0;
-    let mut behind = rest(&sections, 1.0, chain.gain);
+    let mut after = rest(&sections, 1.0, chain.gain);
     // If the decay takes far longer than the budget, adding up a part of it gains nothing.
     if slowest < LONG * budget as f64 {
         while response.len() + BLOCK <= budget {
@@ -95,14 +95,14 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
             let signal = signal.map(|y| chain.gain * y);
             total += signal.iter().map(|h| h.abs()).sum::<f64>();
             response.extend(signal);
-            behind = rest(&sections, 0.0, chain.gain);
+            after = rest(&sections, 0.0, chain.gain);
             let so_far = sections.iter().flat_map(|sums| sums.sum).fold(0.0, f64::larger);
-            if behind.0 <= SMALL * total && behind.1 - so_far <= SMALL * so_far {
+            if after.0 <= SMALL * total && after.1 - so_far <= SMALL * so_far {
                 break;
             }
         }
     }
-    let (rest, state) = behind;
+    let (rest, state) = after;
     Run { response, rest, state, rounding: rounding(&sections, real) }
 }
 

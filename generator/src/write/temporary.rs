@@ -6,15 +6,15 @@ use std::path::{Path, PathBuf};
 const MARK: &str = ".axgen-";
 
 pub(super) fn staged(path: &Path) -> PathBuf {
-    beside(path, "staged")
+    next_to(path, "staged")
 }
 
 /// The old content, until all files have their new content.
 pub(super) fn kept(path: &Path) -> PathBuf {
-    beside(path, "kept")
+    next_to(path, "kept")
 }
 
-fn beside(path: &Path, what: &str) -> PathBuf {
+fn next_to(path: &Path, what: &str) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!("{MARK}{what}-{}", std::process::id()));
     path.with_file_name(name)

@@ -1,5 +1,8 @@
 //! The file of a block in Rust: a module of any crate, without the standard library.
 
+pub(super) mod library;
+mod public;
+
 use super::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use super::{BlockIdentity, File, TargetBlock, block_name, rendered};
 use crate::blocks::IPC;
@@ -10,6 +13,7 @@ use compiler::print::rust::LANGUAGE;
 use compiler::print::{Appearance, Printer, comment, signals};
 use compiler::program::{Expr, Program, Statement, Type, Var, Variable};
 use portable::{Intrinsic, Literal, RealKind};
+use public::Enum;
 
 /// A block is a module; its self-test a function of it.
 pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
@@ -31,10 +35,17 @@ struct RustFile<'a> {
     set: Vec<Member>,
     outputs: Vec<Member>,
     state: Vec<Member>,
+    /// numbers that the caller can check, without those that are in `constants`
+    figures: Vec<Member>,
+    /// the names of the figures
+    public: Vec<String>,
+    enums: Vec<Enum>,
     constants: Vec<Group>,
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
+    /// the name of the module
+    module: &'a str,
     /// what it is for, and what its first call does
     purpose: String,
     /// its proven range, and its measured response
@@ -106,6 +117,10 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         variables.iter().zip(names).map(words).collect()
     };
     let [constants] = outline.groups([Appearance::Declared]);
+    let mut figures = public::figures(axis, block);
+    let public = figures.iter().map(|figure| figure.name.clone()).collect();
+    let is_constant = |name: &str| constants.iter().any(|group| group.constants.iter().any(|of| of.name == name));
+    figures.retain(|figure| !is_constant(&figure.name));
     let template = RustFile {
         file: &file,
         axis,
@@ -117,11 +132,15 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         outputs: outline
             .outputs(["Params", "Params::new()"].map(|of| format!("super::{}::{of}", block_name(&axis.name, IPC)))),
         state,
+        figures,
+        public,
+        enums: public::enums(&outline),
         constants,
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
-        purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, outline.next_line),
-        certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, outline.next_line),
+        module: file.trim_end_matches(".rs"),
+        purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, "\n//! "),
+        certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n//! "),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),
         nearly_half: (LANGUAGE.literal)(nearly_half),
         exercise,

@@ -1,39 +1,33 @@
-//! `axgen params`: the description of a parameter, from the table.
+//! The command `params`: the description of a parameter, from the table.
 
-use crate::exit::Exit;
-use crate::output;
+use crate::refused;
 use generator::codes;
+use generator::diagnostics::Report;
 use generator::parameters::others::{OTHERS, Other};
 use generator::parameters::{Name, Parameter, Scope};
-use generator::reference_page;
 
-/// Runs the command: one parameter, or all.
-pub fn run(wanted: Option<&str>, markdown: bool) -> Result<Exit, Exit> {
-    if markdown {
-        output::print(reference_page::text())?;
-        return Ok(Exit::Done);
-    }
+/// The descriptions of the parameters that a text names; all parameters in short, if there is none.
+///
+/// # Errors
+/// There is no such parameter.
+pub fn text(wanted: Option<&str>) -> Result<String, Report> {
     let Some(wanted) = wanted else {
-        for parameter in Name::ALL.map(Name::parameter) {
-            output::line(format!("{:<13} {}", parameter.id.unwrap_or("-"), parameter.path))?;
-        }
-        for other in &OTHERS {
-            output::line(format!("{:<13} (named by the manuals, not read)", other.name))?;
-        }
-        return Ok(Exit::Done);
+        let parameters = Name::ALL.map(Name::parameter).into_iter();
+        let read = parameters.map(|of| format!("{:<13} {}\n", of.id.unwrap_or("-"), of.path));
+        let others = OTHERS.iter().map(|other| format!("{:<13} (named by the manuals, not read)\n", other.name));
+        return Ok(read.chain(others).collect());
     };
     let texts = of_name(wanted);
     if texts.is_empty() {
         let wanted = wanted.escape_default();
         let found = format!("no parameter `{wanted}`; `axgen params` lists all, by id and path");
-        return Err(Exit::input(codes::NO_SUCH, "axgen params", found));
+        return Err(refused::input(codes::NO_SUCH, "axgen params", found));
     }
-    output::print(texts.join("\n"))?;
-    Ok(Exit::Done)
+    Ok(texts.join("\n"))
 }
 
 /// The descriptions of the parameters that a text names, including parameters in the manuals that axgen does not read.
-pub fn of_name(wanted: &str) -> Vec<String> {
+pub(crate) fn of_name(wanted: &str) -> Vec<String> {
     let unread =
         |Other { name, meaning, unread }: &Other| format!("{name}\n  meaning   {meaning}\n  not read  {unread}\n");
     let others = OTHERS.iter().filter(|other| other.is(wanted)).map(unread);
@@ -42,7 +36,7 @@ pub fn of_name(wanted: &str) -> Vec<String> {
 }
 
 /// The descriptions of the parameters that accept a word.
-pub fn of_word(word: &str) -> Vec<String> {
+pub(crate) fn of_word(word: &str) -> Vec<String> {
     Name::ALL.map(Name::parameter).into_iter().filter(|parameter| parameter.takes(word)).map(describe).collect()
 }
 

@@ -1,24 +1,24 @@
-//! `axgen explain`: meaning and remedy of a message code, an error of the controller or an error id of a block, or the
+//! The command `explain`: meaning and remedy of a message code, an error of the controller or an error id of a block, or the
 //! meaning of a word.
 
-use crate::exit::Exit;
-use crate::output;
 use crate::params;
+use crate::refused;
 use generator::blocks;
 use generator::codes::{self, CODES, Code, explain, of_controller};
+use generator::diagnostics::Report;
 use generator::error_ids::{self, ErrorId};
 
-/// Runs the command; without a code it lists all codes.
-pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
+/// The meanings of a code, a number or a word; all codes, if there is none.
+///
+/// # Errors
+/// It has no meaning.
+pub fn text(code: Option<&str>) -> Result<String, Report> {
     let Some(wanted) = code else {
-        for code in CODES {
-            output::line(format!("{} {}", code.code, code.title))?;
-        }
-        return Ok(Exit::Done);
+        return Ok(CODES.iter().map(|code| format!("{} {}\n", code.code, code.title)).collect());
     };
     let found = match number(wanted) {
         Some(number) => of_number(number),
-        None => explain(wanted).map_or_else(|| of_word(wanted), |code| vec![text(code)]),
+        None => explain(wanted).map_or_else(|| of_word(wanted), |code| vec![of_code(code)]),
     };
     if found.is_empty() {
         let is_code = wanted.chars().any(|letter| letter.is_ascii_digit());
@@ -29,10 +29,9 @@ pub fn run(code: Option<&str>) -> Result<Exit, Exit> {
                 "no code, signal, parameter or word `{wanted}`; `axgen explain` lists all codes, and `axgen params` all parameters"
             ),
         };
-        return Err(Exit::input(codes::NO_SUCH, "axgen explain", found));
+        return Err(refused::input(codes::NO_SUCH, "axgen explain", found));
     }
-    output::line(found.join("\n\n"))?;
-    Ok(Exit::Done)
+    Ok(found.join("\n\n") + "\n")
 }
 
 /// The number in `70350`, `P-ERR-70350` or `error_id 12`.
@@ -42,7 +41,7 @@ fn number(wanted: &str) -> Option<u32> {
     digits.trim_start_matches([' ', '=', ':']).parse().ok()
 }
 
-fn text(code: &Code) -> String {
+fn of_code(code: &Code) -> String {
     format!("{}: {}\n\n{}", code.code, code.title, code.explanation)
 }
 
@@ -64,6 +63,6 @@ fn of_number(number: u32) -> Vec<String> {
         format!("error_id {number} of a block: {why}\n\nWhat the block does: {does}\n\nWhat to do: {remedy}")
     });
     let of_controller =
-        of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", text(code)));
+        of_controller(number).map(|code| format!("Error {number} of the controller.\n\n{}", of_code(code)));
     of_block.into_iter().chain(of_controller).collect()
 }

@@ -1,10 +1,6 @@
-//! The output of `axgen run --compare`: what a recording can prove, its agreement with an engine, and its differences.
+//! The command `run --compare`: what a recording can prove, its agreement with an engine, and its differences.
 
-use crate::exit::Exit;
-use crate::given::name_of;
-use crate::input::counted;
-use crate::messages::{self, Format};
-use crate::output;
+use crate::words::{counted, made};
 use generator::blocks::{Block, Designed};
 use generator::codes;
 use generator::diagnostics::{Diagnostic, Place, Report};
@@ -16,7 +12,6 @@ use golden::explain::{self, Agreement, Case, Explanation};
 use golden::recording::{self, Recording};
 use golden::samples::Samples;
 use golden::written::Precision;
-use std::path::Path;
 
 /// The block that is compared with a recording.
 pub struct Subject<'s> {
@@ -28,7 +23,9 @@ pub struct Subject<'s> {
 }
 
 /// The signals that moved, the part with mode ON, and the assumptions.
-pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_>) -> Result<(), Exit> {
+#[must_use]
+pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_>) -> Vec<String> {
+    let mut lines = Vec::new();
     let (moving, still): (Vec<_>, Vec<_>) = evidence.signals.iter().partition(|span| span.moves());
     let list = |texts: Vec<String>| if texts.is_empty() { "nothing".to_owned() } else { texts.join(", ") };
     let moves = moving.iter().map(|span| {
@@ -38,23 +35,23 @@ pub fn evidence(evidence: &Evidence, recording: &Recording, subject: &Subject<'_
     let of_mode =
         evidence.mode.map_or_else(String::new, |Mode { moving_on, .. }| format!(", {moving_on} of them with mode ON"));
     let count = format!("{} of {}", evidence.moving, counted(evidence.samples, "sample"));
-    output::line(format!("moved: {}; in {count}{of_mode}", list(moves.collect())))?;
+    lines.push(format!("moved: {}; in {count}{of_mode}", list(moves.collect())));
     if !still.is_empty() && evidence.samples > 0 {
         let still = still.iter().map(|span| format!("{} {}", span.name, shown(span.least)));
-        output::line(format!("constant: {}", list(still.collect())))?;
+        lines.push(format!("constant: {}", list(still.collect())));
     }
     if !evidence.taken.is_empty() {
         let taken = evidence.taken.iter().map(|(name, value)| format!("{name} {}", shown(*value)));
-        output::line(format!("no column, taken at the start value: {}", list(taken.collect())))?;
+        lines.push(format!("no column, taken at the start value: {}", list(taken.collect())));
     }
     for (name, count) in &recording.skipped {
-        output::line(format!("{name} begins earlier: its first {} left out", counted(count, "sample")))?;
+        lines.push(format!("{name} begins earlier: its first {} left out", counted(count, "sample")));
     }
-    Ok(())
+    lines
 }
 
-/// Whether the recording proves anything; if not, reports the reason.
-pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
+/// The reasons why the recording proves nothing. `file`: its name in messages.
+pub fn proof(evidence: &Evidence, file: &str) -> Report {
     let mut report = Report::default();
     for lack in evidence.lacks() {
         let (found, instead) = match lack {
@@ -69,58 +66,64 @@ pub fn proof(evidence: &Evidence, file: &Path, format: Format) -> bool {
             ),
             Lack::ModeOff => ("proves nothing: mode is OFF throughout", "record a move with mode ON (1)"),
         };
-        report.push(Diagnostic::error(codes::PROVES_NOTHING, Place::whole(name_of(file)), found).instead(instead));
+        report.push(Diagnostic::error(codes::PROVES_NOTHING, Place::whole(file), found).instead(instead));
     }
-    output::say(&messages::text(&report, format));
-    report.diagnostics.is_empty()
+    report
 }
 
-/// Reports the differences between a recording and the outputs of an engine for these inputs; returns whether they agree.
-pub fn agreement(recording: &Recording, inputs: &Samples, found: Samples, subject: &Subject<'_>) -> Result<bool, Exit> {
+/// The differences between a recording and the outputs of an engine for these inputs, and whether they agree.
+#[must_use]
+pub fn agreement(
+    recording: &Recording,
+    inputs: &Samples,
+    found: &Samples,
+    subject: &Subject<'_>,
+) -> (Vec<String>, bool) {
+    let mut lines = Vec::new();
     let Subject { designed, block, engine, .. } = subject;
     let names: Vec<&str> = recording.outputs.shape.signals.iter().map(|signal| signal.name.as_str()).collect();
     let outputs = found.only(&recording.recorded);
     let Difference { bits, first } = compare(&outputs, &recording.outputs);
     let samples = counted(recording.outputs.len(), "sample");
     let bits = counted(bits, "differing bit");
-    output::line(format!("{} against engine {engine}, {samples}: {bits}", names.join(", ")))?;
+    lines.push(format!("{} against engine {engine}, {samples}: {bits}", names.join(", ")));
     if !recording.left_out.is_empty() {
-        output::line(format!("left out, no signal of {}: {}", block.program.block, recording.left_out.join(", ")))?;
+        lines.push(format!("left out, no signal of {}: {}", block.program.block, recording.left_out.join(", ")));
     }
     // The reference shows the effect of rounded inputs: every engine has the same result.
     let moved = recording.moved_inputs();
-    let moved = moved.map(|moved| engine::run(Engine::Reference, designed, block, &moved)).transpose();
-    let moved = moved.unwrap_or_else(|failure| panic!("a defect of axgen: {failure}"));
+    let moved = moved.map(|moved| made(engine::run(Engine::Reference, designed, block, &moved)));
     let moved = moved.map(|moved| moved.only(&recording.recorded));
     let errors = recording.errors(&outputs, moved.as_ref());
     let is_explained = |error: &recording::Error| error.is_explained() && !error.is_vague();
     let agrees = errors.iter().all(is_explained) && outputs.len() == recording.outputs.len();
     if let Some(first) = first.filter(|_| !agrees) {
-        first_difference(&first, recording)?;
+        lines.push(first_difference(&first, recording));
     }
     if inputs.len() != recording.outputs.len() {
         let of_inputs = counted(inputs.len(), "sample");
-        output::line(format!("the recording has {samples}, the inputs have {of_inputs}"))?;
+        lines.push(format!("the recording has {samples}, the inputs have {of_inputs}"));
     }
     for ((error, name), precision) in errors.iter().zip(&names).zip(&recording.output_precision) {
         if error.largest > 0.0 && error.largest.is_finite() {
-            largest_error(error, name, *precision, recording, subject)?;
+            lines.push(largest_error(error, name, *precision, recording, subject));
         }
     }
     if let Some(first) = errors.iter().filter_map(|error| error.unexplained).map(|[first, _]| first).min() {
         let last_digits = only_last_digits(&errors);
-        explanation(recording, inputs, (first, last_digits), subject)?;
+        lines.extend(explanation(recording, inputs, (first, last_digits), subject));
     }
-    Ok(agrees)
+    (lines, agrees)
 }
 
-/// Names the mistake that explains the difference, or reports that none does.
+/// The mistake that explains the difference, or that none does.
 fn explanation(
     recording: &Recording,
     inputs: &Samples,
     (first, last_digits): (usize, bool),
     subject: &Subject<'_>,
-) -> Result<(), Exit> {
+) -> Vec<String> {
+    let mut lines = Vec::new();
     let Subject { designed, block, others, .. } = subject;
     let recording = recording.clone().with_inputs(inputs);
     let (found, tried) = explain::explain(&Case { designed, block, recording, others: others.clone() }, first);
@@ -131,7 +134,7 @@ fn explanation(
             Agreement::EveryDigit => "; with that undone every sample agrees within its digits",
             Agreement::InPart => "",
         };
-        output::line(format!("{or}: {said}{how}"))?;
+        lines.push(format!("{or}: {said}{how}"));
     }
     if found.is_empty() {
         let cause = match last_digits {
@@ -144,9 +147,9 @@ fn explanation(
                  its digest with that in the head of the generated file"
             }
         };
-        output::line(format!("not explained by any of {tried} mistakes ({TRIED}); {cause}"))?;
+        lines.push(format!("not explained by any of {tried} mistakes ({TRIED}); {cause}"));
     }
-    Ok(())
+    lines
 }
 
 /// The mistakes that are tried, in words.
@@ -164,7 +167,7 @@ fn largest_error(
     precision: Precision,
     recording: &Recording,
     subject: &Subject<'_>,
-) -> Result<(), Exit> {
+) -> String {
     let recording::Error { largest, sample, .. } = *error;
     let unit = subject.unit(name);
     let line = recording.lines.get(sample).copied().unwrap_or_default();
@@ -177,10 +180,10 @@ fn largest_error(
         (digits, true) => format!("; agrees within the {} recorded", counted(digits, "digit")),
         (digits, false) => format!("; more than the {} recorded explain", counted(digits, "digit")),
     };
-    output::line(format!("{name}: largest error {largest:.2e}{unit} at sample {sample} (line {line}){verdict}"))
+    format!("{name}: largest error {largest:.2e}{unit} at sample {sample} (line {line}){verdict}")
 }
 
-fn first_difference(first: &compare::FirstDifference, recording: &Recording) -> Result<(), Exit> {
+fn first_difference(first: &compare::FirstDifference, recording: &Recording) -> String {
     let compare::FirstDifference { sample, signal, expected, found } = first;
     let [recorded, computed] = [found, expected].map(|value| {
         let mut texts = [String::new(), String::new()];
@@ -189,7 +192,7 @@ fn first_difference(first: &compare::FirstDifference, recording: &Recording) -> 
         if texts[0] == texts[1] { texts[0].clone() } else { texts.join(" = ") }
     });
     let line = recording.lines.get(*sample).copied().unwrap_or_default();
-    output::line(format!("first: sample {sample} (line {line}), {signal}: {recorded} recorded, {computed} computed"))
+    format!("first: sample {sample} (line {line}), {signal}: {recorded} recorded, {computed} computed")
 }
 
 /// A number with four digits.

@@ -1,0 +1,44 @@
+//! The command `diff`: the effect of a change between two sets on the machine.
+
+use generator::config::{ListOptions, Load};
+use generator::diagnostics::Report;
+use generator::diff;
+use generator::pipeline::{self, Set};
+use serde::Serialize;
+use std::path::Path;
+
+/// The differences.
+#[derive(Clone, Debug, Serialize)]
+pub struct Changes {
+    pub lines: Vec<String>,
+    /// whether a block does something else, is new or no longer exists
+    pub differ: bool,
+}
+
+/// A version of a set, with its messages.
+pub type Version = (Option<Set>, Report);
+
+/// Reads two versions of axes. `options` are for axis lists. An unstable version can be compared, too: usually with one that
+/// is stable.
+#[must_use]
+pub fn read(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
+    let some_list = files.iter().any(|file| !is_set(file));
+    let none = ListOptions::default();
+    files.map(|file| pipeline::read_to_look_at(file, if is_set(file) && some_list { &none } else { options }, load))
+}
+
+/// Compares two versions. Two lists are versions of one axis, even if their file names differ.
+#[must_use]
+pub fn diff(files: [&Path; 2], mut before: Set, after: &Set) -> Changes {
+    if let ([old], [new], false) =
+        (before.axes.as_mut_slice(), after.axes.as_slice(), files.iter().any(|file| is_set(file)))
+    {
+        old.axis.name.clone_from(&new.axis.name);
+    }
+    let (lines, differ) = diff::lines(&before.axes, &after.axes);
+    Changes { lines, differ }
+}
+
+fn is_set(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+}

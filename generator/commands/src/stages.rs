@@ -1,0 +1,120 @@
+//! The numbers of a stage that a page edits: an axis with another one, and the user's own text with it. No file is written.
+
+use crate::files::Files;
+use crate::refused;
+use generator::axis::{Filter, Mode, Stage};
+use generator::blocks::Designed;
+use generator::codes;
+use generator::config::{ListOptions, Load};
+use generator::diagnostics::{Report, Slashes};
+use generator::parameters::Name;
+use generator::pipeline;
+use generator::set_number::{Changed, set_number};
+use serde::Deserialize;
+use std::path::Path;
+
+/// A number of a stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Number {
+    /// of its first band-pass [Hz]
+    F0,
+    /// of its first band-pass
+    QFactor,
+    /// of the simulated oscillation
+    Damping,
+    Weight,
+}
+
+/// The denominator of a weight that the one in the parameters does not express.
+const DENOMINATOR: u32 = 1000;
+
+/// The axis with another number of an active stage, designed. A number that the stage does not have changes nothing. Ranges
+/// are not validated here.
+#[must_use]
+pub fn with(designed: &Designed, stage: usize, number: Number, value: f64) -> Designed {
+    let mut axis = designed.axis.clone();
+    if let Some(stage) = axis.ipc.stage.get_mut(stage).and_then(Option::as_mut) {
+        set(stage, number, value);
+    }
+    Designed::from(axis)
+}
+
+fn set(stage: &mut Stage, number: Number, value: f64) {
+    let bandpass = stage.filter.iter_mut().find_map(|filter| match filter {
+        Filter::Bandpass { f0, q_factor, .. } => Some((f0, q_factor)),
+        Filter::NoFilter | Filter::Allpass { .. } => None,
+    });
+    match (number, bandpass, &mut stage.mode) {
+        (Number::F0, Some((f0, _)), _) => *f0 = value,
+        (Number::QFactor, Some((_, q_factor)), _) => *q_factor = value,
+        (Number::Damping, _, Mode::Indirect { osc_damping } | Mode::SetPoint { osc_damping }) => *osc_damping = value,
+        (Number::Weight, ..) => {
+            let is_whole = |of: f64| of.to_bits() == of.round().to_bits();
+            if !is_whole(value * f64::from(stage.weight_fact_denom)) {
+                stage.weight_fact_denom = DENOMINATOR;
+            }
+            let numerator = (value * f64::from(stage.weight_fact_denom)).round();
+            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
+            let numerator = numerator.clamp(0.0, f64::from(u32::MAX)) as u32;
+            stage.weight_fact_num = numerator;
+        }
+        (Number::F0 | Number::QFactor | Number::Damping, ..) => {}
+    }
+}
+
+/// The files of the user with another number of a stage: its digits are replaced where they stand, all other bytes stay. The
+/// result is read: the axis then has exactly the stages of [`with`].
+///
+/// # Errors
+/// The stage has no such number, or it is not given in the file, stands in a form that is not edited, or is not allowed.
+pub fn written(
+    (path, options, load): (&Path, &ListOptions, Load<'_>),
+    designed: &Designed,
+    (stage, number, value): (usize, Number, f64),
+) -> Result<Files, Report> {
+    let (axis, version) = (&designed.axis.name, with(designed, stage, number, value));
+    let mut after = Files::default();
+    let numbers = given(&version, stage, number, value);
+    if numbers.is_empty() {
+        let found = format!("stage {stage} of the axis {axis} has no such number");
+        return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
+    }
+    for (names, index, value) in numbers {
+        let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
+        let changed = set_number((path, options, &with_changes), axis, (names, index), value)?;
+        let id = names[0].parameter().id.unwrap_or_default();
+        let Changed { file, after: bytes } = changed.ok_or_else(|| {
+            let found = format!("{id} of stage {stage} of the axis {axis} is not given: its default is used");
+            refused::input(codes::NOT_WRITTEN, path.slashes(), found)
+        })?;
+        after.0.insert(file, bytes);
+    }
+    let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
+    let (set, report) = pipeline::read_to_look_at(path, options, &with_changes);
+    let stages = set.as_ref().ok_or(report)?.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
+    if stages != Some(&version.axis.ipc.stage) {
+        let found = format!("the stage {stage} of the axis {axis} stands in a form that is not edited");
+        return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
+    }
+    Ok(after)
+}
+
+/// The parameters of a number of a stage, each with its predecessor, its indices and its value.
+fn given(version: &Designed, at: usize, number: Number, value: f64) -> Vec<(&'static [Name], [u32; 2], f64)> {
+    let Some(stage) = version.axis.ipc.stage.get(at).and_then(Option::as_ref) else { return Vec::new() };
+    let is_bandpass = |filter: &&Filter| matches!(filter, Filter::Bandpass { .. });
+    let index = u32::try_from(at).unwrap_or(u32::MAX);
+    let of_stage = [index, 0];
+    let of_filter = [index, if stage.filter.first().filter(is_bandpass).is_some() { 0 } else { 1 }];
+    match number {
+        Number::F0 => vec![(&[Name::FilterF0], of_filter, value)],
+        Number::QFactor => vec![(&[Name::FilterQ], of_filter, value)],
+        Number::Damping if matches!(stage.mode, Mode::Direct { .. }) => Vec::new(),
+        Number::Damping => vec![(&[Name::OscDamping, Name::FilterDamping], of_stage, value)],
+        Number::Weight => vec![
+            (&[Name::WeightFactNum], of_stage, f64::from(stage.weight_fact_num)),
+            (&[Name::WeightFactDenom], of_stage, f64::from(stage.weight_fact_denom)),
+        ],
+    }
+}

@@ -1,0 +1,142 @@
+//! Traceability of an axis: each parameter with the coefficients that depend on it, and each coefficient with its parameters
+//! and with its lines in the emitted files.
+
+use crate::words::{made, number};
+use generator::blocks::{Block, Designed};
+use generator::config::{ListOptions, Load};
+use generator::diagnostics::Report;
+use generator::generate::identity;
+use generator::target::{File, Target};
+use generator::trace::{self, Traced};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// An axis.
+#[derive(Clone, Debug, Serialize)]
+pub struct Trace {
+    pub axis: String,
+    /// all that its blocks use
+    pub parameters: Vec<ParameterRow>,
+    /// all in the emitted files, by block
+    pub coefficients: Vec<CoefficientRow>,
+}
+
+/// A parameter.
+#[derive(Clone, Debug, Serialize)]
+pub struct ParameterRow {
+    pub id: Option<&'static str>,
+    pub path: String,
+    pub value: String,
+    pub unit: &'static str,
+    pub meaning: &'static str,
+    /// where it is given; `null` if it has its default
+    pub given: Option<Given>,
+    /// the positions among the coefficients of those that depend on it
+    pub coefficients: Vec<usize>,
+}
+
+/// The place of a value; line and column count from 1.
+#[derive(Clone, Debug, Serialize)]
+pub struct Given {
+    pub file: String,
+    pub line: usize,
+    pub column: usize,
+}
+
+/// A coefficient.
+#[derive(Clone, Debug, Serialize)]
+pub struct CoefficientRow {
+    pub block: &'static str,
+    pub path: String,
+    pub value: String,
+    pub meaning: &'static str,
+    /// the positions of the parameters that it depends on
+    pub parameters: Vec<usize>,
+    pub lines: Vec<Lines>,
+}
+
+/// The lines of a file that contain a coefficient, counted from 1.
+#[derive(Clone, Debug, Serialize)]
+pub struct Lines {
+    pub target: &'static str,
+    pub file: String,
+    pub lines: Vec<usize>,
+}
+
+/// A coefficient: its block, and its position among all of the block.
+type Leaf = (&'static str, usize);
+
+/// The trace of an axis with these blocks. `path`, `options` and `load` are those with which its set was read.
+///
+/// # Errors
+/// The set cannot be read again.
+pub fn trace(
+    (path, options, load): (&Path, &ListOptions, Load<'_>),
+    designed: &Designed,
+    blocks: &[Block],
+    targets: &[Target],
+) -> Result<Trace, Report> {
+    let traced = trace::parameters(path, options, load, &designed.axis.name)?;
+    let mut coefficients: BTreeMap<Leaf, CoefficientRow> = BTreeMap::new();
+    for block in blocks {
+        for target in targets {
+            emitted(designed, block, target, &mut coefficients);
+        }
+    }
+    let positions: BTreeMap<Leaf, usize> = coefficients.keys().copied().zip(0..).collect();
+    let mut coefficients: Vec<CoefficientRow> = coefficients.into_values().collect();
+    let parameters = traced.into_iter().enumerate().map(|(position, of)| {
+        let of_block = |(block, leaves): &(&'static str, Vec<usize>)| -> Vec<usize> {
+            leaves.iter().filter_map(|leaf| positions.get(&(*block, *leaf)).copied()).collect()
+        };
+        let changed: Vec<usize> = of.coefficients.iter().flat_map(of_block).collect();
+        changed.iter().for_each(|coefficient| coefficients[*coefficient].parameters.push(position));
+        row(of, changed)
+    });
+    let parameters = parameters.collect();
+    Ok(Trace { axis: designed.axis.name.clone(), parameters, coefficients })
+}
+
+fn row(Traced { id, path, value, unit, meaning, given, .. }: Traced, coefficients: Vec<usize>) -> ParameterRow {
+    let given = given.map(|place| Given { file: place.file, line: place.line, column: place.column });
+    ParameterRow { id, path, value, unit, meaning, given, coefficients }
+}
+
+/// Adds the coefficients of a block in the files of a target.
+fn emitted(designed: &Designed, block: &Block, target: &Target, found: &mut BTreeMap<Leaf, CoefficientRow>) {
+    let named = made(target.coefficients(block));
+    let of_block = block.program.block;
+    for (leaf, _, constant) in &named {
+        found.entry((of_block, *leaf)).or_insert_with(|| CoefficientRow {
+            block: of_block,
+            path: constant.path.clone(),
+            value: number(constant.value),
+            meaning: constant.doc,
+            parameters: Vec::new(),
+            lines: Vec::new(),
+        });
+    }
+    let leaves: BTreeMap<&str, usize> = named.iter().map(|(leaf, name, _)| (name.as_str(), *leaf)).collect();
+    for file in made(target.files(&identity(&designed.axis, block), block)) {
+        for (leaf, lines) in lines_of(&file, &leaves) {
+            let row = found.get_mut(&(of_block, leaf)).expect("trace: each named coefficient has a row");
+            row.lines.push(Lines { target: target.name, file: file.name.clone(), lines });
+        }
+    }
+}
+
+/// The lines of a file that contain names, by coefficient.
+fn lines_of(file: &File, leaves: &BTreeMap<&str, usize>) -> BTreeMap<usize, Vec<usize>> {
+    let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+    let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (number, line) in (1..).zip(file.text.lines()) {
+        for leaf in line.split(|letter| !is_part(letter)).filter_map(|word| leaves.get(word)) {
+            let lines = lines.entry(*leaf).or_default();
+            if lines.last() != Some(&number) {
+                lines.push(number);
+            }
+        }
+    }
+    lines
+}

@@ -1,0 +1,32 @@
+//! Words that several commands use.
+
+use portable::Literal;
+use std::fmt::Display;
+
+/// `1 file`, `2 files`.
+pub fn counted(count: impl Display, what: &str) -> String {
+    let count = count.to_string();
+    let plural = if count == "1" { "" } else { "s" };
+    format!("{count} {what}{plural}")
+}
+
+/// The result of a step that no input can make fail.
+///
+/// # Panics
+/// If it has failed: that is a defect of axgen.
+pub fn made<T>(result: Result<T, impl Display>) -> T {
+    result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
+}
+
+/// The digits of a number, which read back to the same bits.
+pub fn number(value: Literal) -> String {
+    match value {
+        Literal::F64(value) => format!("{value:?}"),
+        Literal::F32(value) => format!("{value:?}"),
+        Literal::U32(value) => value.to_string(),
+        Literal::I32(value) => value.to_string(),
+        Literal::Usize(value) => value.to_string(),
+        Literal::Bool(value) => value.to_string(),
+        Literal::Variant(variant) => variant.def().name.to_owned(),
+    }
+}
