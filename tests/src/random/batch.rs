@@ -176,7 +176,9 @@ fn build_with(libraries: &str, batch: &Batch<'_>, crates: &Path, shards: usize) 
             let folder = library.split_once('=').and_then(|(_, path)| Path::new(path).parent());
             rustc.args(["--extern", library]).arg("-L").arg(folder.unwrap_or(&out));
         }
-        shards.iter().for_each(|shard| drop(rustc.args(["--extern", shard])));
+        for shard in shards {
+            rustc.args(["--extern", shard]);
+        }
         let output = rustc.output().map_err(|error| format!("rustc does not start: {error}"))?;
         let is_built = output.status.success();
         if is_built { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
