@@ -32,8 +32,8 @@ pub fn read_to_look_at(path: &Path, options: &ListOptions, load: Load<'_>) -> (O
 }
 
 /// Reads a set for a command that proposes stages: the drive is read even if no stage is active yet.
-pub fn read_to_tune(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
-    read_as(path, options, &file::load, Purpose::Tune)
+pub fn read_to_tune(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
+    read_as(path, options, load, Purpose::Tune)
 }
 
 /// Reads a set as [`read`] does, from another source of files.

@@ -2,7 +2,7 @@
 //! names; all other bytes stay. Whether the number is allowed is not judged here, and no file is written.
 
 use crate::codes;
-use crate::config::{ListOptions, Load, given};
+use crate::config::{ListOptions, Load, file, given};
 use crate::diagnostics::{Diagnostic, Report};
 use crate::parameters::Name;
 use std::path::{Path, PathBuf};
@@ -36,8 +36,9 @@ pub fn set_number(
     if source.is_option() || source.is_converted() || length == 0 {
         return Err(refused("the number is not written in a form that is edited"));
     }
-    // A real number stays one: TOML distinguishes 53 and 53.0.
-    let text = if digits[..length].contains(&b'.') { format!("{value:?}") } else { value.to_string() };
+    // A real number stays one in TOML, which distinguishes 53 and 53.0.
+    let is_real = file::is_set(Path::new(&source.name)) && digits[..length].contains(&b'.');
+    let text = if is_real { format!("{value:?}") } else { value.to_string() };
     let after = [&source.bytes[..at], text.as_bytes(), &digits[length..]].concat();
     let after = source.encoding.encoded(after).map_err(|_| refused("the encoding of the file lacks a character"))?;
     Ok(Some(Changed { file: PathBuf::from(&source.name), after }))

@@ -30,7 +30,7 @@ pub fn read_to_look_at(arguments: &SetArguments, keys: Vec<OptionKey>, format: F
 
 /// Reads the set for a command that proposes stages: the drive is read even if no stage is active yet.
 pub fn read_to_tune(arguments: &SetArguments, keys: Vec<OptionKey>, format: Format) -> Result<Set, Exit> {
-    let (set, report) = pipeline::read_to_tune(&arguments.set, &arguments.list.options(keys));
+    let (set, report) = pipeline::read_to_tune(&arguments.set, &arguments.list.options(keys), &config::load);
     said(set, &report, format)
 }
 

@@ -1,0 +1,74 @@
+// Changes of a value: the newest one of a moving slider is sent, those between are left out.
+"use strict";
+
+const editing = {
+  running: false,
+  next: null,
+  isRunning() {
+    return this.running || this.next !== null;
+  },
+};
+
+async function change(stage, value, to) {
+  if (!Number.isFinite(to)) return;
+  touch(stage, value, false);
+  editing.next = { stage, value, to };
+  if (editing.running) return;
+  editing.running = true;
+  try {
+    while (editing.next) {
+      const { stage: of, value: what, to: number } = editing.next;
+      editing.next = null;
+      await edited({ command: "edit", of: subject(), axis: state.axis, stage: of, value: what, to: number });
+    }
+  } catch (error) {
+    say(error.message);
+  }
+  editing.running = false;
+  showStages();
+  showText();
+  later(showCode, 300);
+}
+
+async function edited(request) {
+  const from = performance.now();
+  const { data, messages, files } = await ask(request);
+  if (!data) {
+    showMessages(messages);
+    return;
+  }
+  keep(files);
+  accept(data.checked, messages);
+  await showLoop();
+  measure("slider step", from);
+}
+
+/** Takes over the result of a check. */
+function accept(data, messages) {
+  state.checked = data.checked ?? state.checked;
+  state.allowed = data.allowed;
+  state.messages = messages;
+  if (!state.checked?.axes.some((row) => row.axis === state.axis)) state.axis = state.checked?.axes[0]?.axis ?? "";
+  const row = axisRow();
+  if (row && !state.before.has(state.axis)) state.before.set(state.axis, { row: structuredClone(row), loop: null });
+  showAxes();
+  showStages();
+  showMessages(messages);
+  $("verify").disabled = !data.checked;
+  $("save").disabled = !data.allowed;
+  say(summary());
+}
+
+function touch(stage, value, shows = true) {
+  const isSame = state.touched?.stage === stage && state.touched?.value === value;
+  state.touched = { stage, value };
+  if (shows && !isSame) mark();
+}
+
+const timers = new Map();
+
+/** Does something a little later, once. */
+function later(what, milliseconds) {
+  clearTimeout(timers.get(what));
+  timers.set(what, setTimeout(what, milliseconds));
+}

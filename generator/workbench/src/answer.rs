@@ -1,0 +1,209 @@
+//! The answer to each request: its data, and the messages.
+
+use crate::request::{Request, Subject};
+use crate::session::{Session, load};
+use crate::{curves, recorded, zip};
+use commands::plan::Plan;
+use commands::verify::{Row, Verification, engines};
+use commands::words::made;
+use commands::{check, diff, messages, refused, stages, trace};
+use generator::blocks::{self, Designed};
+use generator::diagnostics::Report;
+use generator::pipeline::{self, Set};
+use generator::target::{self, File, TARGETS, Target};
+use generator::{codes, generate, manifest, params_of};
+use golden::exercise;
+use golden::simulate::{self, Moved, picture, text};
+use serde_json::{Value, json};
+use std::convert::Infallible;
+use std::path::Path;
+
+type Answer = Result<(Value, Report), Report>;
+
+/// The answer in JSON: `{ "data": ..., "messages": [...] }`; without data the request was refused.
+pub fn answer(session: &mut Session, request: &str) -> String {
+    let answer = match serde_json::from_str(request) {
+        Ok(request) => answered(session, request),
+        Err(error) => Err(refused::input(codes::USAGE, "request", error)),
+    };
+    let (data, report) = match answer {
+        Ok((data, report)) => (Some(data), report),
+        Err(report) => (None, report),
+    };
+    let load = load(&session.files);
+    let again = |name: &str| load(Path::new(name)).ok();
+    json!({ "data": data, "messages": messages::data(&report, &again) }).to_string()
+}
+
+fn answered(session: &mut Session, request: Request) -> Answer {
+    match request {
+        Request::Check { of } => check_set(session, &of),
+        Request::Loop { axis } => Ok((json!(curves::curves(axis_of(session, &axis)?)), Report::default())),
+        Request::Edit { of, axis, stage, value, to } => {
+            let (options, load) = (of.options(), load(&session.files));
+            let files = stages::written((of.path(), &options, &load), axis_of(session, &axis)?, (stage, value, to))?;
+            drop(load);
+            let names: Vec<String> = files.0.into_iter().map(|(path, bytes)| session.put(path, bytes)).collect();
+            let (checked, report) = check_set(session, &of)?;
+            Ok((json!({ "files": names, "checked": checked }), report))
+        }
+        Request::Files { axis, target } => {
+            let files = made(generate::axis_files(allowed(session, &axis)?, &[target_of(&target)?]));
+            Ok((files.iter().map(as_json).collect(), Report::default()))
+        }
+        Request::Page { axis, target } => {
+            let name = allowed(session, &axis)?.axis.name.clone();
+            let pages = generate::pages(&set_of(session)?.1, &[name], &[target_of(&target)?], |page| page.file);
+            let page =
+                pages.first().ok_or_else(|| refused::input(codes::USAGE, axis, "has no improved position control"))?;
+            Ok((as_json(page), Report::default()))
+        }
+        Request::Trace { of, axis, target } => {
+            let designed = allowed(session, &axis)?;
+            let (blocks, targets) = (made(blocks::blocks(designed)), [target_of(&target)?]);
+            let (options, load) = (of.options(), load(&session.files));
+            Ok((json!(trace::trace((of.path(), &options, &load), designed, &blocks, &targets)?), Report::default()))
+        }
+        Request::Zip { of, targets, name } => archive(session, &of, &targets, &name),
+        Request::Verify { samples } => verify(session, samples),
+        Request::Diff { of, old } => difference(session, &of, &old),
+        Request::Simulate { axis } => simulation(axis_of(session, &axis)?),
+        Request::ParamsOf { of, axis, on, form } => parameters_of(session, &of, [&axis, &on, &form]),
+        Request::Measure { of, axis, recording, excited } => {
+            let cycle_time = axis.and_then(|axis| Some(axis_of(session, &axis).ok()?.axis.cycle_time()));
+            let cycle_time = cycle_time.or_else(|| seconds(of.cycle_time.as_deref()?));
+            recorded::measured(session, [Some(&recording), excited.as_deref()], cycle_time)
+        }
+        Request::Tune { of, axis, recording, excited } => {
+            recorded::tuned(session, &of, &axis, [Some(&recording), excited.as_deref()])
+        }
+        Request::Apply { of, axis, proposal } => recorded::applied(session, &of, &axis, &proposal),
+    }
+}
+
+/// Reads and checks. An unstable loop is shown, but no block is generated from it.
+fn check_set(session: &mut Session, of: &Subject) -> Answer {
+    let (options, load) = (of.options(), load(&session.files));
+    let (set, report) = pipeline::read_with(of.path(), &options, &load);
+    let is_allowed = set.is_some();
+    let shown = set.or_else(|| pipeline::read_to_look_at(of.path(), &options, &load).0);
+    let checked = shown.as_ref().map(|set| check::check(set, report.warnings(), false));
+    let text = checked.as_ref().map(check::Check::text);
+    let data = json!({ "allowed": is_allowed, "checked": checked, "text": text });
+    session.is_allowed = is_allowed;
+    session.set = shown.map(|set| (of.set.clone(), set));
+    Ok((data, report))
+}
+
+fn set_of(session: &Session) -> Result<&(String, Set), Report> {
+    session.set.as_ref().ok_or_else(|| refused::input(codes::USAGE, "set", "no set without errors is open"))
+}
+
+fn axis_of<'s>(session: &'s Session, name: &str) -> Result<&'s Designed, Report> {
+    commands::axis(&set_of(session)?.1, Some(name))
+}
+
+/// An axis of a set without errors.
+fn allowed<'s>(session: &'s Session, axis: &str) -> Result<&'s Designed, Report> {
+    let (path, _) = set_of(session)?;
+    match session.is_allowed {
+        true => axis_of(session, axis),
+        false => Err(refused::input(codes::USAGE, path, "has errors: no block is generated from it")),
+    }
+}
+
+fn target_of(name: &str) -> Result<Target, Report> {
+    let known = TARGETS.map(|target| target.name);
+    target::named(name).ok_or_else(|| refused::no_such("target", "target", name, &known))
+}
+
+fn as_json(file: &File) -> Value {
+    json!({ "name": file.name, "text": file.text })
+}
+
+/// All files of the set for these targets: the content of a folder that was empty.
+fn files(session: &Session, targets: &[String]) -> Result<Vec<File>, Report> {
+    let (path, set) = set_of(session)?;
+    if !session.is_allowed {
+        return Err(refused::input(codes::USAGE, path, "has errors: no block is generated from it"));
+    }
+    let targets: Vec<Target> = commands::generate::targets(targets, &set.targets, [])?;
+    Ok(Plan::whole(set, &targets).folder(&manifest::set_name(Path::new(path))))
+}
+
+/// The generated files below `generated/`, and every file of the user next to it.
+fn archive(session: &mut Session, of: &Subject, targets: &[String], name: &str) -> Answer {
+    let files = files(session, targets)?;
+    let names: Vec<String> = files.iter().map(|file| format!("generated/{}", file.name)).collect();
+    let generated = names.iter().zip(&files).map(|(name, file)| (name.as_str(), file.text.as_bytes()));
+    let own = session.files.0.iter().filter_map(|(path, bytes)| Some((path.to_str()?, bytes.as_slice())));
+    let own = own.filter(|(path, _)| *path != name);
+    let archive = zip::archive(own.chain(generated));
+    let archive = archive.ok_or_else(|| refused::input(codes::TOO_LARGE, &of.set, "is too large for a zip file"))?;
+    let answer = json!({ "files": [name], "entries": names, "bytes": archive.len() });
+    session.files.0.insert(name.into(), archive);
+    Ok((answer, Report::default()))
+}
+
+fn verify(session: &Session, samples: usize) -> Answer {
+    let mut engines = engines(&[])?;
+    engines.retain(|engine| !engine.is_compiled());
+    let mut verification = Verification::new(&engines, &|_, _| None);
+    let (mut rows, mut reached) = (Vec::new(), Vec::new());
+    for designed in &set_of(session)?.1.axes {
+        for block in made(blocks::blocks(designed)) {
+            let inputs = exercise::inputs(designed, &block, samples);
+            let take = |row: Row| -> Result<(), Infallible> {
+                rows.push(row);
+                Ok(())
+            };
+            let Ok(lines) = verification.block(designed, &block, &inputs, take);
+            reached.extend(lines);
+        }
+    }
+    Ok((json!({ "rows": rows, "reached": reached }), verification.missing()))
+}
+
+fn difference(session: &Session, of: &Subject, old: &str) -> Answer {
+    let files = [Path::new(old), of.path()];
+    let [(before, of_old), (after, of_new)] = diff::read(files, &of.options(), &load(&session.files));
+    match (before, after) {
+        (Some(before), Some(after)) => Ok((json!(diff::diff(files, before, &after)), of_new)),
+        (None, _) => Err(of_old),
+        (_, None) => Err(of_new),
+    }
+}
+
+fn simulation(designed: &Designed) -> Answer {
+    let simulation = simulate::run(designed, Moved::Drive, None)
+        .map_err(|why| refused::input(codes::USAGE, &designed.axis.name, why))?;
+    let answer = json!({
+        "text": text::table(&simulation, designed),
+        "picture": picture::of(&simulation, &designed.axis.name).map(|picture| picture.svg()),
+    });
+    Ok((answer, Report::default()))
+}
+
+fn parameters_of(session: &Session, of: &Subject, [axis, on, form]: [&str; 3]) -> Answer {
+    let form = params_of::Form::named(form).ok_or_else(|| {
+        let known = params_of::Form::ALL.map(|(name, _)| name);
+        refused::no_such("form", "form", form, &known)
+    })?;
+    let load = load(&session.files);
+    let [(before, of_old), (after, of_new)] = diff::read([Path::new(on), of.path()], &of.options(), &load);
+    let (before, after) = (before.ok_or(of_old)?, after.ok_or(of_new)?);
+    let (old, new) = (commands::axis(&before, Some(axis))?, commands::axis(&after, Some(axis))?);
+    let report = params_of::check(new, old, [&of.set, on]);
+    if report.has_errors() {
+        return Err(report);
+    }
+    let bytes = made(params_of::bytes(new, form));
+    Ok((json!({ "text": String::from_utf8_lossy(&bytes), "bytes": bytes }), report))
+}
+
+/// A time as an option has it [s].
+fn seconds(text: &str) -> Option<f64> {
+    let units = [("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)];
+    let (number, unit) = units.iter().find_map(|(name, unit)| Some((text.trim().strip_suffix(name)?, unit)))?;
+    Some(number.trim().parse::<f64>().ok()? * unit)
+}
