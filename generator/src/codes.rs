@@ -37,11 +37,11 @@ codes! {
         "The set, an axis list that it names, or a CSV file cannot be opened. The path of a list is relative to the file of the \
          set.";
     TOO_LARGE = "AX002", "a file is too large",
-        "No file of its kind has as many bytes, samples not more than 256 MiB; it is probably another file.";
+        "Samples may have up to 256 MiB, other files up to 64 MiB. A larger file is probably the wrong one.";
     UTF8 = "AX003", "a set is not UTF-8",
         "TOML is UTF-8. An axis list may have any byte in its comments, a set may not: save it as UTF-8.";
     SYNTAX = "AX004", "a set is not TOML",
-        "The file breaks the syntax of TOML at this place. Until it is mended nothing else of it is checked.";
+        "The file breaks the syntax of TOML at this place. Nothing else in the file is checked until this is corrected.";
     NO_AXIS = "AX005", "a set without an axis",
         "A set names at least one axis: a table [axis.NAME] with a list, or with parameters.";
     AXIS_NAME = "AX006", "a name that an axis cannot have",
@@ -50,14 +50,14 @@ codes! {
     AXIS_TWICE = "AX007", "two axes whose names differ in case only",
         "Structured Text and some file systems do not tell upper and lower case apart.";
     OPTION = "AX008", "an option that a set does not take",
-        "--cycle-time and --name belong to an axis list that stands alone; a set says both itself.";
+        "--cycle-time and --name are for an axis list without a set; a set states both itself.";
     CYCLE_TIME = "AX009", "no cycle time",
         "The coefficients hold for one cycle time of the position controller only, and no axis list holds it: give it as \
          cycle_time in a set, or with --cycle-time. The generated block can check it against its task.";
     NOT_LISTED = "AX010", "too many messages",
         "A thousand messages were listed. Mend the first ones: the others often follow from them.";
     USAGE = "AX011", "a command line that cannot be carried out",
-        "An option is unknown or missing, or its value is none. `axgen help COMMAND` says what a command takes.";
+        "An option is unknown or missing, or its value is invalid. `axgen help COMMAND` lists the options.";
     NO_SUCH = "AX012", "an unknown name",
         "The axis, the target, the stage, the engine, the block, the parameter or the code that the command line names does \
          not exist.";
@@ -99,7 +99,7 @@ codes! {
          spectra of its signals; traces over time and results of an automatic tuning are not. Binary files are not read: export \
          the response as text. docs/response.md says what is read.";
 
-    LINE = "AX101", "no line of an axis list",
+    LINE = "AX101", "not a line of an axis list",
         "A line is `path value`, with blanks or tabs between and no `=`; `#`, `(`, `/*`, `;` or `//` begins a comment, to the \
          end of the line.";
     BYTE = "AX102", "a byte outside of ASCII",
@@ -163,8 +163,8 @@ codes! {
         "The value lies outside of the range that the parameter has. Values are never clamped: a block inside a control \
          loop must do what its list says, or not be there.";
     TYPE = "AX204", "a value of another type",
-        "TOML tells numbers, strings, arrays and tables apart: numbers stand without quotes, words and times with quotes, \
-         stages and filters are arrays of tables.";
+        "TOML distinguishes numbers, strings, arrays and tables: write numbers without quotes, words and times with quotes, \
+         stages and filters as arrays of tables.";
     DURATION = "AX205", "not a time",
         "A time is a number with its unit, such as \"1ms\", \"62.5us\" or \"0.1s\", and a whole number of nanoseconds.";
     MISSING = "AX206", "a parameter is missing",
@@ -222,12 +222,12 @@ codes! {
     SCALE = "AX314", "a scaling beyond the numbers",
         "The parameters of a scaling are so large that their product with a velocity or an acceleration is not a number any \
          more.";
-    MASTER = "AX315", "no master of a gantry",
-        "A gantry slave puts out the additive velocity of its master: the master is another axis of the set, which is itself \
-         no slave. Logical axis numbers (P-AXIS-00016) name one axis each.";
+    MASTER = "AX315", "a gantry slave without a valid master",
+        "A gantry slave outputs the additive velocity of its master. The master is another axis of the set, and is not itself \
+         a slave. Logical axis numbers (P-AXIS-00016) name one axis each.";
     LINEAR_MOTOR = "AX316", "a linear motor that turns",
         "A linear motor moves a translatory axis. The torque of a rotary axis or a spindle comes from a rotary motor.";
-    NO_GEAR = "AX317", "a gear step that is not there",
+    NO_GEAR = "AX317", "a gear step without parameters",
         "The key `gear` names a gear step of which the axis has no parameter, while it has other steps. Every parameter of the \
          step would have its default, and without Kv there would be no position control. Name one of the steps that are given.";
 
@@ -251,8 +251,8 @@ codes! {
          display does not distinguish them: of SERCOS velocity control is an auxiliary mode (P-AXIS-00264), of CANopen another number \
          (P-AXIS-00463, 00464).";
     HALF_A_REVOLUTION = "AX323", "position control at half a revolution in a cycle",
-        "A drive that controls the position of a spindle cannot tell the direction of a way of 180 deg and more in a cycle: the \
-         speed stays below 30/T rpm, at a cycle time of 2 ms below 15000 rpm. That holds for the velocity up to which position \
+        "A drive that controls the position of a spindle cannot determine the direction of a move of 180 deg or more in a \
+         cycle: the speed must stay below 30/T rpm, at a cycle time of 2 ms below 15000 rpm. The limit holds for the velocity up to which position \
          control lasts (P-AXIS-00767, or 00212 if it is lower) and for that at which it is taken up again (P-AXIS-00768) with \
          its window.";
     TWO_VELOCITIES = "AX324", "two values for one velocity",
@@ -434,8 +434,8 @@ codes! {
         "The drive controls the position, and its process data have no additive velocity: nothing would go out. The mode is \
          OFF at start; it must stay so until the drive has the process datum and process_data.additive_velocity says so.";
     ZERO = "AX433", "a factor of 0",
-        "The factor is written as 0, and all that it weights is 0. That is legal, and mostly a list that nobody has finished: \
-         write the value, or take away what it weights.";
+        "The factor is written as 0, and all that it weights is 0. This is legal, but usually the list is unfinished: \
+         write the value, or remove what it weights.";
     SHORT_TIME = "AX434", "a time constant that no drive has",
         "With ACC and JERK the quotient P-AXIS-00225/00226 is the drive's time constant in us. Below a twentieth of a cycle it \
          does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Write it in us.";
@@ -448,8 +448,8 @@ codes! {
          multiplies: more than 14 times the motor's velocity is fed back. Lower the damping ratio slowly, with a small weight, \
          and look at the additive velocity in DRYRUN first.";
     CAPPED = "AX437", "a weight above the cap",
-        "A weight (P-AXIS-00754/00755) above 7 is 7. The controller caps it without a message. Mostly the denominator is \
-         missing, which is 1 then: 700 is meant as 700/100.";
+        "The controller caps a weight (P-AXIS-00754/00755) above 7 at 7, without a message. Usually the denominator is \
+         missing and therefore 1: 700 is meant as 700/100.";
     SLOW = "AX438", "a largest velocity that looks like another unit",
         "P-AXIS-00212 is in um/s, of a rotary axis in 0.001 deg/s. Below 5000, which is 5 mm/s or 5 deg/s, a value was mostly \
          written in mm/s, m/min, deg/s or revolutions/min. The limit of improved position control is a part of it.";
@@ -458,8 +458,8 @@ codes! {
          excites the vibration drives the axis at full speed. Start with DRYRUN, look at v_add_calculated, then write ON with a \
          v_add_max_fact (P-AXIS-00757) that is a little more than what the vibration needs.";
     ASSUMED = "AX440", "a default that motion depends on",
-        "The parameter is not given, and its default scales or limits what the block puts out. A default is nobody's machine: \
-         write the value, also where it is the default. The line `assumed` of check and generate lists all such parameters.";
+        "The parameter is not given, and its default scales or limits what the block puts out. A default fits no particular \
+         machine: write the value, even if it equals the default. The line `assumed` of check and generate lists all such parameters.";
     PROBE = "AX441", "a measuring probe together with feedforward",
         "Feedforward adds a cycle at the least between interpolator and position controller, which the controller does not \
          count in a measuring run. Its manual wants a longer stroke of the probe (P-AXIS-00086).";
@@ -568,8 +568,8 @@ codes! {
         "The scenario of an axis has no spindle, and that of a spindle has no axes; an axis that the program never moves stands \
          still. Run the program on the other axis of the set too, or name the axis with --program-axis.";
     NC_LIMITED = "AX475", "a feed or a speed above vb_max",
-        "The controller limits what the program asks for to vb_max (P-AXIS-00212), and so does the scenario. It is a part of \
-         what the program asks for: with the real machine in mind correct vb_max or the program.";
+        "The controller limits what the program asks for to vb_max (P-AXIS-00212), and so does the scenario. The axis then moves \
+         slower than the program demands: correct vb_max or the program to fit the real machine.";
     NC_STOPPED = "AX476", "an NC program that is longer than its scenario",
         "A scenario stops after 200,000 cycles, or after the number of --cycles. Everything before that is a whole stimulus. \
          More cycles take more memory, about 400 bytes each, and more time in every engine.";
@@ -578,8 +578,8 @@ codes! {
          the program's axis that the message names. --program-axis chooses it.";
     NC_AXIS = "AX478", "an axis of TwinCAT NC",
         "The NC has no axis list. Its largest velocity is P-AXIS-00212, PosKp is P-AXIS-00099, the scale of the encoder \
-         P-AXIS-00234 and 00233, and nothing else of it is taken. TwinCAT leaves out of its files what has its default: axgen \
-         does not know it, so that the value must be written. The cycle time is that of the SAF task, which a file of one axis \
+         P-AXIS-00234 and 00233, and nothing else of it is taken. TwinCAT omits defaults from its files, and axgen \
+         does not know them: write these values. The cycle time is that of the SAF task, which a file of one axis \
          does not hold. Stages of improved position control do not exist in the NC: write them in the set.";
     OTHER_INTERVAL = "AX480", "a recording of another interval than the block's cycle",
         "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other \
@@ -594,8 +594,8 @@ codes! {
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
-         removed it; but somebody has changed it, or put another file in its place. It stays, and in a project it goes on being \
-         compiled: a function block with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of \
+         removed it; but somebody has changed it, or put another file in its place. It stays, and a project continues to \
+         compile it: a function block with old numbers acts on the machine. Delete it. To keep it as yours, take its line out of \
          axgen.manifest and the line `checksum` out of the file.";
     UNLISTED = "AX491", "a generated file that no set is known to generate",
         "axgen generated the file, but this set does not generate it, and axgen.manifest does not list it. An axgen without a \

@@ -27,10 +27,10 @@ macro_rules! rows {
 
 /// For a velocity that improved position control reads.
 const NOTHING_ADDED: &str = "Improved position control adds nothing in a cycle with this fault: v_add is 0 at once. It fades in again when the sample is \
-                             good. The other parts of an axis go on.";
+                             good. The other parts of an axis continue.";
 const MEASURED: &str = "Check encoder, scaling and process data. If single telegrams are lost, the key ride_through lets the block hold samples.";
 /// For a derivative that feedforward reads.
-const NOTHING_FED: &str = "Feedforward puts out 0 in a cycle with this fault. Position control goes on without it.";
+const NOTHING_FED: &str = "Feedforward outputs 0 in a cycle with this fault. Position control continues without it.";
 const INTERPOLATOR: &str = "Check the link to the interpolator, and the scaling of the signal.";
 /// For an input that the position controller adds.
 const NO_POSITION_CONTROL: &str = "Velocities, manipulated variable and torque are 0 in a cycle with this fault, xerr is 0, and x_drive follows x_command.";
@@ -39,25 +39,26 @@ const PART: &str = "Check the connection: the signal is an output of another blo
 const REFUSED: &str = "The design ends without a set: designed is FALSE and params is 0. wrong_stage and wrong_filter name the input. The set in use \
                        goes on.";
 /// For a request to a spindle.
-const LOST: &str = "The request is lost. The spindle goes on as before; nothing stays, and no reset is needed.";
+const LOST: &str =
+    "The request is lost. The spindle continues as before. The error is not latched, and no reset is needed.";
 /// For an error of a spindle that stays.
 const STAYS: &str = "The spindle brakes with spindle.deceleration to standstill by its velocity command and stays there, with this id, until a reset. \
                      No job is served.";
 /// For a sample of a spindle that may be missing for some cycles.
-const COASTS: &str = "The spindle goes on at its last velocity for up to three cycles. From the fourth bad cycle in a row on it brakes to \
+const COASTS: &str = "The spindle continues at its last velocity for up to three cycles. From the fourth consecutive bad cycle on, it brakes to \
                       standstill, and the id stays until a reset.";
 
 static ROWS: &[Row] = rows! {
-    error_cycle_time: "The block acts as if it were off while the cause lasts, and starts anew after it. A spindle brakes to standstill, and the id \
+    error_cycle_time: "The block acts as if it were off while the cause lasts, and restarts after it. A spindle brakes to standstill, and the id \
                        stays until a reset.",
-        "Call the block in a task with the cycle time that it was generated for, or generate it for this one. 0 at task_cycle_ns: unchecked.";
+        "Call the block in a task with the cycle time that it was generated for, or generate it for this task. 0 at task_cycle_ns: unchecked.";
     error_mode: "Improved position control acts as in the mode OFF, at once: v_add is 0. The other parts of an axis go on.",
         "Write 0 (OFF), 1 (ON) or 2 (DRYRUN) to mode.";
-    error_state: "v_add is 0. The block starts anew by itself in the same cycle and fades in again; a delay goes on with the present sample. A spindle \
+    error_state: "v_add is 0. The block restarts in the same cycle and fades in again; a delay continues with the present sample. A spindle \
                   brakes to standstill, and the id stays until a reset.",
-        "Something else writes to the memory of the block, or an input is far above vb_max: look for it, it can come back.";
+        "Something else writes to the memory of the block, or an input is far above vb_max. Find the cause, because the fault can recur.";
     error_tuning: "Not a fault. The last valid value stays active.",
-        "Write a number from 0 to 1 to each input that tunes: the part follows it again.";
+        "Write a number from 0 to 1 to each tuning input: the fraction follows it again.";
     error_unstable: "Not a fault. v_add fades out and stays 0 until the mode is not ON, or reset.",
         "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";
     error_set_structure: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
@@ -99,7 +100,7 @@ static ROWS: &[Row] = rows! {
     error_direction: LOST, "Give M3 or M4, not both.";
     error_s_word: LOST, "Write a number to s_word before the request.";
     error_s_position: LOST, "Write a position to s_position before M19.";
-    error_waiting: LOST, "Wait until `waiting` is below 4, or give a reset, which ends all that waits.";
+    error_waiting: LOST, "Wait until `waiting` is below 4, or give a reset, which clears all waiting requests.";
     error_drive_off: LOST, "Give the request again when drive_on is TRUE.";
     error_to_velocity: STAYS, "The drive does not know the mode, or its display is not in the telegram: check the parameters of the modes and \
                                operation_mode_display. Then a reset.";
@@ -125,7 +126,7 @@ static ROWS: &[Row] = rows! {
     error_low_f0: REFUSED, "Type a higher centre frequency, or generate the axis with a smaller lowest_f0.";
     error_q_factor: REFUSED, "Type a quality factor from 1 to 10.";
     error_damping: REFUSED, "Type a damping ratio above 0 and below 1.";
-    error_weight: REFUSED, "Type a weight above 0 up to 7. To switch a stage off takes another block.";
+    error_weight: REFUSED, "Type a weight above 0 up to 7. Switching a stage off needs another block.";
     error_limit: REFUSED, "Type a limit from 0 to that of the block, P-AXIS-00757 times P-AXIS-00212 of the set it was generated from.";
     error_gantry_slave: "The block acts as in the mode OFF: v_add is 0.", "Leave mode OFF: the stages belong to the master (docs/gantry.md).";
 };

@@ -16,7 +16,6 @@ use generator::diagnostics::Slashes;
 use generator::generate::PAGE;
 use generator::pipeline::Set;
 use generator::summary;
-use generator::target::Target;
 use generator::write::{Folder, Refusal};
 use std::path::Path;
 
@@ -51,10 +50,10 @@ pub fn run(of: &GenerateArguments, format: Format) -> Result<Exit, Exit> {
     };
     let mut targets = generate::targets(&of.targets, &set.targets, recorded.targets())?;
     if let Some(samples) = of.runner {
-        targets = generate::each_with(targets, ["runners", "--runner"], |target| target.with_runners(samples))?;
+        targets = generate::with_runners(targets, samples)?;
     }
     if of.a2l {
-        targets = generate::each_with(targets, ["descriptions", "--a2l"], Target::with_descriptions)?;
+        targets = generate::with_descriptions(targets)?;
     }
     let scope = Scope::new(&set, axes, &of.targets);
     let dropped = scope.dropped(&recorded, |name| name == PAGE || targets.iter().any(|target| target.name == name));

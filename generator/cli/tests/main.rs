@@ -32,6 +32,11 @@ const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
 const AXGEN: &str = env!("CARGO_BIN_EXE_axgen");
 
+/// Whether everything is to be run (`AXGEN_EXHAUSTIVE`), as `tests/run` does.
+fn is_exhaustive() -> bool {
+    std::env::var_os("AXGEN_EXHAUSTIVE").is_some_and(|value| !value.is_empty() && value != "0" && value != "false")
+}
+
 /// What came of a command.
 struct Run {
     code: i32,

@@ -31,11 +31,24 @@ pub fn targets<'n>(
     Ok(targets)
 }
 
-/// The targets with files that an option adds, where the language has them.
+/// The targets, with runners where the language has them.
 ///
 /// # Errors
 /// No target has any.
-pub fn each_with(
+pub fn with_runners(targets: Vec<Target>, samples: usize) -> Result<Vec<Target>, Report> {
+    each_with(targets, ["runners", "--runner"], |target| target.with_runners(samples))
+}
+
+/// The targets, with descriptions for calibration tools where the language has them.
+///
+/// # Errors
+/// No target has any.
+pub fn with_descriptions(targets: Vec<Target>) -> Result<Vec<Target>, Report> {
+    each_with(targets, ["descriptions", "--a2l"], Target::with_descriptions)
+}
+
+/// The targets, with the files that an option adds.
+fn each_with(
     targets: Vec<Target>,
     [files, option]: [&'static str; 2],
     with: impl Fn(Target) -> Option<Target>,

@@ -118,11 +118,11 @@ fn a_number_of_a_list_is_written_into_the_list() {
     let load = |path: &Path| files.load(path);
     let options = ListOptions::default();
     let read = pipeline::read_with(&set_file, &options, &load).0.unwrap();
-    let written = stages::written((&set_file, &options, &load), &read.axes[0], (0, Number::QFactor, 12.0)).unwrap();
+    let written = stages::written((&set_file, &options, &load), &read.axes[0], (0, Number::QFactor, 9.0)).unwrap();
     assert_eq!(written.0.keys().collect::<Vec<_>>(), [&list_file]);
     let list = String::from_utf8(written.0[&list_file].clone()).unwrap();
     let changed = changes(LIST, &list);
-    assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   12"), "{changed:?}");
+    assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   9"), "{changed:?}");
 }
 
 #[test]

@@ -94,18 +94,8 @@ const fn target(
     files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
-    Target {
-        name,
-        passes,
-        language,
-        called,
-        files,
-        shared,
-        runner: None,
-        samples: None,
-        description: None,
-        is_described: false,
-    }
+    let (runner, samples, description) = (None, None, None);
+    Target { name, passes, language, called, files, shared, runner, samples, description, is_described: false }
 }
 
 /// The targets of a set that names none.

@@ -21,12 +21,6 @@ pub(crate) fn of_section(a1: f64, a2: f64, t: f64) -> f64 {
     ((da1 + da2) * (1.0 + t * t) + 2.0 * da2 * t) / libm::hypot(real, imaginary)
 }
 
-/// The same for a numerator b0 + b1 z^-1 + b2 z^-2, each coefficient off by a few units in its last place.
-pub(crate) fn of_numerator(b0: f64, b1: f64, b2: f64, t: f64) -> f64 {
-    let error = 4.0 * HALF_ULP * (b0.abs() + b1.abs() + b2.abs()) * (1.0 + t * t);
-    error / libm::hypot(((b0 + b1) + b2) - ((b0 - b1) + b2) * t * t, 2.0 * (b0 - b2) * t)
-}
-
 /// The same for a cascade, with the roundings of everything else: of Omega0 and B (amplified by a quality factor of up
 /// to 20), of b0, and of the evaluation.
 pub(crate) fn of_sections(sections: &[bandpass::Coeffs<f64>], t: f64) -> f64 {

@@ -54,7 +54,8 @@ fn answered(session: &mut Session, request: Request) -> Answer {
         Request::Page { axis, target } => {
             let name = allowed(session, &axis)?.axis.name.clone();
             let pages = generate::pages(&set_of(session)?.1, &[name], &[target_of(&target)?], |page| page.file);
-            let page = pages.first().ok_or_else(|| refused::input(codes::USAGE, axis, "has no improved position control"))?;
+            let page =
+                pages.first().ok_or_else(|| refused::input(codes::USAGE, axis, "has no improved position control"))?;
             Ok((as_json(page), Report::default()))
         }
         Request::Trace { of, axis, target } => {

@@ -26,7 +26,11 @@ fn read(session: &Session, names: [Option<&str>; 2], cycle_time: Option<f64>) ->
 }
 
 /// What a recording shows, in words, as data and as a picture.
-pub fn measured(session: &Session, names: [Option<&str>; 2], cycle_time: Option<f64>) -> Result<(Value, Report), Report> {
+pub fn measured(
+    session: &Session,
+    names: [Option<&str>; 2],
+    cycle_time: Option<f64>,
+) -> Result<(Value, Report), Report> {
     let all = read(session, names, cycle_time)?;
     let own = &all.own.1;
     let response = all.response().map(measured_text::response);
@@ -67,8 +71,7 @@ pub fn tuned(
 pub fn applied(session: &mut Session, of: &Subject, axis: &str, proposal: &str) -> Result<(Value, Report), Report> {
     let tuning = session.tuning.as_mut().ok_or_else(Report::default)?;
     let Some(chosen) = chosen(tuning, Some(proposal)) else { return Err(Report::default()) };
-    let (applied, report) =
-        apply::stages(of.path(), &of.options(), axis, &chosen.stages, &load(&session.files));
+    let (applied, report) = apply::stages(of.path(), &of.options(), axis, &chosen.stages, &load(&session.files));
     let Some(applied) = applied else { return Err(report) };
     session.files.0.insert(of.path().to_owned(), applied.after);
     Ok((json!({ "files": [of.set], "changes": applied.changes }), report))

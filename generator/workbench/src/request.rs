@@ -21,29 +21,79 @@ pub struct Subject {
 #[serde(tag = "command", rename_all = "snake_case")]
 pub enum Request {
     /// reads and checks
-    Check { of: Subject },
+    Check {
+        of: Subject,
+    },
     /// the loop of an axis as numbers and as a picture
-    Loop { axis: String },
+    Loop {
+        axis: String,
+    },
     /// writes a value into the text of the user, reads and checks
-    Edit { of: Subject, axis: String, stage: usize, value: Number, to: f64 },
+    Edit {
+        of: Subject,
+        axis: String,
+        stage: usize,
+        value: Number,
+        to: f64,
+    },
     /// the files of an axis for a target
-    Files { axis: String, target: String },
+    Files {
+        axis: String,
+        target: String,
+    },
     /// the commissioning page of an axis, with the names of a target
-    Page { axis: String, target: String },
+    Page {
+        axis: String,
+        target: String,
+    },
     /// the parameters with their coefficients, and the lines of these in the files for a target
-    Trace { of: Subject, axis: String, target: String },
+    Trace {
+        of: Subject,
+        axis: String,
+        target: String,
+    },
     /// an archive of all files for targets, those of the set if none is named, and of the user's files: the file `name`
-    Zip { of: Subject, targets: Vec<String>, name: String },
+    Zip {
+        of: Subject,
+        targets: Vec<String>,
+        name: String,
+    },
     /// runs every block in every engine that needs no compiler
-    Verify { samples: usize },
+    Verify {
+        samples: usize,
+    },
     /// two versions of a set
-    Diff { of: Subject, old: String },
+    Diff {
+        of: Subject,
+        old: String,
+    },
     /// the loop of an axis with and without its stages, over time
-    Simulate { axis: String },
+    Simulate {
+        axis: String,
+    },
     /// the parameter set for a block that was generated from another version
-    ParamsOf { of: Subject, axis: String, on: String, form: String },
-    Measure { of: Subject, axis: Option<String>, recording: String, excited: Option<String> },
-    Tune { of: Subject, axis: String, recording: String, excited: Option<String> },
+    ParamsOf {
+        of: Subject,
+        axis: String,
+        on: String,
+        form: String,
+    },
+    Measure {
+        of: Subject,
+        axis: Option<String>,
+        recording: String,
+        excited: Option<String>,
+    },
+    Tune {
+        of: Subject,
+        axis: String,
+        recording: String,
+        excited: Option<String>,
+    },
     /// writes a proposal of the last `tune` into the text of the user
-    Apply { of: Subject, axis: String, proposal: String },
+    Apply {
+        of: Subject,
+        axis: String,
+        proposal: String,
+    },
 }

@@ -65,37 +65,6 @@ pub enum Rule {
     Settles,
 }
 
-/// All rules.
-pub const RULES: [Rule; 27] = [
-    Rule::Listed,
-    Rule::Shown,
-    Rule::Range,
-    Rule::Mode,
-    Rule::Displayed,
-    Rule::Ramp,
-    Rule::Advance,
-    Rule::Formula,
-    Rule::TakeOver,
-    Rule::Coasts,
-    Rule::Lasts,
-    Rule::Errors,
-    Rule::Time,
-    Rule::Settled,
-    Rule::SlowEnough,
-    Rule::Begins,
-    Rule::Obeys,
-    Rule::Forward,
-    Rule::FastTurn,
-    Rule::Cause,
-    Rule::ResetClears,
-    Rule::ResetStays,
-    Rule::ResetBrakes,
-    Rule::Order,
-    Rule::JobKept,
-    Rule::Returns,
-    Rule::Settles,
-];
-
 /// The rules that a cycle breaks.
 #[must_use]
 pub fn broken(edge: &Edge<'_>) -> Vec<Rule> {

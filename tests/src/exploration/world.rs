@@ -142,8 +142,7 @@ impl World {
         let held = block.before;
         let held = [held.m3, held.m4, held.m5, held.m19, held.putax, held.g74];
         let last = TRANSITIONS.iter().position(|one| remembers && Some(*one) == self.last);
-        let mut key = [0; 56];
-        let mut bytes = vec![
+        let bytes = [
             block.control as u8,
             if is_timed { byte(block.cycles.min(SLOW_BRAKE_CYCLES + 1)) } else { 0 },
             if self.node == Node::Brake { byte(block.settled.min(3)) } else { 0 },
@@ -169,19 +168,19 @@ impl World {
             self.x_start.map_or(0, place),
             byte(block.queued),
         ];
-        if self.is_idle {
+        let idle = if self.is_idle {
             let Seen { samples, slow, v_last, v_before, .. } = block.seen;
-            bytes.extend([byte(samples), byte(slow), grains(v_last), grains(v_before)]);
-            bytes.extend(self.samples);
-            bytes.extend(self.velocities.map(grains));
+            let [own, own_slow] = self.samples;
+            let [v, v_earlier] = self.velocities.map(grains);
+            [byte(samples), byte(slow), grains(v_last), grains(v_before), own, own_slow, v, v_earlier]
         } else {
-            bytes.extend([0; 8]);
-        }
+            [0; 8]
+        };
         let waiting = &block.request[..(block.queued as usize).min(4)];
-        for Request { kind, speed, position } in [block.present].iter().chain(waiting) {
-            bytes.extend([*kind as u8, grains(*speed), grains(*position)]);
-        }
-        key[..bytes.len()].copy_from_slice(&bytes);
+        let jobs = [block.present].into_iter().chain(waiting.iter().copied());
+        let jobs = jobs.flat_map(|Request { kind, speed, position }| [kind as u8, grains(speed), grains(position)]);
+        let mut key = [0; 56];
+        key.iter_mut().zip(bytes.into_iter().chain(idle).chain(jobs)).for_each(|(place, byte)| *place = byte);
         key
     }
 }

@@ -5,6 +5,7 @@ use super::print;
 use super::structured_text;
 use super::syntax::Program;
 use inside::defect::{self, Defect};
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
@@ -65,7 +66,7 @@ pub fn run(batch: &Batch<'_>) -> Result<Vec<Answer>, String> {
         let kept: Vec<usize> = (0..answers.len()).filter(|number| answers[*number].rejected.is_none()).collect();
         let shards: Vec<&[usize]> = kept.chunks(SHARD).collect();
         write_crates(batch, &crates, &shards).map_err(|error| format!("{}: {error}", crates.display()))?;
-        match build(batch, &crates) {
+        match build(batch, &crates, shards.len()) {
             Ok(binary) => {
                 gather(&binary, batch, &shards, &crates.join("c"), &mut answers)?;
                 return Ok(answers);
@@ -98,10 +99,7 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
              [dependencies]\n{dependencies}"
         )
     };
-    // To cargo two crates of one name at one place below two workspaces are one, and all batches share a folder for what it
-    // makes: without the batch in its name a crate would be taken for another batch's.
-    let batch_name = batch.name.replace('-', "_");
-    let names: Vec<String> = (0..shards.len()).map(|shard| format!("{batch_name}_shard{shard}")).collect();
+    let names = shard_names(batch, shards.len());
     let (mut members, mut needs, mut calls) = (String::new(), dependencies.clone(), String::new());
     for (name, shard) in names.iter().zip(shards) {
         let _ = write!(members, "\"{name}\", ");
@@ -122,6 +120,12 @@ fn write_crates(batch: &Batch<'_>, crates: &Path, shards: &[&[usize]]) -> std::i
     fs::create_dir_all(crates.join("c"))?;
     let lock = crates.join("Cargo.lock");
     if lock.exists() { Ok(()) } else { fs::copy(root.join("Cargo.lock"), lock).map(|_| ()) }
+}
+
+/// The names of the crates. To cargo two crates of one name at one place below two workspaces are one, and all batches share a
+/// folder for what it makes: without the batch in its name a crate would be taken for another batch's.
+fn shard_names(batch: &Batch<'_>, count: usize) -> Vec<String> {
+    (0..count).map(|shard| format!("{}_shard{shard}", batch.name.replace('-', "_"))).collect()
 }
 
 /// The programs are built fast and run once; what builds and runs them is worth optimising. Integers wrap in them.
@@ -152,8 +156,45 @@ fn write(path: &Path, text: &str) -> std::io::Result<()> {
     fs::write(path, text)
 }
 
-/// Builds the crates; gives the binary, or the errors.
-fn build(batch: &Batch<'_>, crates: &Path) -> Result<PathBuf, String> {
+/// Builds the crates; gives the binary, or the errors. With the libraries that the tests were built with, if `AXGEN_LIBRARIES` names
+/// them (`name=path`, one a line); else cargo builds those too.
+fn build(batch: &Batch<'_>, crates: &Path, shards: usize) -> Result<PathBuf, String> {
+    match std::env::var("AXGEN_LIBRARIES") {
+        Ok(libraries) => build_with(&libraries, batch, crates, shards),
+        Err(_) => build_all(batch, crates),
+    }
+}
+
+fn build_with(libraries: &str, batch: &Batch<'_>, crates: &Path, shards: usize) -> Result<PathBuf, String> {
+    let out = batch.folder.join("built");
+    fs::create_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
+    let compile = |name: &str, kind: &str, source: PathBuf, shards: &[String]| -> Result<(), String> {
+        let mut rustc = Command::new(std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned()));
+        rustc.args(["--edition=2024", "--error-format=short", "-Coverflow-checks=off", "--crate-name", name]);
+        rustc.args(["--crate-type", kind]).arg(source).arg("--out-dir").arg(&out).arg("-L").arg(&out);
+        for library in libraries.lines() {
+            let folder = library.split_once('=').and_then(|(_, path)| Path::new(path).parent());
+            rustc.args(["--extern", library]).arg("-L").arg(folder.unwrap_or(&out));
+        }
+        for shard in shards {
+            rustc.args(["--extern", shard]);
+        }
+        let output = rustc.output().map_err(|error| format!("rustc does not start: {error}"))?;
+        let is_built = output.status.success();
+        if is_built { Ok(()) } else { Err(String::from_utf8_lossy(&output.stderr).into_owned()) }
+    };
+    let names = shard_names(batch, shards);
+    let build = |name: &String| compile(name, "rlib", crates.join(name).join("src/lib.rs"), &[]).err();
+    let errors: String = names.par_iter().filter_map(build).collect();
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let name = batch.name.replace('-', "_");
+    compile(&name, "bin", crates.join("run/src/main.rs"), &names)?;
+    Ok(out.join(format!("{name}{}", std::env::consts::EXE_SUFFIX)))
+}
+
+fn build_all(batch: &Batch<'_>, crates: &Path) -> Result<PathBuf, String> {
     let target = batch.folder.join("target");
     let cargo = std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned());
     let output = Command::new(cargo)

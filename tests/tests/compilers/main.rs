@@ -48,10 +48,10 @@ const GCC: Tool = Tool {
 const CLANG: Tool =
     Tool { command: "clang", cpp: "clang++", version_contains: "clang version", package: "clang", measured: "14" };
 
-/// Those that are there.
+/// Those that are there, in a plain run the first of them.
 fn tools() -> Vec<Tool> {
     let is_there = |tool: &Tool| environment::has(tool.command, tool.version_contains, tool.package);
-    [GCC, CLANG].into_iter().filter(is_there).collect()
+    [GCC, CLANG].into_iter().filter(is_there).take(environment::by_depth(1, 2, 2)).collect()
 }
 
 /// `count` of all levels, options or processors for the case of a number: each has its share of the cases, in both real

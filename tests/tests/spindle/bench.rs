@@ -215,6 +215,16 @@ impl Bench {
         bench
     }
 
+    /// In BRAKE, with as many requests as can wait.
+    pub fn full(self) -> Self {
+        let mut bench = self.before_brake(1000.0 * RPM);
+        for _ in 0..3 {
+            bench.with_inputs(|i| i.m5 = true);
+            bench.cycle();
+        }
+        bench
+    }
+
     /// In TO_POSITION, whose first cycle is the next one; M19 waits.
     pub fn before_to_position(self) -> Self {
         let mut bench = self.before_brake(60.0 * RPM);

@@ -1,65 +1,37 @@
 //! Errors that stay: what they do, how long they stay, and what a reset makes of them.
 
-use super::bench::{BRAKE_CYCLES, Bench, MODE_CYCLES, POSITION_MODE, RPM, T, V_OFF, V_STEP, VELOCITY_MODE, wrap};
+use super::bench::{Bench, T, V_OFF, V_STEP, wrap};
+use super::script;
 use reference::spindle::{Inputs, Job, SpindleState};
 
-/// A bench in each error: the id, the state in which it came, and the bench after that cycle.
+/// Where each error comes: the id, the state in which it comes, and the script that leads there.
+const ERRORS: [(u32, SpindleState, &str); 15] = [
+    (41, SpindleState::ToVelocity, "from ToVelocity: display=8, x6"),
+    (42, SpindleState::Brake, "from Brake 1000: v_actual=200000, x121"),
+    (43, SpindleState::ToPosition, "from ToPosition: display=9, x6"),
+    (44, SpindleState::ToVelocity, "from ToVelocity: v=15000"),
+    (45, SpindleState::Position, "from takeover: display=9, x4"),
+    (45, SpindleState::Velocity, "from Velocity 1000: display=8, x4"),
+    (46, SpindleState::Position, "from takeover: x_off=90"),
+    (14, SpindleState::Position, "from takeover: v=NaN, x4"),
+    (14, SpindleState::ToVelocity, "from ToVelocity: v=NaN, x4"),
+    (14, SpindleState::Velocity, "from Velocity 1000: v=NaN, x4"),
+    (17, SpindleState::Position, "from takeover: x_command=NaN, x4"),
+    (17, SpindleState::ToVelocity, "from ToVelocity: x_command=NaN, x4"),
+    (1, SpindleState::Position, "from takeover: wrong_cycle"),
+    (1, SpindleState::ToVelocity, "from ToVelocity: wrong_cycle"),
+    (1, SpindleState::Velocity, "from Velocity 1000: wrong_cycle"),
+];
+
+/// A bench in each error, with samples again.
 fn failed() -> Vec<(u32, SpindleState, Bench)> {
-    let fail = |mut bench: Bench, display, cycles| {
-        bench.display = display;
-        bench.cycles(cycles);
-        bench.display = None;
-        bench
+    let fail = |(id, state, script)| {
+        let mut bench = script::bench(script);
+        assert_eq!((bench.outputs.error_id, bench.outputs.spindle_state), (id, state));
+        (bench.v, bench.x_command, bench.v_actual, bench.display) = (0.0, None, None, None);
+        (id, state, bench)
     };
-    let mut half_turn = Bench::in_drive().before_to_velocity();
-    half_turn.v = 15_000.0 * RPM;
-    half_turn.cycle();
-    let mut takeover = Bench::in_drive().before_takeover();
-    takeover.x_command = Some(takeover.outputs.x_spindle + 90_000.0);
-    takeover.cycle();
-    let mut brake = Bench::in_drive().before_brake(1000.0 * RPM);
-    brake.v_actual = Some(1e9);
-    brake.cycles(BRAKE_CYCLES + 1);
-    brake.v_actual = None;
-    let mut benches = vec![
-        (
-            41,
-            SpindleState::ToVelocity,
-            fail(Bench::in_drive().before_to_velocity(), Some(POSITION_MODE), MODE_CYCLES + 1),
-        ),
-        (42, SpindleState::Brake, brake),
-        (
-            43,
-            SpindleState::ToPosition,
-            fail(Bench::in_drive().before_to_position(), Some(VELOCITY_MODE), MODE_CYCLES + 1),
-        ),
-        (44, SpindleState::ToVelocity, half_turn),
-        (45, SpindleState::Position, fail(Bench::in_drive().before_takeover(), Some(VELOCITY_MODE), 4)),
-        (45, SpindleState::Velocity, fail(Bench::in_drive().fast(1000.0 * RPM), Some(POSITION_MODE), 4)),
-        (46, SpindleState::Position, takeover),
-    ];
-    for (state, at) in [
-        (SpindleState::Position, Bench::before_takeover as fn(Bench) -> Bench),
-        (SpindleState::ToVelocity, Bench::before_to_velocity),
-        (SpindleState::Velocity, |bench| bench.fast(1000.0 * RPM)),
-    ] {
-        let mut blind = at(Bench::in_drive());
-        blind.v = f64::NAN;
-        benches.push((14, state, fail(blind, None, 4)));
-        let mut wrong = at(Bench::in_drive());
-        wrong.with_inputs(|i| i.task_cycle_ns = 1);
-        benches.push((1, state, wrong));
-        if state != SpindleState::Velocity {
-            let mut blind = at(Bench::in_drive());
-            blind.x_command = Some(f64::NAN);
-            benches.push((17, state, fail(blind, None, 4)));
-        }
-    }
-    for (id, state, bench) in &mut benches {
-        assert_eq!((bench.outputs.error_id, bench.outputs.spindle_state), (*id, *state));
-        (bench.v, bench.x_command) = (0.0, None);
-    }
-    benches
+    ERRORS.into_iter().map(fail).collect()
 }
 
 #[test]

@@ -4,14 +4,9 @@
 #![expect(clippy::float_cmp, reason = "what is held, copied or exact by the page is that number")]
 
 mod bench;
-mod brake;
-mod caught;
+mod every_state;
 mod exploration;
 mod faults;
 mod figures;
 mod overwritten;
-mod position;
-mod requests;
-mod resets;
-mod start;
-mod velocity;
+mod script;

@@ -1,6 +1,7 @@
 //! What overwrites the memory is shown, and the outputs stay within their ranges.
 
 use super::bench::{Bench, RPM};
+use super::every_state::{STATES, Way};
 use reference::spindle::{Outputs, SpindleState, State};
 
 fn assert_within(o: &Outputs<f64>) {
@@ -28,27 +29,19 @@ const REALS: [Change; 13] = [
     |s, x| (s.x, s.v) = (x, x),
 ];
 
-type Way = fn(Bench) -> Bench;
-
 /// Usual cycles, and all others.
-const STATES: [Way; 8] = [
-    |bench| bench,
-    Bench::at_rest,
-    Bench::turning,
-    Bench::before_to_velocity,
-    |bench| bench.fast(1000.0 * RPM),
-    |bench| bench.before_brake(1000.0 * RPM),
-    Bench::before_to_position,
-    |bench| {
+fn states() -> Vec<Way> {
+    let after_drive_off: Way = |bench| {
         let mut bench = bench.fast(1000.0 * RPM);
         bench.with_inputs(|i| i.drive_on = false);
         bench
-    },
-];
+    };
+    STATES.into_iter().map(|(_, state)| state).chain([Bench::at_rest, after_drive_off]).collect()
+}
 
 #[test]
 fn a_number_that_is_none_never_comes_out() {
-    for state in STATES {
+    for state in states() {
         for bench in Bench::both() {
             for change in REALS {
                 for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1.1e15] {
@@ -78,7 +71,7 @@ fn a_flipped_bit_never_leads_beyond_the_ranges() {
         |s| s.present.speed,
         |s| s.present.position,
     ];
-    for state in STATES {
+    for state in states() {
         for (change, of) in REALS.into_iter().zip(get) {
             for bit in 0..64 {
                 let mut bench = state(Bench::in_drive());

@@ -12,6 +12,8 @@
 //! > the next input, for which nothing is reported
 //! ```
 //!
+//! An input may also follow the line before at once: a sequence reads as a dialogue.
+//!
 //! The form says how the test completes the input. `UPDATE_EXPECT=1 cargo test` writes what is reported into the files.
 #![forbid(unsafe_code)]
 
@@ -22,7 +24,7 @@ use std::path::Path;
 /// # Panics
 ///
 /// Where they differ, or the file holds no input.
-pub fn compare(path: impl AsRef<Path>, say: impl Fn(&str, &str) -> String) {
+pub fn compare(path: impl AsRef<Path>, say: impl FnMut(&str, &str) -> String) {
     let path = path.as_ref();
     let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let current = current(&text, say);
@@ -40,7 +42,7 @@ pub fn equals(path: impl AsRef<Path>, text: &str) {
 }
 
 /// The file as it should be.
-fn current(text: &str, say: impl Fn(&str, &str) -> String) -> String {
+fn current(text: &str, mut say: impl FnMut(&str, &str) -> String) -> String {
     let mut current = String::new();
     let mut form = "";
     let mut lines = text.lines().peekable();
@@ -62,7 +64,7 @@ fn current(text: &str, say: impl Fn(&str, &str) -> String) -> String {
             current.push_str(line);
             current.push('\n');
         }
-        while lines.next_if(|line| !line.is_empty()).is_some() {}
+        while lines.next_if(|line| !line.is_empty() && !line.starts_with('>')).is_some() {}
     }
     current
 }

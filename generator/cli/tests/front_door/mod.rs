@@ -31,6 +31,14 @@ fn started() -> TempDir {
     folder
 }
 
+/// A golden case of few samples: those of a short move.
+fn write_case(folder: &Path) {
+    fs::create_dir(folder.join("case")).unwrap();
+    let case = "purpose = \"\"\nset = \"../axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\nscenario = \"move.nc\"\n";
+    fs::write(folder.join("case/case.toml"), case).unwrap();
+    fs::write(folder.join("case/move.nc"), "G0 X1\nM30\n").unwrap();
+}
+
 fn edit(folder: &Path, from: &str, to: &str) {
     let text = fs::read_to_string(folder.join("axes.toml")).unwrap();
     assert_eq!(text.matches(from).count(), 1, "{from}");

@@ -1,7 +1,7 @@
 //! Single files that commands write: which ones they replace, that no link leads elsewhere, and that nothing is left
 //! of a failure.
 
-use super::{axgen, started};
+use super::{axgen, started, write_case};
 use crate::AXGEN;
 use std::fs;
 use std::path::Path;
@@ -28,9 +28,7 @@ fn folder() -> tempfile::TempDir {
     let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).unwrap();
     write("in.csv", "v_motor\n1.0\n");
     write("x.lis", "kopf.achs_nr 1\n");
-    fs::create_dir(folder.path().join("case")).unwrap();
-    let case = "purpose = \"\"\nset = \"../axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\n[stimulus.signal]\n";
-    write("case/case.toml", case);
+    write_case(folder.path());
     assert_eq!(axgen(folder.path(), &["golden", "record", "case"]).0, 0);
     folder
 }

@@ -2,7 +2,7 @@
 
 #![cfg(target_os = "linux")]
 
-use super::started;
+use super::{started, write_case};
 use std::fs::File;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -24,11 +24,7 @@ fn a_standard_output_that_is_full_is_the_environment() {
     write("in.csv", "v_motor\n1.0\n");
     write("recorded.csv", "v_motor,v_add\n1.0,0.0\n");
     write("x.lis", "kopf.achs_nr 1\n");
-    std::fs::create_dir(folder.path().join("case")).unwrap();
-    write(
-        "case/case.toml",
-        "purpose = \"\"\nset = \"../axes.toml\"\naxis = \"X\"\nblock = \"ipc\"\n[stimulus.signal]\n",
-    );
+    write_case(folder.path());
     for arguments in PRINT.lines() {
         let Output { status, stderr, .. } = into_full(folder.path(), arguments).output().unwrap();
         let err = String::from_utf8(stderr).unwrap();

@@ -165,7 +165,7 @@ fn range(outline: &Outline<'_>, variable: &Variable, end: &str) -> [f64; 2] {
     };
     match end {
         "in" => accepted(outline, variable).unwrap_or(all),
-        "out" => proven(outline, variable).map_or(all, |[low, high]| [low.max(all[0]), high.min(all[1])]),
+        "out" => proven(outline, variable).map_or(all, |[low, high]| [low.larger(all[0]), high.smaller(all[1])]),
         _ => all,
     }
 }

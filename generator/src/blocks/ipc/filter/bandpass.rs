@@ -154,7 +154,7 @@ impl FilterKind for Bandpass {
 }
 
 /// The prototype as the design names it.
-pub(crate) fn portable(prototype: Prototype) -> poles::Prototype {
+fn portable(prototype: Prototype) -> poles::Prototype {
     match prototype {
         Prototype::CritDamping => poles::Prototype::CritDamping,
         Prototype::Butterworth => poles::Prototype::Butterworth,

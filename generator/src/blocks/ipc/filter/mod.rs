@@ -17,8 +17,6 @@ use crate::parameters::words::{FilterType, Words};
 use crate::rules::effective::Effective;
 use allpass::Allpass;
 use bandpass::Bandpass;
-#[cfg(test)]
-pub(crate) use bandpass::portable;
 pub(crate) use designed::FilterDesign;
 pub(crate) use kind::FilterKind;
 use kind::range;
