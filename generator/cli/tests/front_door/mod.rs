@@ -258,7 +258,7 @@ fn every_number_is_explained() {
         assert_eq!(out.contains("Not a fault"), (4..=8).contains(&number) || number == 51, "{out}");
         let stays = [1, 3, 9, 14, 17, 18, 41, 42, 43, 44, 45, 46, 48].contains(&number);
         assert_eq!(out.contains("until a reset."), stays, "{out}");
-        assert_eq!(out.contains("fourth bad cycle"), [14, 17, 18, 45].contains(&number), "{out}");
+        assert_eq!(out.contains("fourth consecutive bad cycle"), [14, 17, 18, 45].contains(&number), "{out}");
         count += 1;
     }
     assert_eq!(count, generator::error_ids::all().count());
