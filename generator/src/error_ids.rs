@@ -61,12 +61,12 @@ static ROWS: &[Row] = rows! {
         "Write a number from 0 to 1 to each tuning input: the fraction follows it again.";
     error_unstable: "Not a fault. v_add fades out and stays 0 until the mode is not ON, or reset.",
         "Take a smaller weight or limit, then a reset, or the mode OFF or DRYRUN: the block is ready again (docs/improved-position-control.md).";
-    error_set_structure: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+    error_set_structure: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "Make the set for the block that runs there: `axgen params-of NEW --axis X --on OLD`, with OLD as the file that the block was generated \
          from; or generate the block anew (docs/parameter-sets.md).";
-    error_set_unsound: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+    error_set_unsound: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "Make the set again, with a limit that is not above the one of the block, or generate the block anew (docs/parameter-sets.md).";
-    error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that one goes on. Without one nothing is added.",
+    error_set_damaged: "The offered set is refused. Not a fault while a set is in use: that set stays in use. Without a set in use, nothing is added.",
         "The set was changed, damaged, or read while somebody wrote it: write it again, all of it between two calls of the block \
          (docs/parameter-sets.md).";
     error_call_rate: "The block acts as if it were off while the calls are irregular, and starts anew after it, as after a reset. A spindle brakes to \
@@ -76,16 +76,17 @@ static ROWS: &[Row] = rows! {
     error_v_command: NOTHING_ADDED, "Check what gives v_command: the position controller with its feedforward.";
     error_v_motor: NOTHING_ADDED, MEASURED;
     error_v_direct: NOTHING_ADDED, MEASURED;
-    error_v_interpolator: "Feedforward puts out 0 in a cycle with this fault. A spindle goes on at its last velocity for up to three cycles; from the \
-                           fourth bad cycle in a row on it brakes to standstill, and the id stays until a reset.", INTERPOLATOR;
+    error_v_interpolator: "Feedforward puts out 0 in a cycle with this fault. A spindle continues at its last velocity for up to three \
+                           cycles. From the fourth consecutive bad cycle on, it brakes to standstill, and the id stays until a reset.", INTERPOLATOR;
     error_a_interpolator: NOTHING_FED, INTERPOLATOR;
     error_j_interpolator: NOTHING_FED, INTERPOLATOR;
-    error_x_command: "Velocities, manipulated variable and torque are 0 in a cycle with this fault, and x_drive holds its last value. A spindle goes \
-                      on at its last velocity for up to three cycles; from the fourth bad cycle in a row on it brakes to standstill, and the id \
-                      stays until a reset.", INTERPOLATOR;
+    error_x_command: "Velocities, manipulated variable and torque are 0 in a cycle with this fault, and x_drive holds its last value. A spindle \
+                      continues at its last velocity for up to three cycles. From the fourth consecutive bad cycle on, it brakes to \
+                      standstill, and the id stays until a reset.", INTERPOLATOR;
     error_x_actual: "Velocities and manipulated variable are 0 in a cycle with this fault; x_drive follows x_command. A spindle without a \
-                     position does not leave TO_POSITION at the start, nor BRAKE. One whose loop is closed in the CNC goes on at its last velocity for \
-                     up to three cycles; from the fourth bad cycle in a row on it brakes to standstill, and the id stays until a reset.",
+                     position does not leave TO_POSITION at the start, nor BRAKE. One whose loop is closed in the CNC continues at its last velocity \
+                     for up to three cycles. From the fourth consecutive bad cycle on, it brakes to standstill, and the id stays until \
+                     a reset.",
         "Check encoder, scaling and process data.";
     error_v_feedforward: NO_POSITION_CONTROL, PART;
     error_v_additive: NO_POSITION_CONTROL, PART;

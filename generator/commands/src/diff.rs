@@ -20,7 +20,6 @@ pub type Version = (Option<Set>, Report);
 
 /// Reads two versions of axes. `options` are for axis lists. An unstable version can be compared, too: usually with one that
 /// is stable.
-#[must_use]
 pub fn read(files: [&Path; 2], options: &ListOptions, load: Load<'_>) -> [Version; 2] {
     let some_list = files.iter().any(|file| !is_set(file));
     let none = ListOptions::default();

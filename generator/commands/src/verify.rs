@@ -159,7 +159,6 @@ impl<'a> Verification<'a> {
     }
 
     /// The messages about missing engines.
-    #[must_use]
     pub fn missing(self) -> Report {
         let missing = self.missing.into_iter();
         let said = |(engine, why)| Diagnostic::error(codes::NO_ENGINE, Place::whole(format!("engine {engine}")), why);
