@@ -119,19 +119,19 @@ fn emitted(designed: &Designed, block: &Block, target: &Target, found: &mut BTre
     }
     let leaves: BTreeMap<&str, usize> = named.iter().map(|(leaf, name, _)| (name.as_str(), *leaf)).collect();
     for file in made(target.files(&identity(&designed.axis, block), block)) {
-        for (leaf, lines) in lines_of(&file, &leaves) {
+        for (leaf, lines) in lines_of(&file, target.comment_marks(), &leaves) {
             let row = found.get_mut(&(of_block, leaf)).expect("trace: each named coefficient has a row");
             row.lines.push(Lines { target: target.name, file: file.name.clone(), lines });
         }
     }
 }
 
-/// The lines of a file that contain names, by coefficient.
-fn lines_of(file: &File, leaves: &BTreeMap<&str, usize>) -> BTreeMap<usize, Vec<usize>> {
+/// The lines of a file whose code contains names, by coefficient. A word in a comment is not a name.
+fn lines_of(file: &File, comment: [&str; 2], leaves: &BTreeMap<&str, usize>) -> BTreeMap<usize, Vec<usize>> {
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
     let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (number, line) in (1..).zip(file.text.lines()) {
-        for leaf in line.split(|letter| !is_part(letter)).filter_map(|word| leaves.get(word)) {
+    for (number, code) in code_of(&file.text, comment) {
+        for leaf in code.split(|letter| !is_part(letter)).filter_map(|word| leaves.get(word)) {
             let lines = lines.entry(*leaf).or_default();
             if lines.last() != Some(&number) {
                 lines.push(number);
@@ -139,4 +139,31 @@ fn lines_of(file: &File, leaves: &BTreeMap<&str, usize>) -> BTreeMap<usize, Vec<
         }
     }
     lines
+}
+
+/// The parts of a text that are not comments, with the numbers of their lines. A comment without an end mark ends with its line.
+fn code_of<'t>(text: &'t str, [open, close]: [&str; 2]) -> Vec<(usize, &'t str)> {
+    let mut parts = Vec::new();
+    let mut is_comment = false;
+    for (number, line) in (1..).zip(text.lines()) {
+        let mut rest = line;
+        loop {
+            if is_comment {
+                let Some((_, after)) = rest.split_once(close) else { break };
+                rest = after;
+            }
+            let Some((code, comment)) = rest.split_once(open) else {
+                is_comment = false;
+                parts.push((number, rest));
+                break;
+            };
+            parts.push((number, code));
+            is_comment = !close.is_empty();
+            if !is_comment {
+                break;
+            }
+            rest = comment;
+        }
+    }
+    parts
 }

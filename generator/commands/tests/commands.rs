@@ -145,6 +145,12 @@ fn every_line_of_a_coefficient_leads_to_a_parameter_and_back() {
     assert_eq!(names("v_add_max_fact"), ["limit", "lower_limit"]);
     let lines = &trace.coefficients[of("stage[0].weight_fact_num").coefficients[0]].lines;
     assert_eq!(lines.len(), TARGETS.len(), "{lines:?}");
+    // Its declaration and its use, but not the comments that contain the word.
+    let rest = trace.coefficients.iter().find(|of| of.path == "rest").unwrap();
+    for target in ["c", "rust", "twincat"] {
+        let of_target: Vec<_> = rest.lines.iter().filter(|of| of.target == target).collect();
+        assert!(of_target.len() == 1 && of_target[0].lines.len() == 2, "{of_target:?}");
+    }
 }
 
 #[test]

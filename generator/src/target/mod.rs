@@ -149,6 +149,12 @@ impl Target {
         Ok(named.collect())
     }
 
+    /// The marks at the beginning and at the end of a comment; without the latter, a comment ends with its line.
+    #[must_use]
+    pub fn comment_marks(&self) -> [&'static str; 2] {
+        self.language.comment_marks()
+    }
+
     /// The target with a runner of this number of samples for each block, if the language has runners.
     #[must_use]
     pub fn with_runners(self, samples: usize) -> Option<Self> {

@@ -98,6 +98,13 @@ pub(super) struct Cases {
 }
 
 impl Language {
+    /// The marks at the beginning and at the end of a comment; without the latter, a comment ends with its line.
+    #[must_use]
+    pub fn comment_marks(&self) -> [&'static str; 2] {
+        let [begin, _, end] = self.comment;
+        [begin.trim(), end.trim()]
+    }
+
     pub fn ty(&self, ty: Type, real: RealKind) -> &'static str {
         self.types[match (ty, real) {
             (Type::Bool, _) => 0,
