@@ -126,12 +126,16 @@ fn emitted(designed: &Designed, block: &Block, target: &Target, found: &mut BTre
     }
 }
 
-/// The lines of a file whose code contains names, by coefficient. A word in a comment is not a name.
+/// The lines of a file with names, by coefficient: in the code, or as a comment where a target has the value instead.
 fn lines_of(file: &File, comment: [&str; 2], leaves: &BTreeMap<&str, usize>) -> BTreeMap<usize, Vec<usize>> {
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
     let mut lines: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    for (number, code) in code_of(&file.text, comment) {
-        for leaf in code.split(|letter| !is_part(letter)).filter_map(|word| leaves.get(word)) {
+    for (number, part) in parts_of(&file.text, comment) {
+        let words: Vec<&str> = match part {
+            Part::Code(code) => code.split(|letter| !is_part(letter)).collect(),
+            Part::Comment(comment) => name_in(comment).into_iter().collect(),
+        };
+        for leaf in words.into_iter().filter_map(|word| leaves.get(word)) {
             let lines = lines.entry(*leaf).or_default();
             if lines.last() != Some(&number) {
                 lines.push(number);
@@ -141,29 +145,34 @@ fn lines_of(file: &File, comment: [&str; 2], leaves: &BTreeMap<&str, usize>) -> 
     lines
 }
 
-/// The parts of a text that are not comments, with the numbers of their lines. A comment without an end mark ends with its line.
-fn code_of<'t>(text: &'t str, [open, close]: [&str; 2]) -> Vec<(usize, &'t str)> {
+/// The name in a comment that is a name, or a name with its value.
+fn name_in(comment: &str) -> Option<&str> {
+    let comment = comment.trim();
+    let (name, rest) = comment.split_once(' ').unwrap_or((comment, "= "));
+    rest.starts_with("= ").then_some(name)
+}
+
+/// A part of a line.
+enum Part<'t> {
+    Code(&'t str),
+    Comment(&'t str),
+}
+
+/// The parts of a text with the numbers of their lines. A comment without an end mark ends with its line.
+fn parts_of<'t>(text: &'t str, [open, close]: [&str; 2]) -> Vec<(usize, Part<'t>)> {
     let mut parts = Vec::new();
     let mut is_comment = false;
     for (number, line) in (1..).zip(text.lines()) {
         let mut rest = line;
         loop {
-            if is_comment {
-                let Some((_, after)) = rest.split_once(close) else { break };
-                rest = after;
-            }
-            let Some((code, comment)) = rest.split_once(open) else {
-                is_comment = false;
-                parts.push((number, rest));
-                break;
-            };
-            parts.push((number, code));
-            is_comment = !close.is_empty();
-            if !is_comment {
-                break;
-            }
-            rest = comment;
+            let mark = if is_comment { close } else { open };
+            let cut = Some(mark).filter(|mark| !mark.is_empty()).and_then(|mark| rest.split_once(mark));
+            let (part, after) = cut.map_or((rest, None), |(part, after)| (part, Some(after)));
+            parts.push((number, if is_comment { Part::Comment(part) } else { Part::Code(part) }));
+            let Some(after) = after else { break };
+            (rest, is_comment) = (after, !is_comment);
         }
+        is_comment = is_comment && !close.is_empty();
     }
     parts
 }
