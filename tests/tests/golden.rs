@@ -66,7 +66,7 @@ fn samples(engine: Engine, number: usize) -> usize {
         Engine::Reference | Engine::C | Engine::Rust if is_exhaustive() => 100_000,
         Engine::Program | Engine::St if is_exhaustive() => 40_000,
         Engine::TwinCat | Engine::Codesys | Engine::Scl => 5_000,
-        Engine::Reference | Engine::C | Engine::Rust | Engine::Program | Engine::St => 10_000,
+        Engine::Reference | Engine::C | Engine::Rust | Engine::Program | Engine::St => 6_000,
     }
 }
 
