@@ -34,7 +34,6 @@ mod scenario;
 mod shared;
 mod shell;
 mod simulate;
-mod times;
 mod tune;
 mod verify;
 

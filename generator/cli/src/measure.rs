@@ -6,9 +6,9 @@ use crate::given::{self, name_of};
 use crate::messages::{self, Format};
 use crate::one_file::{self, Rule};
 use crate::output;
-use crate::times;
 use commands::json;
 use commands::measure::{self, Reading, Recorded, Recordings};
+use commands::words::{TIMES, seconds};
 use generator::codes;
 use golden::measure::{Excitation, Measured, picture, text};
 use golden::svg;
@@ -36,8 +36,7 @@ pub fn excitation(text: &str) -> Result<Excitation, String> {
 
 /// A time of `--cycle-time`: `1ms`, `62.5us`.
 pub fn interval(text: &str) -> Result<f64, String> {
-    const UNITS: [(&str, f64); 4] = [("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("s", 1.0)];
-    let time = times::seconds(text, &UNITS).filter(|time| INTERVALS.contains(time));
+    let time = seconds(text, &TIMES).filter(|time| INTERVALS.contains(time));
     time.ok_or_else(|| "a time from 1us to 100ms is allowed: 1ms, 62.5us".to_owned())
 }
 

@@ -6,8 +6,7 @@ use crate::input;
 use crate::messages::Format;
 use crate::one_file::{self, Rule};
 use crate::output;
-use crate::times;
-use commands::words::made;
+use commands::words::{made, seconds};
 use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
@@ -20,21 +19,21 @@ const LONGEST: f64 = 600.0;
 
 /// A time of `--dwell`: `2s`, `1500ms`.
 pub fn dwell(text: &str) -> Result<f64, String> {
-    let time = times::seconds(text, &[("ms", 1e-3), ("s", 1.0)]);
+    let time = seconds(text, &[("ms", 1e-3), ("s", 1.0)]);
     let allowed = || format!("a time from {SHORTEST}s to {LONGEST}s is allowed: 2s, 1500ms");
     time.filter(|time| (SHORTEST..=LONGEST).contains(time)).ok_or_else(allowed)
 }
 
 /// A speed of `--speed` [m/s]: `20mm/s`.
 pub fn speed(text: &str) -> Result<f64, String> {
-    let speed = times::seconds(text, &[("um/s", 1e-6), ("mm/s", 1e-3), ("m/s", 1.0)]);
+    let speed = seconds(text, &[("um/s", 1e-6), ("mm/s", 1e-3), ("m/s", 1.0)]);
     let allowed = || "a speed above 0 and up to 10m/s is allowed: 20mm/s".to_owned();
     speed.filter(|speed| *speed > 0.0 && *speed <= 10.0).ok_or_else(allowed)
 }
 
 /// A part of `--noise`: `0.1%`.
 pub fn noise(text: &str) -> Result<f64, String> {
-    let part = times::seconds(text, &[("%", 1e-2)]).filter(|part| (0.0..=1.0).contains(part));
+    let part = seconds(text, &[("%", 1e-2)]).filter(|part| (0.0..=1.0).contains(part));
     part.ok_or_else(|| "a part from 0% to 100% is allowed: 0.1%".to_owned())
 }
 

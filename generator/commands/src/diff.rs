@@ -1,6 +1,6 @@
 //! The command `diff`: the effect of a change between two sets on the machine.
 
-use generator::config::{ListOptions, Load};
+use generator::config::{ListOptions, Load, is_set};
 use generator::diagnostics::Report;
 use generator::diff;
 use generator::pipeline::{self, Set};
@@ -36,8 +36,4 @@ pub fn diff(files: [&Path; 2], mut before: Set, after: &Set) -> Changes {
     }
     let (lines, differ) = diff::lines(&before.axes, &after.axes);
     Changes { lines, differ }
-}
-
-fn is_set(path: &Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }

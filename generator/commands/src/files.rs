@@ -1,11 +1,8 @@
 //! The files of a request, by their names, for requests that do not come from a disk.
 
-use generator::config::Unreadable;
+use generator::config::{LARGEST, Unreadable};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-/// The largest file: that of a set on a disk.
-const LARGEST: usize = 64 << 20;
 
 /// Files with their contents. A set names its other files relative to itself.
 #[derive(Clone, Debug, Default)]
@@ -19,7 +16,7 @@ impl Files {
     pub fn load(&self, path: &Path) -> Result<Vec<u8>, Unreadable> {
         match self.0.get(path) {
             None => Err(Unreadable::System("there is no such file".to_owned())),
-            Some(bytes) if bytes.len() > LARGEST => Err(Unreadable::TooLarge),
+            Some(bytes) if bytes.len() as u64 > LARGEST => Err(Unreadable::TooLarge),
             Some(bytes) => Ok(bytes.clone()),
         }
     }

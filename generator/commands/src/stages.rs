@@ -5,7 +5,7 @@ use crate::refused;
 use generator::axis::{Filter, Mode, Stage};
 use generator::blocks::Designed;
 use generator::codes;
-use generator::config::{ListOptions, Load};
+use generator::config::{ListOptions, Load, Unreadable};
 use generator::diagnostics::{Report, Slashes};
 use generator::parameters::Name;
 use generator::pipeline;
@@ -81,8 +81,7 @@ pub fn written(
         return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
     }
     for (names, index, value) in numbers {
-        let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
-        let changed = set_number((path, options, &with_changes), axis, (names, index), value)?;
+        let changed = set_number((path, options, &over(&after, load)), axis, (names, index), value)?;
         let id = names[0].parameter().id.unwrap_or_default();
         let Changed { file, after: bytes } = changed.ok_or_else(|| {
             let found = format!("{id} of stage {stage} of the axis {axis} is not given: its default is used");
@@ -90,8 +89,7 @@ pub fn written(
         })?;
         after.0.insert(file, bytes);
     }
-    let with_changes = |of: &Path| after.0.get(of).map_or_else(|| load(of), |bytes| Ok(bytes.clone()));
-    let (set, report) = pipeline::read_to_look_at(path, options, &with_changes);
+    let (set, report) = pipeline::read_to_look_at(path, options, &over(&after, load));
     let stages = set.as_ref().ok_or(report)?.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
     if stages != Some(&version.axis.ipc.stage) {
         let found = format!("the stage {stage} of the axis {axis} stands in a form that is not edited");
@@ -100,13 +98,17 @@ pub fn written(
     Ok(after)
 }
 
+/// Loads a changed file as it is now, any other as before.
+fn over<'a>(changed: &'a Files, load: Load<'a>) -> impl Fn(&Path) -> Result<Vec<u8>, Unreadable> + Sync + 'a {
+    |path| changed.0.get(path).map_or_else(|| load(path), |bytes| Ok(bytes.clone()))
+}
+
 /// The parameters of a number of a stage, each with its predecessor, its indices and its value.
 fn given(version: &Designed, at: usize, number: Number, value: f64) -> Vec<(&'static [Name], [u32; 2], f64)> {
     let Some(stage) = version.axis.ipc.stage.get(at).and_then(Option::as_ref) else { return Vec::new() };
-    let is_bandpass = |filter: &&Filter| matches!(filter, Filter::Bandpass { .. });
     let index = u32::try_from(at).unwrap_or(u32::MAX);
     let of_stage = [index, 0];
-    let of_filter = [index, if stage.filter.first().filter(is_bandpass).is_some() { 0 } else { 1 }];
+    let of_filter = [index, stage.first_bandpass()];
     match number {
         Number::F0 => vec![(&[Name::FilterF0], of_filter, value)],
         Number::QFactor => vec![(&[Name::FilterQ], of_filter, value)],

@@ -20,6 +20,9 @@ pub struct Trace {
     pub parameters: Vec<ParameterRow>,
     /// all in the emitted files, by block
     pub coefficients: Vec<CoefficientRow>,
+    /// the emitted files
+    #[serde(skip)]
+    pub files: Vec<File>,
 }
 
 /// A parameter.
@@ -79,9 +82,10 @@ pub fn trace(
 ) -> Result<Trace, Report> {
     let traced = trace::parameters(path, options, load, &designed.axis.name)?;
     let mut coefficients: BTreeMap<Leaf, CoefficientRow> = BTreeMap::new();
+    let mut files = Vec::new();
     for block in blocks {
         for target in targets {
-            emitted(designed, block, target, &mut coefficients);
+            files.extend(emitted(designed, block, target, &mut coefficients));
         }
     }
     let positions: BTreeMap<Leaf, usize> = coefficients.keys().copied().zip(0..).collect();
@@ -95,7 +99,7 @@ pub fn trace(
         row(of, changed)
     });
     let parameters = parameters.collect();
-    Ok(Trace { axis: designed.axis.name.clone(), parameters, coefficients })
+    Ok(Trace { axis: designed.axis.name.clone(), parameters, coefficients, files })
 }
 
 fn row(Traced { id, path, value, unit, meaning, given, .. }: Traced, coefficients: Vec<usize>) -> ParameterRow {
@@ -103,8 +107,13 @@ fn row(Traced { id, path, value, unit, meaning, given, .. }: Traced, coefficient
     ParameterRow { id, path, value, unit, meaning, given, coefficients }
 }
 
-/// Adds the coefficients of a block in the files of a target.
-fn emitted(designed: &Designed, block: &Block, target: &Target, found: &mut BTreeMap<Leaf, CoefficientRow>) {
+/// Adds the coefficients of a block in the files of a target, which it returns.
+fn emitted(
+    designed: &Designed,
+    block: &Block,
+    target: &Target,
+    found: &mut BTreeMap<Leaf, CoefficientRow>,
+) -> Vec<File> {
     let named = made(target.coefficients(block));
     let of_block = block.program.block;
     for (leaf, _, constant) in &named {
@@ -118,12 +127,14 @@ fn emitted(designed: &Designed, block: &Block, target: &Target, found: &mut BTre
         });
     }
     let leaves: BTreeMap<&str, usize> = named.iter().map(|(leaf, name, _)| (name.as_str(), *leaf)).collect();
-    for file in made(target.files(&identity(&designed.axis, block), block)) {
-        for (leaf, lines) in lines_of(&file, target.comment_marks(), &leaves) {
+    let files = made(target.files(&identity(&designed.axis, block), block));
+    for file in &files {
+        for (leaf, lines) in lines_of(file, target.comment_marks(), &leaves) {
             let row = found.get_mut(&(of_block, leaf)).expect("trace: each named coefficient has a row");
             row.lines.push(Lines { target: target.name, file: file.name.clone(), lines });
         }
     }
+    files
 }
 
 /// The lines of a file with names, by coefficient: in the code, or as a comment where a target has the value instead.

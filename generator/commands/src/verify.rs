@@ -7,10 +7,11 @@ use generator::diagnostics::{Diagnostic, Place, Report};
 use generator::digest::digest;
 use golden::compare::{FirstDifference, compare};
 use golden::engine::{self, ENGINES, Engine, Failure};
-use golden::exercise::coverage::coverage;
+use golden::exercise::{self, coverage::coverage};
 use golden::samples::Samples;
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::convert::Infallible;
 
 /// The engine of that name.
 ///
@@ -84,10 +85,10 @@ pub type Broken<'a> = &'a dyn Fn(Engine, &str) -> Option<String>;
 
 /// The runs of a verification.
 pub struct Verification<'a> {
-    pub engines: &'a [Engine],
-    pub broken: Broken<'a>,
+    engines: &'a [Engine],
+    broken: Broken<'a>,
     /// the missing engines, and the reasons
-    pub missing: BTreeMap<Engine, String>,
+    missing: BTreeMap<Engine, String>,
 }
 
 impl<'a> Verification<'a> {
@@ -131,6 +132,20 @@ impl<'a> Verification<'a> {
         let line = format!("{axis:<20} {of_block:<16} reached: {reached}");
         let missing = reached.missing().map(|line| format!("{:<20} {:<16}   {line}", "", ""));
         Ok([line].into_iter().chain(missing).collect())
+    }
+
+    /// Runs these blocks of an axis with the inputs of the exercise. Returns all rows, and the lines about the reached states.
+    pub fn blocks(&mut self, designed: &Designed, blocks: &[Block], samples: usize) -> (Vec<Row>, Vec<String>) {
+        let (mut rows, mut reached) = (Vec::new(), Vec::new());
+        for block in blocks {
+            let inputs = exercise::inputs(designed, block, samples);
+            let Ok(lines) = self.block(designed, block, &inputs, |row| {
+                rows.push(row);
+                Ok::<_, Infallible>(())
+            });
+            reached.extend(lines);
+        }
+        (rows, reached)
     }
 
     /// The number of differing bits of an engine, and the first difference. Without a result, the engine is missing.

@@ -30,3 +30,13 @@ pub fn number(value: Literal) -> String {
         Literal::Variant(variant) => variant.def().name.to_owned(),
     }
 }
+
+/// The units of a time, each with its size [s].
+pub const TIMES: [(&str, f64); 4] = [("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9), ("s", 1.0)];
+
+/// A time of an option [s]: a number and one of these units, each with its size [s]. A unit that ends like another one comes
+/// first.
+pub fn seconds(text: &str, units: &[(&str, f64)]) -> Option<f64> {
+    let (number, size) = units.iter().find_map(|(unit, size)| Some((text.strip_suffix(unit)?, size)))?;
+    number.trim().parse::<f64>().ok().map(|number| number * size)
+}

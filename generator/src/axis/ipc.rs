@@ -133,7 +133,7 @@ impl Stage {
     }
 
     /// Index of its first band-pass; 0 if there is none.
-    pub(crate) fn first_bandpass(&self) -> u32 {
+    pub fn first_bandpass(&self) -> u32 {
         let mut filters = (0..).zip(&self.filter);
         filters.find(|(_, filter)| filter.kind() == FilterType::Bandpass).map_or(0, |(k, _)| k)
     }

@@ -28,7 +28,7 @@ impl Unreadable {
 }
 
 /// A set of 10,000 axes written out in full has 20 MB; a larger file is something else.
-const LARGEST: u64 = 64 << 20;
+pub const LARGEST: u64 = 64 << 20;
 
 /// The limit for a file of samples: an hour of four signals at 1 ms.
 pub const LARGEST_SAMPLES: u64 = 256 << 20;
@@ -75,7 +75,7 @@ fn of_system(error: io::Error) -> Unreadable {
 }
 
 /// Whether a file is a TOML set; any other is an axis list.
-pub(crate) fn is_set(path: &Path) -> bool {
+pub fn is_set(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
 }
 

@@ -37,7 +37,7 @@ pub(crate) mod value;
 pub(crate) mod values;
 
 pub(crate) use encoding::{Encoding, latin_1};
-pub use file::{LARGEST_SAMPLES, Load, Unreadable, load, load_from, load_up_to};
+pub use file::{LARGEST, LARGEST_SAMPLES, Load, Unreadable, is_set, load, load_from, load_up_to};
 pub use given::{ListOptions, OptionKey};
 pub(crate) use project::AxisList;
 pub(crate) use set::AxisTable;

@@ -1,6 +1,7 @@
 //! The effective value of a parameter: the given value, else its default; a message if it is out of range. No rule that
 //! connects two parameters.
 
+use crate::config::is_set;
 use crate::config::values::{Key, Setting, Values};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Value, path_with};
@@ -250,7 +251,7 @@ fn line((name, index): Key, used: &Used) -> String {
 /// The notation of a parameter's word in the file of a message: as a line of a list, or as a key of a set.
 pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> String {
     let path = path_with(name.parameter().path, index);
-    if !is_set(place) {
+    if !is_in_set(place) {
         return format!("{path} {}", words.join(" or "));
     }
     let words = words.iter().map(|word| format!("\"{word}\"")).collect::<Vec<_>>().join(" or ");
@@ -263,12 +264,12 @@ pub(crate) fn as_written(place: &Place, (name, index): Key, words: &[&str]) -> S
 
 /// The notation of a parameter's number in the file of a message: as a line of a list, or as a key of a set.
 pub(crate) fn number_as_written(place: &Place, (name, index): Key, number: u32) -> String {
-    let equals = if is_set(place) { " =" } else { "" };
+    let equals = if is_in_set(place) { " =" } else { "" };
     format!("{}{equals} {number}", path_with(name.parameter().path, index))
 }
 
-fn is_set(place: &Place) -> bool {
-    Path::new(&place.file).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
+fn is_in_set(place: &Place) -> bool {
+    is_set(Path::new(&place.file))
 }
 
 fn word_of<T: Words>(key: Key, value: &Value) -> T {

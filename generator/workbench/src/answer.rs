@@ -4,18 +4,16 @@ use crate::request::{Request, Subject};
 use crate::session::{Session, load};
 use crate::{curves, recorded, zip};
 use commands::plan::Plan;
-use commands::verify::{Row, Verification, engines};
-use commands::words::made;
+use commands::verify::{Verification, engines};
+use commands::words::{TIMES, made, seconds};
 use commands::{check, diff, messages, refused, stages, trace};
 use generator::blocks::{self, Designed};
 use generator::diagnostics::Report;
 use generator::pipeline::{self, Set};
 use generator::target::{self, File, TARGETS, Target};
 use generator::{codes, generate, manifest, params_of};
-use golden::exercise;
 use golden::simulate::{self, Moved, picture, text};
 use serde_json::{Value, json};
-use std::convert::Infallible;
 use std::path::Path;
 
 type Answer = Result<(Value, Report), Report>;
@@ -71,7 +69,7 @@ fn answered(session: &mut Session, request: Request) -> Answer {
         Request::ParamsOf { of, axis, on, form } => parameters_of(session, &of, [&axis, &on, &form]),
         Request::Measure { of, axis, recording, excited } => {
             let cycle_time = axis.and_then(|axis| Some(axis_of(session, &axis).ok()?.axis.cycle_time()));
-            let cycle_time = cycle_time.or_else(|| seconds(of.cycle_time.as_deref()?));
+            let cycle_time = cycle_time.or_else(|| seconds(of.cycle_time.as_deref()?.trim(), &TIMES));
             recorded::measured(session, [Some(&recording), excited.as_deref()], cycle_time)
         }
         Request::Tune { of, axis, recording, excited } => {
@@ -103,13 +101,18 @@ fn axis_of<'s>(session: &'s Session, name: &str) -> Result<&'s Designed, Report>
     commands::axis(&set_of(session)?.1, Some(name))
 }
 
+/// The set, if it has no errors.
+fn allowed_set(session: &Session) -> Result<&(String, Set), Report> {
+    let of = set_of(session)?;
+    match session.is_allowed {
+        true => Ok(of),
+        false => Err(refused::input(codes::USAGE, &of.0, "has errors: no block is generated from it")),
+    }
+}
+
 /// An axis of a set without errors.
 fn allowed<'s>(session: &'s Session, axis: &str) -> Result<&'s Designed, Report> {
-    let (path, _) = set_of(session)?;
-    match session.is_allowed {
-        true => axis_of(session, axis),
-        false => Err(refused::input(codes::USAGE, path, "has errors: no block is generated from it")),
-    }
+    commands::axis(&allowed_set(session)?.1, Some(axis))
 }
 
 fn target_of(name: &str) -> Result<Target, Report> {
@@ -123,10 +126,7 @@ fn as_json(file: &File) -> Value {
 
 /// All files of the set for these targets: the content of a folder that was empty.
 fn files(session: &Session, targets: &[String]) -> Result<Vec<File>, Report> {
-    let (path, set) = set_of(session)?;
-    if !session.is_allowed {
-        return Err(refused::input(codes::USAGE, path, "has errors: no block is generated from it"));
-    }
+    let (path, set) = allowed_set(session)?;
     let targets: Vec<Target> = commands::generate::targets(targets, &set.targets, [])?;
     Ok(Plan::whole(set, &targets).folder(&manifest::set_name(Path::new(path))))
 }
@@ -151,15 +151,9 @@ fn verify(session: &Session, samples: usize) -> Answer {
     let mut verification = Verification::new(&engines, &|_, _| None);
     let (mut rows, mut reached) = (Vec::new(), Vec::new());
     for designed in &set_of(session)?.1.axes {
-        for block in made(blocks::blocks(designed)) {
-            let inputs = exercise::inputs(designed, &block, samples);
-            let take = |row: Row| -> Result<(), Infallible> {
-                rows.push(row);
-                Ok(())
-            };
-            let Ok(lines) = verification.block(designed, &block, &inputs, take);
-            reached.extend(lines);
-        }
+        let (of_axis, lines) = verification.blocks(designed, &made(blocks::blocks(designed)), samples);
+        rows.extend(of_axis);
+        reached.extend(lines);
     }
     Ok((json!({ "rows": rows, "reached": reached }), verification.missing()))
 }
@@ -199,11 +193,4 @@ fn parameters_of(session: &Session, of: &Subject, [axis, on, form]: [&str; 3]) -
     }
     let bytes = made(params_of::bytes(new, form));
     Ok((json!({ "text": String::from_utf8_lossy(&bytes), "bytes": bytes }), report))
-}
-
-/// A time as an option has it [s].
-fn seconds(text: &str) -> Option<f64> {
-    let units = [("ns", 1e-9), ("us", 1e-6), ("ms", 1e-3), ("s", 1.0)];
-    let (number, unit) = units.iter().find_map(|(name, unit)| Some((text.trim().strip_suffix(name)?, unit)))?;
-    Some(number.trim().parse::<f64>().ok()? * unit)
 }

@@ -83,11 +83,11 @@ fn drive(of: &OfDrive, first: &OfDrive) -> DriveCurve {
 }
 
 fn decibels(square: f64) -> f64 {
-    rounded(10.0 * square.log10())
+    rounded(10.0 * libm::log10(square))
 }
 
 fn degrees(im: f64, re: f64) -> f64 {
-    rounded(im.atan2(re).to_degrees())
+    rounded(libm::atan2(im, re).to_degrees())
 }
 
 fn rounded(value: f64) -> f64 {

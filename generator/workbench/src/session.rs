@@ -2,7 +2,7 @@
 
 use crate::request::Subject;
 use commands::files::Files;
-use generator::config::{ListOptions, OptionKey, Unreadable};
+use generator::config::{ListOptions, OptionKey, Unreadable, is_set};
 use generator::parameters::Name;
 use generator::pipeline::Set;
 use golden::tune::Tuning;
@@ -49,7 +49,7 @@ impl Subject {
             index: [0, 0],
             text,
         });
-        let is_list = !self.is_set();
+        let is_list = !is_set(self.path());
         ListOptions {
             cycle_time: given(&self.cycle_time).filter(|_| is_list),
             name: given(&self.name).filter(|_| is_list),
@@ -59,9 +59,5 @@ impl Subject {
 
     pub fn path(&self) -> &Path {
         Path::new(&self.set)
-    }
-
-    fn is_set(&self) -> bool {
-        self.path().extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml"))
     }
 }

@@ -3,21 +3,19 @@
 use super::tables::{self, Table};
 use crate::measure::{self, Recordings};
 use crate::trace::trace;
-use crate::verify::{Row, Verification};
+use crate::verify::Verification;
 use crate::words::made;
 use generator::analysis;
-use generator::blocks::{self, Block, Designed};
+use generator::blocks::{self, Designed};
 use generator::config::{ListOptions, Load};
 use generator::diagnostics::Report;
-use generator::generate::identity;
 use generator::summary;
-use generator::target::{File, Target};
+use generator::target::Target;
 use golden::engine::Engine;
+use golden::measure::picture;
 use golden::svg::Picture;
 use golden::tune::{self, Prefer, Stages, signals};
-use golden::{exercise, measure::picture};
 use serde::Serialize;
-use std::convert::Infallible;
 use std::path::Path;
 
 /// What a report contains.
@@ -57,7 +55,6 @@ pub struct Section {
 pub fn sections(of: &Request<'_>, designed: &Designed) -> Result<AxisSections, Report> {
     let blocks = made(blocks::blocks(designed));
     let trace = trace(of.source, designed, &blocks, of.targets)?;
-    let files: Vec<File> = blocks.iter().flat_map(|block| files(designed, block, of.targets)).collect();
     let tables = |tables: [Option<Table>; 2]| tables.into_iter().flatten().collect();
     let section = |id, title, tables| Section { id, title, lines: Vec::new(), tables, pictures: Vec::new() };
     let mut sections = vec![
@@ -66,17 +63,12 @@ pub fn sections(of: &Request<'_>, designed: &Designed) -> Result<AxisSections, R
         in_loop(designed),
     ];
     sections.extend(of.recordings.map(|recordings| recorded(designed, recordings)));
-    let verified = verified(of, designed, &blocks);
+    let (verified, _) = Verification::new(of.engines, &|_, _| None).blocks(designed, &blocks, of.samples);
     sections.extend([
         section("coefficients", "Coefficients", tables([tables::coefficients(&trace), None])),
-        section("verification", "Verification", tables([tables::verification(&verified), tables::files(&files)])),
+        section("verification", "Verification", tables([tables::verification(&verified), tables::files(&trace.files)])),
     ]);
     Ok(AxisSections { name: designed.axis.name.clone(), sections })
-}
-
-fn files(designed: &Designed, block: &Block, targets: &[Target]) -> Vec<File> {
-    let identity = identity(&designed.axis, block);
-    targets.iter().flat_map(|target| made(target.files(&identity, block))).collect()
 }
 
 /// The stages, and what the blocks mean for the machine: as `check` prints it.
@@ -117,19 +109,4 @@ fn recorded(designed: &Designed, recordings: &Recordings) -> Section {
         tables: tables::vibrations(&measure::results(recordings), &tuning),
         pictures: predicted.or_else(|| picture::of(own, recordings.response())).into_iter().collect(),
     }
-}
-
-/// Every block in every engine.
-fn verified(of: &Request<'_>, designed: &Designed, blocks: &[Block]) -> Vec<Row> {
-    let mut verification = Verification::new(of.engines, &|_, _| None);
-    let mut rows = Vec::new();
-    for block in blocks {
-        let inputs = exercise::inputs(designed, block, of.samples);
-        let taken = verification.block(designed, block, &inputs, |row| {
-            rows.push(row);
-            Ok::<_, Infallible>(())
-        });
-        let Ok(_) = taken;
-    }
-    rows
 }
