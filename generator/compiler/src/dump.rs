@@ -145,6 +145,10 @@ impl<'p> Dump<'p> {
                 };
                 self.put([Text(name), Text("("), Listed(operands), Text(")")]);
             }
+            Expr::Element(row, index) => {
+                let path = self.program.path_of_row(*row).unwrap_or_default();
+                self.put([Text("state."), Text(path), Text("["), Piece::Expr(index), Text("]")]);
+            }
         }
     }
 

@@ -111,6 +111,10 @@ impl<'p> Machine<'p> {
                 [a, b] => intrinsic(*called, &[self.value(a), self.value(b)], self.program.real),
                 _ => panic!("interp: {called:?} with {} operands", operands.len()),
             },
+            Expr::Element(row, index) => match self.value(index) {
+                Literal::U32(index) if (index as usize) < row.length => self.state[row.first + index as usize],
+                index => panic!("interp: element {index:?} of {row:?}"),
+            },
         }
     }
 }

@@ -35,6 +35,7 @@ fn a_name_is_given_once() {
         inputs: Vec::new(),
         outputs: Vec::new(),
         state: Vec::new(),
+        rows: Vec::new(),
         constants: ["a[0].b", "float", "A0_B", "float", "a[0].b"].map(constant).into(),
         locals: Vec::new(),
         init: Vec::new(),

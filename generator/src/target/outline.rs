@@ -3,8 +3,8 @@
 
 use super::{BlockIdentity, TargetBlock, unit};
 use compiler::legalise::{NOTICE, NOTICES, ONLY_NOTICES, RENAMED};
-use compiler::print::{Appearance, Language, Printer, comment};
-use compiler::program::{Constant, Local, Origin, Program, Type, Variable};
+use compiler::print::{Appearance, Language, Printer, comment, identifier};
+use compiler::program::{Constant, Local, Origin, Program, Row, Type, Variable};
 use portable::Literal;
 use std::borrow::Cow;
 
@@ -95,8 +95,32 @@ impl Outline<'_> {
         members
     }
 
-    pub(super) fn state(&self) -> Vec<Member> {
+    /// The parts of the state, each element of an array on its own.
+    pub(super) fn parts_of_state(&self) -> Vec<Member> {
         self.members(&self.block.program.state, &self.printer.names().state)
+    }
+
+    /// The declarations of these parts of the state. `array` makes that of an array of this length from its first element.
+    pub(super) fn state(&self, parts: Vec<Member>, array: impl Fn(Member, usize) -> Member) -> Vec<Member> {
+        let program = &*self.block.program;
+        let declared = |(index, member): (usize, Member)| match program.row_of(index) {
+            None => Some(member),
+            Some(row) if row.first == index => {
+                let name = member.name.trim_end_matches("[0]").to_owned();
+                let doc = self.contents(row);
+                Some(array(Member { name, doc, ..member }, row.length))
+            }
+            Some(_) => None,
+        };
+        parts.into_iter().enumerate().filter_map(declared).collect()
+    }
+
+    /// The names of the elements of an array, in their order.
+    fn contents(&self, row: Row) -> String {
+        let program = &*self.block.program;
+        let common = program.path_of_row(row).map_or(0, |path| path.len() + 1);
+        let names: Vec<String> = row.elements().map(|part| identifier(&program.path(part)[common..])).collect();
+        names.join(", ")
     }
 
     /// The intermediate values; their meaning is explained where they are computed.

@@ -15,6 +15,7 @@ mod negation;
 mod operands;
 mod presumed;
 mod repeated;
+mod rows;
 mod settle;
 mod share;
 mod single;
@@ -36,6 +37,7 @@ pub const WITH_OUTPUTS: &[Stage] = &[
     ("chosen", choose::run),
     ("apart", apart::run),
     ("whole", whole::run),
+    ("indexed", rows::run),
 ];
 
 /// The passes for Structured Text if digits of an LREAL may be in an expression.
@@ -109,6 +111,7 @@ pub fn run<'p>(program: &'p Program, passes: &[Stage]) -> Result<Cow<'p, Program
     }
     let legal = passes.iter().try_fold(program.clone(), |program, (_, pass)| pass(program))?;
     settle::verify(&legal)?;
+    rows::verify(&legal)?;
     let assigns_again = passes.iter().any(|(name, _)| *name == presumed::NAME);
     let verify = if assigns_again { pass::verify_assigned_again } else { pass::verify };
     verify(legal).map(Cow::Owned)

@@ -78,6 +78,12 @@ fn type_of(expr: &Expr, program: &Program) -> Result<Type, Defect> {
             }
             Ok(Type::of_intrinsic(*intrinsic))
         }
+        Expr::Element(row, index) => {
+            expect(Type::U32, type_of(index, program)?, index)?;
+            let mut types = row.elements().map(|element| variable_type(element, program));
+            let first = types.next().unwrap_or_else(|| Err(defect("an array without elements".to_owned())))?;
+            types.try_for_each(|ty| expect(first, ty?, expr)).map(|()| first)
+        }
     }
 }
 

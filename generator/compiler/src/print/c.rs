@@ -45,6 +45,7 @@ pub static LANGUAGE: Language = Language {
         ends: ["break;", "}"],
         end: "}",
     },
+    index: ["[", "]"],
     call: "{block}_any_cycle(state, inputs, outputs);",
     comment: ["/* ", " * ", " */"],
 };

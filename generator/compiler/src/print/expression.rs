@@ -23,6 +23,13 @@ impl<'d> Layout<'d> {
             Expr::Var(var) => {
                 return Printed { doc: self.arena.text(&self.printer.texts[*var]), level: Level::Primary };
             }
+            Expr::Element(row, index) => {
+                let first = &self.printer.texts.state[row.first];
+                let array = first.strip_suffix("[0]").expect("print: the first element of an array");
+                let [open, close] = language.index;
+                let doc = self.arena.text(array).append(open).append(self.expr(index).doc).append(close);
+                return Printed { doc, level: Level::Primary };
+            }
             _ => expr.operands().next().expect("print: an operation has operands"),
         };
         match ((language.form)(expr, first.ty(program), program.real), expr) {

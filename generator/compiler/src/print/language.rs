@@ -69,6 +69,8 @@ pub struct Language {
     pub(super) nothing_else: Option<&'static str>,
     /// the notation of a choice by a number
     pub(super) cases: Cases,
+    /// before and after the index of an element of an array
+    pub(super) index: [&'static str; 2],
     /// the statement that calls the separate function; `{block}` is the beginning of the block's names
     pub(super) call: &'static str,
     /// the beginning of a comment, the beginning of its next line, and its end

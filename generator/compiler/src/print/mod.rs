@@ -99,6 +99,19 @@ fn members<'v>(
     variables.into_iter().map(name).collect()
 }
 
+/// Gives the elements of arrays the name of their array and their index.
+fn index_rows(program: &Program, state: &mut [String], language: &Language) {
+    let mut names = Names::new(language);
+    let is_single = |index: &usize| program.row_of(*index).is_none();
+    (0..state.len()).filter(is_single).for_each(|index| drop(names.take(&program.state[index].path)));
+    for row in &program.rows {
+        let name = names.take(program.path_of_row(*row).expect("print: an array has a path"));
+        for (at, element) in state[row.first..row.first + row.length].iter_mut().enumerate() {
+            *element = format!("{name}[{at}]");
+        }
+    }
+}
+
 impl<'p> Printer<'p> {
     /// Interface names are assigned first. `block` is the beginning of the block's names outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
@@ -122,6 +135,7 @@ impl<'p> Printer<'p> {
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: Vec::new(),
         };
+        index_rows(program, &mut scope.state, language);
         names.begin_locals();
         scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let names = scope;

@@ -48,6 +48,7 @@ pub static LANGUAGE: Language = Language {
         ends: ["", "}"],
         end: "}",
     },
+    index: ["[", " as usize]"],
     call: "any_cycle(state, inputs, outputs);",
     comment: ["// ", "// ", ""],
 };

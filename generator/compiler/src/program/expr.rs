@@ -58,6 +58,7 @@ impl Expr {
             Self::Binary(Add | Subtract | Multiply | Divide | Remainder | And | Or, left, _) => left.ty(program),
             Self::Binary(..) => Type::Bool,
             Self::Intrinsic(intrinsic, _) => Type::of_intrinsic(*intrinsic),
+            Self::Element(row, _) => program.state[row.first].ty,
         }
     }
 }

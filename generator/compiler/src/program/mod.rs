@@ -4,10 +4,12 @@
 //! (`stage[0].filter[0].section[1].s1`). A local is assigned exactly once on each path through the program.
 
 mod expr;
+mod row;
 mod table;
 pub mod values;
 mod visit;
 
+pub use row::Row;
 pub use table::Table;
 pub use visit::map_expressions;
 pub(crate) use visit::{rename, rewrite};
@@ -41,6 +43,8 @@ pub struct Program {
     pub outputs: Vec<Variable>,
     /// kept from cycle to cycle
     pub state: Vec<Variable>,
+    /// the arrays of the state; a legalising pass makes them
+    pub rows: Vec<Row>,
     /// named numbers, in the order in which the reference declares them
     pub constants: Vec<Constant>,
     /// intermediate values
@@ -227,6 +231,8 @@ pub enum Expr {
     Binary(Binary, Box<Expr>, Box<Expr>),
     /// an intrinsic operation
     Intrinsic(Intrinsic, Vec<Expr>),
+    /// the element of an array at this index, which a condition around the statement has found to be below its length
+    Element(Row, Box<Expr>),
 }
 
 /// The path of a signal within a parameter set; `None` if it is not part of one.

@@ -116,7 +116,7 @@ fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
     match expr {
         Expr::Literal(literal) => Values { literals: vec![*literal], ..Values::default() },
         Expr::Var(var) => reaching[*var].clone(),
-        Expr::Unary(..) | Expr::Binary(..) | Expr::Intrinsic(..) => Values::others(),
+        Expr::Unary(..) | Expr::Binary(..) | Expr::Intrinsic(..) | Expr::Element(..) => Values::others(),
     }
 }
 

@@ -94,7 +94,7 @@ impl Expr {
     pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
         let (first, second, more): (_, _, &[Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &[]),
-            Self::Unary(_, operand) => (Some(&**operand), None, &[]),
+            Self::Unary(_, operand) | Self::Element(_, operand) => (Some(&**operand), None, &[]),
             Self::Binary(_, left, right) => (Some(&**left), Some(&**right), &[]),
             Self::Intrinsic(_, operands) => (None, None, operands),
         };
@@ -105,7 +105,7 @@ impl Expr {
     pub(crate) fn operands_mut(&mut self) -> impl Iterator<Item = &mut Self> {
         let (first, second, more): (_, _, &mut [Self]) = match self {
             Self::Literal(_) | Self::Var(_) => (None, None, &mut []),
-            Self::Unary(_, operand) => (Some(&mut **operand), None, &mut []),
+            Self::Unary(_, operand) | Self::Element(_, operand) => (Some(&mut **operand), None, &mut []),
             Self::Binary(_, left, right) => (Some(&mut **left), Some(&mut **right), &mut []),
             Self::Intrinsic(_, operands) => (None, None, operands),
         };
@@ -117,7 +117,7 @@ impl Expr {
         visit(self);
         match self {
             Self::Literal(_) | Self::Var(_) => {}
-            Self::Unary(_, operand) => operand.parts(visit),
+            Self::Unary(_, operand) | Self::Element(_, operand) => operand.parts(visit),
             Self::Binary(_, left, right) => {
                 left.parts(visit);
                 right.parts(visit);
@@ -129,8 +129,10 @@ impl Expr {
     /// Calls `visit` for every variable that the expression reads.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
         self.parts(&mut |part| {
-            if let Self::Var(var) = part {
-                visit(*var);
+            match part {
+                Self::Var(var) => visit(*var),
+                Self::Element(row, _) => row.elements().for_each(&mut *visit),
+                _ => {}
             }
         });
     }

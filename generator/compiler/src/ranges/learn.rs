@@ -32,7 +32,7 @@ impl Walk<'_> {
             Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, operands) => {
                 self.learn_magnitude(&operands[0], &operands[1], holds)
             }
-            Expr::Intrinsic(..) | Expr::Unary(..) => true,
+            Expr::Intrinsic(..) | Expr::Unary(..) | Expr::Element(..) => true,
         }
     }
 

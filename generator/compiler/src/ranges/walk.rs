@@ -173,6 +173,7 @@ impl<'p> Walk<'p> {
                 _ => Value::Bool([true; 2]),
             },
             Expr::Intrinsic(intrinsic, operands) => self.intrinsic(*intrinsic, operands),
+            Expr::Element(..) => Value::any(expr.ty(self.program)),
         }
     }
 

@@ -60,6 +60,7 @@ fn empty(real: RealKind) -> Program {
             variable("phase", Type::I32, Literal::I32(0)),
             variable("other", Type::I32, Literal::I32(0)),
         ],
+        rows: Vec::new(),
         constants: vec![
             constant("a", number(real, 2.0), Origin::Coefficient(0)),
             constant("mode", Literal::I32(8), Origin::Coefficient(1)),

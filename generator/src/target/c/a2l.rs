@@ -116,7 +116,7 @@ fn objects(outline: &Outline<'_>, prefix: &str, tables: &[Table]) -> Vec<Object>
     let groups = [
         (inputs, outline.inputs(), "in"),
         (outputs, outline.outputs([format!("{prefix}_{IPC}"), String::new()]), "out"),
-        (state, outline.state(), "mem"),
+        (state, outline.parts_of_state(), "mem"),
         (set, outline.set(), "designed"),
     ];
     let of_group = |(variables, members, end): (Vec<&Variable>, Vec<Member>, &str)| -> Vec<Object> {

@@ -12,7 +12,7 @@ use crate::blocks::IPC;
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Expr, Type, Var};
+use compiler::program::{Expr, Program, Statement, Type, Var};
 use exercise::CExercise;
 use header::Macro;
 use portable::{Intrinsic, Literal, RealKind};
@@ -141,6 +141,27 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     ]
 }
 
+/// The statements of `init`. An array gets a loop: its elements start with the same value.
+fn init(program: &Program, printer: &Printer<'_>) -> String {
+    let mut body = String::new();
+    for statement in &program.init {
+        let row = match statement {
+            Statement::Assign { target: Var::State(part), .. } => program.row_of(*part).map(|row| (row, *part)),
+            _ => None,
+        };
+        match row {
+            Some((row, part)) if part == row.first => {
+                let of_first = printer.body(std::slice::from_ref(statement), 2).replacen("[0]", "[index]", 1);
+                let head = format!("    for (uint32_t index = 0u; index < {}u; ++index) {{", row.length);
+                body += &format!("{head}\n{of_first}    }}\n");
+            }
+            Some(_) => {}
+            None => body += &printer.body(std::slice::from_ref(statement), 1),
+        }
+    }
+    body
+}
+
 fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
     let (printer, program) = (outline.printer, &*outline.block.program);
     let apart = program.apart();
@@ -161,11 +182,14 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         inputs: outline.inputs(),
         set: outline.set(),
         outputs: outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]),
-        state: outline.state(),
+        state: outline.state(outline.parts_of_state(), |of, length| Member {
+            name: format!("{}[{length}]", of.name),
+            ..of
+        }),
         shared,
         constants,
         constants_apart,
-        init: printer.body(&program.init, 1),
+        init: init(program, printer),
         any_cycle: printer.body(apart, 1),
         step: printer.body(&program.step, 1),
         purpose: comment::wrapped(&[&outline.block.block.purpose], COMMENT_WIDTH, outline.next_line),

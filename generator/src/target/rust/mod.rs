@@ -103,8 +103,13 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
             value: "Params::new()".to_owned(),
         });
     }
-    let state = outline.state().into_iter().zip(starts(program, &names.constants));
-    let state = state.map(|(member, value)| Member { value, ..member }).collect();
+    let parts = outline.parts_of_state().into_iter().zip(starts(program, &names.constants));
+    let parts = parts.map(|(member, value)| Member { value, ..member }).collect();
+    let state = outline.state(parts, |of, length| Member {
+        ty: format!("[{}; {length}]", of.ty).into(),
+        value: format!("[{}; {length}]", of.value),
+        ..of
+    });
     let watched = |of: &'static str, variables: &[Variable], names: &[String]| -> Vec<[String; 2]> {
         let words = |(variable, name): (&Variable, &String)| {
             let value = format!("{of}.{name}");

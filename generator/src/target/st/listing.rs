@@ -107,7 +107,7 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
             .has_set()
             .then(|| SetType { name: set_name(&axis.name, block.program.block), parts: outline.set() }),
         outputs: outline.outputs([made(axis, dialect), String::new()]),
-        state: outline.state(),
+        state: outline.parts_of_state(),
         locals: outline.locals(),
         inline,
         declared,

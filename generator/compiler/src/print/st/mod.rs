@@ -43,6 +43,7 @@ pub static PLAIN: Language = Language {
         ends: [""; 2],
         end: "END_CASE;",
     },
+    index: ["[", "]"],
     call: "", // nothing stands apart
     comment: ["(* ", "   ", " *)"],
 };
