@@ -118,8 +118,9 @@ impl Outline<'_> {
     /// The names of the elements of an array, in their order.
     fn contents(&self, row: Row) -> String {
         let program = &*self.block.program;
-        let common = program.path_of_row(row).map_or(0, |path| path.len() + 1);
-        let names: Vec<String> = row.elements().map(|part| identifier(&program.path(part)[common..])).collect();
+        let common = program.path_of_row(row).map_or(0, str::len);
+        let name = |part| identifier(program.path(part)[common..].trim_start_matches('.'));
+        let names: Vec<String> = row.elements().map(name).collect();
         names.join(", ")
     }
 

@@ -21,6 +21,8 @@ pub mod watch;
 pub use signals::{Inputs, Outputs, STAGES};
 pub use signals::{mode_dryrun, mode_off, mode_on};
 
+pub use sources::simulates;
+
 use self::sources::{are_in_range, reads_command, reads_direct, reads_motor};
 use crate::call_rate;
 use crate::signal::{

@@ -31,6 +31,16 @@ pub struct Changes<R> {
     pub v_direct: R,
 }
 
+/// Whether a stage simulates the oscillation.
+#[portable]
+pub fn simulates<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {
+    let mut found = false;
+    for i in 0..STAGES {
+        found = found || stages[i].mode != stage::Mode::NotActive && stages[i].mode != stage::Mode::Direct;
+    }
+    found
+}
+
 /// Whether a stage uses the command velocity.
 #[portable]
 pub fn reads_command<R: Real>(stages: &[stage::Coeffs<R>; STAGES]) -> bool {

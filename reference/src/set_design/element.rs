@@ -203,14 +203,3 @@ pub fn has_type<R: Real>(coeffs: &Coeffs<R>, kind: Type) -> bool {
     }
     found
 }
-
-/// Whether a stage has a simulated oscillation.
-#[portable]
-pub fn simulates<R: Real>(coeffs: &Coeffs<R>) -> bool {
-    let mut found = false;
-    for i in 0..STAGES {
-        found =
-            found || coeffs.set.ipc.stage[i].mode != Mode::NotActive && coeffs.set.ipc.stage[i].mode != Mode::Direct;
-    }
-    found
-}

@@ -11,11 +11,10 @@ use crate::design::sections::{self, Shape};
 use crate::design::square_root::square_root;
 use crate::design::{allpass, bandpass, limit as limits, narrow, oscillation};
 use crate::filter::{MAX_ORDER, Type};
-use crate::ipc::{STAGES, numbers, watch};
+use crate::ipc::{STAGES, numbers, simulates, watch};
 use crate::precision::is_single;
 use crate::stage::{self, FILTERS};
 use crate::tunable_ipc::check;
-use crate::turn::Picked;
 use portable::{Real, in_range, note, portable};
 
 /// smallest limit of v_add other than 0, 2^-20, so that single precision and the check word have all digits [um/s or 0.001 deg/s]
@@ -146,7 +145,7 @@ pub fn section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     }
     if state.part < state.of.final_section {
         state.part += 1u32;
-    } else if element::simulates(coeffs) && state.of.has_oscillation {
+    } else if simulates(&coeffs.set.ipc.stage) && state.of.has_oscillation {
         state.piece = Piece::Oscillation;
     } else {
         state.piece = Piece::End;
@@ -206,7 +205,7 @@ pub fn bandpass_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
 /// The simulated oscillation with the centre of the element.
 #[portable]
 pub fn oscillation_section<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    if element::simulates(coeffs) {
+    if simulates(&coeffs.set.ipc.stage) {
         make_oscillation(state, coeffs);
     }
     state.piece = Piece::End;
@@ -278,9 +277,8 @@ pub fn put_gain<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, gain: R) {
 pub fn seal<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let mut is_done = false;
     if state.check.turn < check::length(&coeffs.set) {
-        let mut picked = Picked::<R>::default();
-        numbers::pick(&mut picked, state.check.turn, &coeffs.set.ipc, &state.numbers, &state.numbers);
-        state.check.picked.number = picked.number;
+        let turn = state.check.turn;
+        numbers::pick(&mut state.check.picked, turn, &coeffs.set.ipc, &state.numbers, &state.numbers);
         is_done = check::add(&mut state.check, &coeffs.set);
     } else {
         note("the state was corrupted: the design ends without a set");

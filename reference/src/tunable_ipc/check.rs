@@ -4,7 +4,7 @@ use super::Coeffs;
 use crate::check_word::{self, Forming, largest_number, limit_scale};
 use crate::filter;
 use crate::ipc::numbers::{self, Numbers, Params};
-use crate::ipc::{self, watch};
+use crate::ipc::{self, simulates, watch};
 use crate::section::{are_poles_inside, is_driven_by_change, is_stable_biquad, is_stable_trapezoidal};
 use crate::signal::{error_none, error_set_damaged, error_set_structure, error_set_unsound};
 use crate::stage::{self, weight_limit};
@@ -69,7 +69,7 @@ pub fn is_sound<R: Real>(state: &State<R>, coeffs: &ipc::Coeffs<R>) -> bool {
         is_stable_biquad(state.before, number)
     } else if is_driven_by_change::<R>() && role == role_c() {
         is_stable_trapezoidal(state.two_before, state.before, number)
-    } else if is_driven_by_change::<R>() && role == role_g2() {
+    } else if is_driven_by_change::<R>() && simulates(&coeffs.stage) && role == role_g2() {
         in_range(number, largest_number())
             && are_poles_inside(state.before * state.three_before, state.before * state.two_before, number)
     } else {

@@ -210,7 +210,7 @@ pub fn drop_set<R: Real>(state: &mut State<R>) {
 #[portable]
 pub fn compare_one<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     let numbers = check::length(coeffs);
-    if state.turn <= numbers {
+    if state.turn < numbers {
         note("one number in use is compared with its copy in each cycle");
         numbers::pick(&mut state.picked, state.turn, &coeffs.ipc, &state.now, &state.copy);
         if state.set_id != 0u32 {

@@ -60,9 +60,11 @@ fn source(number: usize, program: &Program) -> String {
             return "    bool nothing;\n".to_owned();
         }
         let member = |(variable, name): (&Variable, &String)| {
-            format!("    {} {name};\n", LANGUAGE.ty(variable.ty, program.real))
+            let (name, length) = declared(name, names)?;
+            let length = length.map(|length| format!("[{length}]")).unwrap_or_default();
+            Some(format!("    {} {name}{length};\n", LANGUAGE.ty(variable.ty, program.real)))
         };
-        variables.iter().zip(names).map(member).collect()
+        variables.iter().zip(names).filter_map(member).collect()
     };
     let body = |statements: &[Statement]| {
         let constants = program.constants.iter().zip(&names.constants).enumerate();
@@ -87,6 +89,13 @@ fn source(number: usize, program: &Program) -> String {
         body(&program.step),
         leaves(number, program, names),
     )
+}
+
+/// The name with which a variable is declared, and the length of its array; `None` for an element that is not the first one.
+pub fn declared<'n>(name: &'n str, names: &[String]) -> Option<(&'n str, Option<usize>)> {
+    let Some((array, index)) = name.split_once('[') else { return Some((name, None)) };
+    let length = names.iter().filter(|other| other.split_once('[').is_some_and(|(same, _)| same == array)).count();
+    (index == "0]").then_some((array, Some(length)))
 }
 
 fn mentions(statements: &[Statement], var: Var) -> bool {

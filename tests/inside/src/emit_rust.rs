@@ -1,5 +1,6 @@
 //! The Rust of a batch of programs: one file for each real type. Its driver reads the words that the C's driver reads.
 
+use super::emit::declared;
 use compiler::print::Printer;
 use compiler::print::rust::LANGUAGE;
 use compiler::program::{Program, Statement, Type, Var, Variable};
@@ -76,7 +77,11 @@ fn record(name: &str, variables: &[Variable], names: &[String], real: RealKind) 
             Type::Real => ("super::real(words.next())", format!("self.{member}.to_bits() as u64")),
         };
         let is_real = variable.ty == Type::Real;
-        let _ = writeln!(members, "    {member}: {ty},");
+        let _ = match declared(member, names) {
+            Some((name, Some(length))) => writeln!(members, "    {name}: [{ty}; {length}],"),
+            Some((name, None)) => writeln!(members, "    {name}: {ty},"),
+            None => Ok(()),
+        };
         let _ = writeln!(put, "        self.{member} = {read};");
         let _ = writeln!(get, "        found.push(({bits}, {is_real}, \"{}\"));", variable.path);
     }

@@ -7,6 +7,8 @@ use super::emit_rust::Modules;
 use super::gcc;
 use super::judge::{attempt, judge};
 use super::subject::Instance;
+use compiler::legalise::WITH_OUTPUTS;
+use compiler::program::Program;
 use portable::RealKind;
 use std::fs;
 use std::io::Write;
@@ -61,10 +63,13 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
                 if gcc::subtracts_integer_from_zero(&compiled.program) {
                     facts.push(NOT_IN_C);
                 } else {
-                    print(attempt(|| {
-                        unit.add(*number, &program, compiled);
-                        modules.add(*number, &program);
-                    }));
+                    let attempted = attempt(|| {
+                        let indexed = indexed(program);
+                        facts.extend((!indexed.rows.is_empty()).then_some("legalised: an array is read at an index"));
+                        unit.add(*number, &indexed, compiled);
+                        modules.add(*number, &indexed);
+                    });
+                    print(attempted);
                 }
             }
             for (engine, message) in &differences {
@@ -88,4 +93,10 @@ fn run(shard: &Shard, planted: Option<Defect>, folder: &Path) {
         }
     }
     std::io::stdout().lock().write_all(lines.as_bytes()).expect("worker: standard output takes the answers");
+}
+
+/// A program whose chains of numbers are arrays, as C and Rust get it.
+fn indexed(program: Program) -> Program {
+    let (_, pass) = WITH_OUTPUTS.iter().find(|(name, _)| *name == "indexed").expect("worker: the pass for C and Rust");
+    pass(program).unwrap_or_else(|defect| panic!("{defect}"))
 }

@@ -10,7 +10,7 @@ use crate::program::{Expr, Program, Row, Statement, Var};
 use portable::{Binary, Literal};
 
 /// A shorter chain stays as it is.
-const LEAST: usize = 4;
+const LEAST: usize = 3;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut step = std::mem::take(&mut program.step);
@@ -50,7 +50,10 @@ fn table(statement: &Statement, program: &Program) -> Option<(Var, usize, Vec<(V
     let (mut link, mut length) = (statement, 0);
     while let Some((same, rest, body)) = question(link, length) {
         let is_next = body.len() == columns.len()
-            && body.iter().zip(&columns).all(|(inner, (target, start))| taken(inner) == Some((*target, start + length)));
+            && body
+                .iter()
+                .zip(&columns)
+                .all(|(inner, (target, start))| taken(inner) == Some((*target, start + length)));
         if same != by || !is_next {
             break;
         }
@@ -69,16 +72,18 @@ fn table(statement: &Statement, program: &Program) -> Option<(Var, usize, Vec<(V
             && program.path_of_row(*row).is_some()
             && program.rows.iter().chain(&rows).all(is_own)
     };
-    let is_read_only = columns.iter().all(|(target, _)| {
-        *target != by && rows.iter().all(|row| row.elements().all(|element| element != *target))
-    });
+    let is_read_only = columns
+        .iter()
+        .all(|(target, _)| *target != by && rows.iter().all(|row| row.elements().all(|element| element != *target)));
     (length >= LEAST && is_read_only && rows.iter().all(is_array)).then_some((by, length, columns))
 }
 
 /// Whether `init` leaves a part of the state at its start value.
 fn starts_as_declared(part: Var, program: &Program) -> bool {
     let is_start = |statement: &Statement| {
-        let Statement::Assign { target: Var::State(index), value: Expr::Literal(value) } = statement else { return false };
+        let Statement::Assign { target: Var::State(index), value: Expr::Literal(value) } = statement else {
+            return false;
+        };
         Var::State(*index) == part && program.state[*index].start == *value
     };
     program.init.iter().filter(|statement| statement.mentions(part)).all(is_start)

@@ -26,18 +26,15 @@ impl Program {
 
     /// The path that the elements of an array have in common; `None`: they are parts of several structs.
     pub fn path_of_row(&self, row: Row) -> Option<&str> {
+        let is_end = |after: char| matches!(after, '.' | '[');
         let mut paths = row.elements().map(|element| self.path(element));
-        let mut common = paths.next()?.rsplit_once('.')?.0;
+        let first = paths.next()?;
+        let mut common = &first[..first.rfind(is_end)?];
         for path in paths {
-            while !path.strip_prefix(common).is_some_and(|rest| rest.starts_with('.')) {
-                common = common.rsplit_once('.')?.0;
+            while !path.strip_prefix(common).is_some_and(|rest| rest.starts_with(is_end)) {
+                common = &common[..common.rfind(is_end)?];
             }
         }
         Some(common)
-    }
-
-    /// Whether it reads an element of an array.
-    pub fn has_elements(&self) -> bool {
-        self.has(&|part| matches!(part, Expr::Element(..)))
     }
 }

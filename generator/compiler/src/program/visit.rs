@@ -128,12 +128,10 @@ impl Expr {
 
     /// Calls `visit` for every variable that the expression reads.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
-        self.parts(&mut |part| {
-            match part {
-                Self::Var(var) => visit(*var),
-                Self::Element(row, _) => row.elements().for_each(&mut *visit),
-                _ => {}
-            }
+        self.parts(&mut |part| match part {
+            Self::Var(var) => visit(*var),
+            Self::Element(row, _) => row.elements().for_each(&mut *visit),
+            _ => {}
         });
     }
 

@@ -126,3 +126,26 @@ fn signals_that_an_axis_does_not_have_are_left_out() {
     let for_axis = of("1.0");
     assert_eq!((for_axis.inputs, for_axis.outputs), (vec![1], vec![0]));
 }
+
+/// An index that no condition keeps below the length, and one that changes after the condition.
+#[test]
+fn an_element_that_may_be_outside_is_refused() {
+    let chain = "y = 0.0\nz = 0.0\nif n == 0u\n    s = row.a\nelse\n    if n == 1u\n        s = row.b\n    else\n        if n == 2u\n            s = row.c";
+    let refused = |change: fn(&mut Program)| {
+        let mut program = legal("indexed", program(&format!("flag = on\n{chain}"))).expect("sound");
+        change(&mut program);
+        legalise::run(&program, &[("unchanged", Ok as fn(Program) -> Result<Program, Defect>)]).map(drop)
+    };
+    assert_eq!(refused(|_| {}), Ok(()));
+    let outside = |result: Result<(), Defect>| result.expect_err("a defect").pass == "indexed";
+    assert!(outside(refused(|program| {
+        let Some(Statement::If { then, .. }) = program.step.pop() else { panic!("{program}") };
+        program.step.extend(then);
+    })));
+    assert!(outside(refused(|program| {
+        let Some(Statement::If { condition: Expr::Binary(_, _, bound), .. }) = program.step.last_mut() else {
+            panic!("no condition")
+        };
+        **bound = Expr::Literal(Literal::U32(4));
+    })));
+}

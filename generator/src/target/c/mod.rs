@@ -182,10 +182,8 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         inputs: outline.inputs(),
         set: outline.set(),
         outputs: outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]),
-        state: outline.state(outline.parts_of_state(), |of, length| Member {
-            name: format!("{}[{length}]", of.name),
-            ..of
-        }),
+        state: outline
+            .state(outline.parts_of_state(), |of, length| Member { name: format!("{}[{length}]", of.name), ..of }),
         shared,
         constants,
         constants_apart,

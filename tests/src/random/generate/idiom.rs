@@ -3,7 +3,7 @@
 use super::expression::operation;
 use super::scope::{Access, Writer};
 use super::shape;
-use crate::random::syntax::{Block, Choice, Expr, Place, Scalar, Statement, Type};
+use crate::random::syntax::{Block, Choice, Expr, Place, Scalar, Statement, Step, Type, Value};
 use portable::Binary;
 
 impl Writer<'_> {
@@ -65,6 +65,48 @@ impl Writer<'_> {
             }
             _ => change,
         });
+    }
+
+    /// The element of an array in the state that a number selects, by a question for each index.
+    pub fn picked(&mut self, statements: &mut Vec<Statement>) {
+        let Some((place, scalar, length)) = self.array_in_state() else { return };
+        let Some((target, _)) = self.writable(Some(scalar)).filter(|(target, _)| !target.overlaps(&place)) else {
+            return;
+        };
+        if !self.has_value(&place) || !self.spend(length) {
+            return;
+        }
+        let (turn, number) = (self.fresh(), self.expr(Scalar::U32, 2));
+        let turns = Expr::Literal(Value::U32(u32::try_from(length).unwrap_or(u32::MAX) + 1));
+        let value = operation(Binary::Remainder, number, turns);
+        statements.push(Statement::Let { name: turn.clone(), mutable: false, value });
+        self.enter(&turn, Type::Scalar(Scalar::U32), Access::Read);
+        for index in 0..length {
+            let asked = Expr::Literal(Value::U32(u32::try_from(index).unwrap_or(u32::MAX)));
+            let condition = operation(Binary::Equal, Expr::Read(Place::root(&turn), Scalar::U32), asked);
+            let mut element = place.clone();
+            element.steps.push(Step::Index(Expr::Literal(Value::Usize(index))));
+            let value = Expr::Read(element, scalar);
+            let then = Block { statements: vec![Statement::Assign { place: target.clone(), value }], value: None };
+            statements.push(Statement::If(Choice { condition, then, otherwise: None }));
+        }
+    }
+
+    /// An array of at least three scalars that a `&mut` parameter holds.
+    fn array_in_state(&mut self) -> Option<(Place, Scalar, usize)> {
+        let mut found = Vec::new();
+        for binding in self.scope.iter().filter(|binding| binding.readable && binding.access == Access::Mutable) {
+            let Type::Struct(which) = binding.ty else { continue };
+            for (name, ty) in &self.program.structs[which].fields {
+                if let Type::Array(element, length) = ty
+                    && let (Type::Scalar(scalar), 3..) = (&**element, length.count)
+                {
+                    let steps = vec![Step::Field(name.clone())];
+                    found.push((Place { steps, ..Place::root(&binding.name) }, *scalar, length.count));
+                }
+            }
+        }
+        if found.is_empty() { None } else { Some(self.choices.pick(&found).clone()) }
     }
 
     fn assignment_to(&mut self, name: &str, scalar: Scalar) -> Statement {

@@ -32,7 +32,7 @@ impl Writer<'_> {
         let is_around = self.choices.is_there();
         let branch = usize::from(depth > 0);
         let written =
-            match self.choices.weighted(&[24, 6, 26, 13, 14 * branch, 9 * branch, 10 * branch, 15, 8, 7 * branch]) {
+            match self.choices.weighted(&[24, 6, 26, 13, 14 * branch, 9 * branch, 10 * branch, 15, 8, 7 * branch, 6]) {
                 0 => Some(self.local()),
                 1 => Some(self.array()),
                 2 => self.assignment(depth),
@@ -54,8 +54,12 @@ impl Writer<'_> {
                     self.copied_before_change(depth, statements);
                     None
                 }
-                _ => {
+                9 => {
                     self.assigned_on_some_ways(depth, statements);
+                    None
+                }
+                _ => {
+                    self.picked(statements);
                     None
                 }
             };
