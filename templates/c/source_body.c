@@ -80,8 +80,11 @@ AXGEN_CODE_SECTION void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs
 
 {% if !block.any_cycle.is_empty() -%}
 /* all cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers */
+{%- if !block.set.is_empty() %}
+/* cold: compiled for size, because only a few cycles check or take over a parameter set */
+{%- endif %}
 #if defined(__GNUC__)
-__attribute__((noinline))
+__attribute__((noinline{% if !block.set.is_empty() %}, cold{% endif %}))
 #endif
 AXGEN_CODE_SECTION static void {{ block.prefix }}_any_cycle(
     {{ block.prefix }}_state *restrict state,

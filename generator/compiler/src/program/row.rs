@@ -1,6 +1,6 @@
 //! Arrays of the state: consecutive variables of one type, one of which a statement selects by a number.
 
-use super::{Expr, Program, Var};
+use super::{Program, Var};
 
 /// Consecutive variables of the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

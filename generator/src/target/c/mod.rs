@@ -12,7 +12,7 @@ use crate::blocks::IPC;
 use crate::exercise::SelfTest;
 use askama::Template;
 use compiler::print::{Appearance, Printer, c::LANGUAGE, comment};
-use compiler::program::{Expr, Program, Statement, Type, Var};
+use compiler::program::{Expr, Program, Row, Statement, Type, Var};
 use exercise::CExercise;
 use header::Macro;
 use portable::{Intrinsic, Literal, RealKind};
@@ -141,23 +141,30 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     ]
 }
 
-/// The statements of `init`. An array gets a loop: its elements start with the same value.
+/// The statements of `init`. Arrays of one length get a loop: the elements of each start with the same value.
 fn init(program: &Program, printer: &Printer<'_>) -> String {
     let mut body = String::new();
+    let mut lengths = Vec::new();
     for statement in &program.init {
         let row = match statement {
-            Statement::Assign { target: Var::State(part), .. } => program.row_of(*part).map(|row| (row, *part)),
+            Statement::Assign { target: Var::State(part), .. } => program.row_of(*part),
             _ => None,
         };
-        match row {
-            Some((row, part)) if part == row.first => {
-                let of_first = printer.body(std::slice::from_ref(statement), 2).replacen("[0]", "[index]", 1);
-                let head = format!("    for (uint32_t index = 0u; index < {}u; ++index) {{", row.length);
-                body += &format!("{head}\n{of_first}    }}\n");
-            }
-            Some(_) => {}
-            None => body += &printer.body(std::slice::from_ref(statement), 1),
+        let Some(Row { length, .. }) = row else {
+            body += &printer.body(std::slice::from_ref(statement), 1);
+            continue;
+        };
+        if lengths.contains(&length) {
+            continue;
         }
+        lengths.push(length);
+        body += &format!("    for (uint32_t index = 0u; index < {length}u; ++index) {{\n");
+        for row in program.rows.iter().filter(|row| row.length == length) {
+            let is_first = |statement: &&Statement| matches!(statement, Statement::Assign { target: Var::State(part), .. } if *part == row.first);
+            let first: Vec<Statement> = program.init.iter().filter(is_first).cloned().collect();
+            body += &printer.body(&first, 2).replace("[0]", "[index]");
+        }
+        body += "    }\n";
     }
     body
 }
