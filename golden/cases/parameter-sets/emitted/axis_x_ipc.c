@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   05f362d744a21ffc060cc92ef672ff90
- * checksum    84bd2ad08bc5c8b82078ad0bbe9ca883
+ * structure   954c5caf43e2d0305eb22a6f3832c66d
+ * checksum    bd73ff76207ff836e178745ef6bca179
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -108,20 +108,10 @@ AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->pause = 0u;
     state->refused = 0u;
     state->refused_set = 0u;
-    state->now_limit = 0.0f;
-    state->now_lower_limit = 0.0f;
-    state->now_sum_limit = 0.0f;
-    state->now_stage0_filter0_bandpass0_a = 0.0f;
-    state->now_stage0_filter0_bandpass0_b = 0.0f;
-    state->now_stage0_filter0_bandpass0_c = 0.0f;
-    state->now_stage0_gain = 0.0f;
-    state->copy_limit = 0.0f;
-    state->copy_lower_limit = 0.0f;
-    state->copy_sum_limit = 0.0f;
-    state->copy_stage0_filter0_bandpass0_a = 0.0f;
-    state->copy_stage0_filter0_bandpass0_b = 0.0f;
-    state->copy_stage0_filter0_bandpass0_c = 0.0f;
-    state->copy_stage0_gain = 0.0f;
+    for (uint32_t index = 0u; index < 7u; ++index) {
+        state->now[index] = 0.0f;
+        state->copy[index] = 0.0f;
+    }
     state->turn = 0u;
     state->picked_number = 0.0f;
     state->picked_copy = 0.0f;
@@ -131,7 +121,6 @@ AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->check_picked_role = 0;
     state->check_before = 0.0f;
     state->check_two_before = 0.0f;
-    state->check_three_before = 0.0f;
     state->check_forming_first = 0;
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
@@ -155,8 +144,9 @@ AXGEN_CODE_SECTION void axis_x_ipc_inputs_init(axis_x_ipc_inputs *inputs)
 }
 
 /* all cycles except the usual ones, which are the fast path; a separate function, so that the fast path saves no registers */
+/* cold: compiled for size, because only a few cycles check or take over a parameter set */
 #if defined(__GNUC__)
-__attribute__((noinline))
+__attribute__((noinline, cold))
 #endif
 AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
     axis_x_ipc_state *restrict state,
@@ -182,7 +172,6 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
     static const float largest_number = 32768.0f; /* largest magnitude of a number of a parameter set, limits scaled by 2^-20 */
     static const float weight_limit = 7.0f; /* largest |weight| (P-AXIS-00754/00755) */
     static const float pole_limit = 2.0f; /* 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section */
-    static const int32_t role_g2 = 8; /* what a number of a set is: G2 of the simulated oscillation, after its H, R and G */
     static const float first_cut = 32768.0f; /* 2^15: scales a number before its first integer for the check word is taken */
     /* largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken */
     static const float largest_piece = 2147483500.0f;
@@ -295,13 +284,6 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                             } else {
                                 check_is_in_order = false;
                             }
-                        } else if (check_role == role_g2) {
-                            const float check_a_2 = state->check_before * state->check_three_before;
-                            const float check_b_2 = state->check_before * state->check_two_before;
-                            const float check_product_2 = check_a_2 * check_number;
-                            check_is_in_order =
-                                axis_x_ipc_magnitude(check_number) <= largest_number
-                                    && 0.0f < check_product_2 && check_product_2 < check_b_2 && check_b_2 < pole_limit;
                         } else {
                             check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
                         }
@@ -353,7 +335,6 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                         }
                         bool check_is_done;
                         if (check_forming_is_complete) {
-                            state->check_three_before = state->check_two_before;
                             state->check_two_before = state->check_before;
                             state->check_before = check_number_2;
                             state->check_turn = state->check_turn + 1u;
@@ -394,20 +375,20 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                         state->refused = AXIS_X_IPC_ERROR_NONE;
                         if (state->ipc_fade == 0u) {
                             /* the offered set is copied; it is in use as soon as the copy has been checked */
-                            state->now_limit = inputs->params->limit;
-                            state->now_lower_limit = inputs->params->lower_limit;
-                            state->now_sum_limit = inputs->params->sum_limit;
-                            state->now_stage0_filter0_bandpass0_a = inputs->params->stage0_filter0_bandpass0_a;
-                            state->now_stage0_filter0_bandpass0_b = inputs->params->stage0_filter0_bandpass0_b;
-                            state->now_stage0_filter0_bandpass0_c = inputs->params->stage0_filter0_bandpass0_c;
-                            state->now_stage0_gain = inputs->params->stage0_gain;
-                            state->copy_limit = state->now_limit;
-                            state->copy_lower_limit = state->now_lower_limit;
-                            state->copy_sum_limit = state->now_sum_limit;
-                            state->copy_stage0_filter0_bandpass0_a = state->now_stage0_filter0_bandpass0_a;
-                            state->copy_stage0_filter0_bandpass0_b = state->now_stage0_filter0_bandpass0_b;
-                            state->copy_stage0_filter0_bandpass0_c = state->now_stage0_filter0_bandpass0_c;
-                            state->copy_stage0_gain = state->now_stage0_gain;
+                            state->now[0] = inputs->params->limit;
+                            state->now[1] = inputs->params->lower_limit;
+                            state->now[2] = inputs->params->sum_limit;
+                            state->now[3] = inputs->params->stage0_filter0_bandpass0_a;
+                            state->now[4] = inputs->params->stage0_filter0_bandpass0_b;
+                            state->now[5] = inputs->params->stage0_filter0_bandpass0_c;
+                            state->now[6] = inputs->params->stage0_gain;
+                            state->copy[0] = state->now[0];
+                            state->copy[1] = state->now[1];
+                            state->copy[2] = state->now[2];
+                            state->copy[3] = state->now[3];
+                            state->copy[4] = state->now[4];
+                            state->copy[5] = state->now[5];
+                            state->copy[6] = state->now[6];
                             state->copied_set = state->offered_set;
                             state->check_set_id = 0u;
                             state->set_id = 0u;
@@ -533,9 +514,9 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a_2 = state->now_stage0_filter0_bandpass0_a;
-        const float ipc_stage0_filter0_section0_b_2 = state->now_stage0_filter0_bandpass0_b;
-        const float ipc_stage0_filter0_section0_c_2 = state->now_stage0_filter0_bandpass0_c;
+        const float ipc_stage0_filter0_section0_a_2 = state->now[3];
+        const float ipc_stage0_filter0_section0_b_2 = state->now[4];
+        const float ipc_stage0_filter0_section0_c_2 = state->now[5];
         const float ipc_stage0_filter0_section0_left_2 = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor_2;
         const float ipc_stage0_filter0_section0_u_2 =
             ipc_stage0_filter0_section0_a_2 * ipc_stage0_filter0_section0_left_2
@@ -547,8 +528,8 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
         state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next_2;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left_2 - ipc_stage0_filter0_section0_c_2 * ipc_stage0_filter0_section0_y_2;
-        const float ipc_v_stage0_2 = state->now_stage0_gain * ipc_stage0_filter0_section0_y_2;
-        const float ipc_upper_2 = state->now_limit;
+        const float ipc_v_stage0_2 = state->now[6] * ipc_stage0_filter0_section0_y_2;
+        const float ipc_upper_2 = state->now[0];
         float ipc_v_limited_2;
         if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= ipc_upper_2) {
             if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= axis_x_ipc_ipc_rest) {
@@ -558,11 +539,11 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
             }
             ipc_limited_2 = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->now_sum_limit) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0_2) <= state->now[2]) {
                 if (ipc_v_stage0_2 > 0.0f) {
                     ipc_v_limited_2 = ipc_upper_2;
                 } else {
-                    ipc_v_limited_2 = state->now_lower_limit;
+                    ipc_v_limited_2 = state->now[1];
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
@@ -625,32 +606,12 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
     const axis_x_ipc_inputs *restrict inputs,
     axis_x_ipc_outputs *restrict outputs)
 {
-    if (state->turn <= 7u) {
+    if (state->turn < 7u) {
         /* one number in use is compared with its copy in each cycle */
         const uint32_t turn = state->turn;
-        if (turn == 0u) {
-            state->picked_number = state->now_limit;
-            state->picked_copy = state->copy_limit;
-        } else if (turn == 1u) {
-            state->picked_number = state->now_lower_limit;
-            state->picked_copy = state->copy_lower_limit;
-        } else if (turn == 2u) {
-            state->picked_number = state->now_sum_limit;
-            state->picked_copy = state->copy_sum_limit;
-        } else if (turn == 3u) {
-            state->picked_number = state->now_stage0_filter0_bandpass0_a;
-            state->picked_copy = state->copy_stage0_filter0_bandpass0_a;
-        } else if (turn == 4u) {
-            state->picked_number = state->now_stage0_filter0_bandpass0_b;
-            state->picked_copy = state->copy_stage0_filter0_bandpass0_b;
-        } else if (turn == 5u) {
-            state->picked_number = state->now_stage0_filter0_bandpass0_c;
-            state->picked_copy = state->copy_stage0_filter0_bandpass0_c;
-        } else if (turn == 6u) {
-            state->picked_number = state->now_stage0_gain;
-            state->picked_copy = state->copy_stage0_gain;
-        } else {
-            /* no action */
+        if (turn < 7u) {
+            state->picked_number = state->now[turn];
+            state->picked_copy = state->copy[turn];
         }
         if (state->set_id != 0u) {
             if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy)) {
@@ -682,9 +643,9 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
         /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */
         /* as generated: BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 40 Hz
          * (P-AXIS-00751), quality factor 5 (P-AXIS-00752), -3 dB at 36.19529 and 44.19529 Hz */
-        const float ipc_stage0_filter0_section0_a = state->now_stage0_filter0_bandpass0_a;
-        const float ipc_stage0_filter0_section0_b = state->now_stage0_filter0_bandpass0_b;
-        const float ipc_stage0_filter0_section0_c = state->now_stage0_filter0_bandpass0_c;
+        const float ipc_stage0_filter0_section0_a = state->now[3];
+        const float ipc_stage0_filter0_section0_b = state->now[4];
+        const float ipc_stage0_filter0_section0_c = state->now[5];
         const float ipc_stage0_filter0_section0_left = state->ipc_stage0_filter0_section0_p + ipc_source_v_motor;
         const float ipc_stage0_filter0_section0_u =
             ipc_stage0_filter0_section0_a * ipc_stage0_filter0_section0_left
@@ -696,8 +657,8 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
         state->ipc_stage0_filter0_section0_s1 = ipc_stage0_filter0_section0_next;
         state->ipc_stage0_filter0_section0_p =
             ipc_stage0_filter0_section0_left - ipc_stage0_filter0_section0_c * ipc_stage0_filter0_section0_y;
-        const float ipc_v_stage0 = state->now_stage0_gain * ipc_stage0_filter0_section0_y;
-        const float ipc_upper = state->now_limit;
+        const float ipc_v_stage0 = state->now[6] * ipc_stage0_filter0_section0_y;
+        const float ipc_upper = state->now[0];
         float ipc_v_limited;
         bool ipc_limited;
         if (axis_x_ipc_magnitude(ipc_v_stage0) <= ipc_upper) {
@@ -708,11 +669,11 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
             }
             ipc_limited = false;
         } else {
-            if (axis_x_ipc_magnitude(ipc_v_stage0) <= state->now_sum_limit) {
+            if (axis_x_ipc_magnitude(ipc_v_stage0) <= state->now[2]) {
                 if (ipc_v_stage0 > 0.0f) {
                     ipc_v_limited = ipc_upper;
                 } else {
-                    ipc_v_limited = state->now_lower_limit;
+                    ipc_v_limited = state->now[1];
                 }
             } else {
                 /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then

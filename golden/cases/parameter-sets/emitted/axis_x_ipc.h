@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   05f362d744a21ffc060cc92ef672ff90
- * checksum    03ef745b5801acd9836e9cf33dc1c128
+ * structure   954c5caf43e2d0305eb22a6f3832c66d
+ * checksum    2ccaff251862be94ead838c298b99135
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,14 +49,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x05f362d7u
-#define AXIS_X_IPC_STRUCTURE_1 0x44a21ffcu
-#define AXIS_X_IPC_STRUCTURE_2 0x060cc92eu
-#define AXIS_X_IPC_STRUCTURE_3 0xf672ff90u
+#define AXIS_X_IPC_STRUCTURE_0 0x954c5cafu
+#define AXIS_X_IPC_STRUCTURE_1 0x43e2d030u
+#define AXIS_X_IPC_STRUCTURE_2 0x5eb22a6fu
+#define AXIS_X_IPC_STRUCTURE_3 0x3832c66du
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 164u
+#define AXIS_X_IPC_STATE_SIZE 160u
 
 /* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
  * alignment of members. */
@@ -149,20 +149,12 @@ typedef struct {
     uint32_t pause; /* cycles until a refused set is checked again */
     uint32_t refused; /* error id of the last set that was refused */
     uint32_t refused_set; /* number of the last set that was refused */
-    float now_limit; /* largest |v_add| */
-    float now_lower_limit; /* -limit */
-    float now_sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
-    float now_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float now_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
-    float now_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
-    float now_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
-    float copy_limit; /* largest |v_add| */
-    float copy_lower_limit; /* -limit */
-    float copy_sum_limit; /* largest magnitude of the sum of the stages; a larger sum is a fault */
-    float copy_stage0_filter0_bandpass0_a; /* A = g h c k: u = A p - B s1, p = x - low-pass part */
-    float copy_stage0_filter0_bandpass0_b; /* B = 2 (g + k) g h: u = A p - B s1, y = s1 + (s1 + u), s1 = s1 + u */
-    float copy_stage0_filter0_bandpass0_c; /* C = 2 g / (c k): the low-pass part grows by C y */
-    float copy_stage0_gain; /* -weight: negative, because the stage moves the motor against the vibration */
+    /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_a, stage0_filter0_bandpass0_b,
+     * stage0_filter0_bandpass0_c, stage0_gain */
+    float now[7];
+    /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_a, stage0_filter0_bandpass0_b,
+     * stage0_filter0_bandpass0_c, stage0_gain */
+    float copy[7];
     uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
     float picked_number; /* the number whose turn it is */
     float picked_copy; /* its copy */
@@ -172,7 +164,6 @@ typedef struct {
     int32_t check_picked_role; /* what that number is, which decides what is checked */
     float check_before; /* the number before it */
     float check_two_before; /* the number two before it */
-    float check_three_before; /* the number three before it */
     int32_t check_forming_first; /* check word: the pieces as a polynomial at 31337, modulo 46337 */
     int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
     uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
