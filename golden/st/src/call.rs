@@ -35,6 +35,9 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if name == "DINT_TO_UDINT" {
         return conversion(lowering, node, &arguments, (Kind::Dint, Code::MoveWord, Kind::Udint));
     }
+    if name == "UDINT_TO_DINT" && node.parent().is_some_and(|parent| parent.kind() == "index_expression") {
+        return conversion(lowering, node, &arguments, (Kind::Udint, Code::MoveWord, Kind::Dint));
+    }
     if lowering.known.is_program {
         let narrow = match name.as_str() {
             "UINT_TO_DINT" => Some((Kind::Uint, Code::MoveWord, Kind::Dint)),

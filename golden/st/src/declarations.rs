@@ -6,7 +6,7 @@ use super::known::{Address, Known};
 use super::mistake::Mistakes;
 use super::structure::Part;
 use super::syntax::{children, said, shown};
-use super::variables::{Role, Variable, Variables, Whole};
+use super::variables::{Array, Role, Variable, Variables, Whole};
 use super::{Dialect, names};
 use tree_sitter::Node;
 
@@ -96,6 +96,11 @@ impl Declarations<'_, '_> {
         for name in &names {
             self.name(*name);
         }
+        // A compiler of the plain form has none in an instance.
+        if ty.kind() == "array_type" && self.dialect != Dialect::Plain {
+            self.array(node, ty, &names, role);
+            return;
+        }
         let word = said(ty, self.text);
         let structure = self.known.structures.iter().position(|of| of.name.eq_ignore_ascii_case(word));
         if let Some(of) = structure {
@@ -170,6 +175,41 @@ impl Declarations<'_, '_> {
         }
     }
 
+    /// An array from 0 on: each of its elements is a variable, `x[0]`.
+    fn array(&mut self, node: Node<'_>, ty: Node<'_>, names: &[Node<'_>], role: Role) {
+        let bound = |name: &str| {
+            let range = ty.child_by_field_name("range")?.child_by_field_name(name)?;
+            said(range, self.text).parse::<u32>().ok()
+        };
+        let of = ty.child_by_field_name("element_type").and_then(|of| Kind::of(said(of, self.text), self.all.real));
+        let ranges = children(ty).into_iter().filter(|(part, _)| part.kind() == "subrange").count();
+        let is_kept = role == Role::Local && node.child_by_field_name("initial_value").is_none();
+        let (Some(0), Some(last @ 1..=65_535), Some(kind), 1, true) =
+            (bound("lower"), bound("upper"), of, ranges, is_kept)
+        else {
+            let instead = "`ARRAY[0..n] OF` a type of variables, in `VAR` and without an initial value";
+            self.say(ty, shown(ty, self.text), instead);
+            for &name in names {
+                if self.is_new(name) {
+                    let slot = self.all.slot(Kind::Real, None);
+                    self.all.add(&self.path(name), Variable { kind: Kind::Real, role, slot, known: false });
+                }
+            }
+            return;
+        };
+        for &name in names {
+            if self.is_new(name) {
+                let path = self.path(name);
+                let elements: Vec<Variable> =
+                    (0..=last).map(|_| Variable { kind, role, slot: self.all.slot(kind, None), known: true }).collect();
+                for (index, element) in elements.iter().enumerate() {
+                    self.all.add(&format!("{path}[{index}]"), *element);
+                }
+                self.all.add_array(&path, Array { first: elements[0], length: last + 1 });
+            }
+        }
+    }
+
     /// A structure: each of its parts is a variable with its path.
     fn whole(&mut self, node: Node<'_>, of: usize, names: &[Node<'_>], role: Role) {
         if matches!(role, Role::Constant | Role::Temporary) {
@@ -208,7 +248,8 @@ impl Declarations<'_, '_> {
     fn is_new(&mut self, node: Node<'_>) -> bool {
         let (name, path) = (said(node, self.text), self.path(node));
         let all = &self.all;
-        let declared = all.find(&path).is_some() || all.inner(&path).is_some() || all.whole(&path).is_some();
+        let is_group = all.inner(&path).is_some() || all.whole(&path).is_some() || all.array(&path).is_some();
+        let declared = is_group || all.find(&path).is_some();
         if declared {
             self.say(node, format!("`{name}`, which is declared already"), "another name");
         }

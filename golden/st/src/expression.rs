@@ -28,6 +28,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     match node.kind() {
         "identifier" => variable(lowering, node),
+        "index_expression" => element(lowering, node),
         "boolean_literal" => {
             let value = Value::Bool(said(node, text).eq_ignore_ascii_case("TRUE"));
             Some(lowering.literal(Kind::Bool, value))
@@ -85,6 +86,36 @@ fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> 
         return None;
     }
     variable.known.then_some(Operand::Slot { kind: variable.kind, slot: variable.slot, part: false })
+}
+
+/// An element of an array, at a number of the text or at a DINT.
+fn element(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+    if lowering.variables.find(said(node, lowering.text)).is_some() {
+        return variable(lowering, node);
+    }
+    let (object, index) = (node.child_by_field_name("object")?, node.child_by_field_name("index")?);
+    let Some(array) = lowering.variables.array(said(object, lowering.text)) else {
+        lowering.say(node, shown(node, lowering.text), "a variable, a number or an operation on them");
+        return None;
+    };
+    match lowering.expression(index)? {
+        Operand::Slot { kind: Kind::Dint, slot, part } => {
+            let of = array.first.kind;
+            let operand =
+                lowering.emit(Code::element(of), of, &[(of, array.first.slot, false), (Kind::Dint, slot, part)]);
+            lowering.ops.last_mut()?.c = array.length;
+            Some(operand)
+        }
+        Operand::Integer(_) => {
+            lowering.say(node, format!("{}, which is outside", shown(node, lowering.text)), "an element of the array");
+            None
+        }
+        other => {
+            let found = format!("a {} as an index", lowering.kind_name(other));
+            lowering.say(index, found, "a DINT");
+            None
+        }
+    }
 }
 
 fn integer(lowering: &mut Lowering<'_, '_>, node: Node<'_>, value: i64) -> Option<Operand> {

@@ -114,8 +114,8 @@ impl Lowering<'_, '_> {
     /// The variable that an assignment writes.
     fn target(&mut self, node: Node<'_>) -> Option<(Kind, u32)> {
         let name = said(node, self.text);
-        let is_member = node.kind() == "member_access_expression" && self.variables.find(name).is_some();
-        if node.kind() != "identifier" && !is_member {
+        let is_part = matches!(node.kind(), "member_access_expression" | "index_expression");
+        if node.kind() != "identifier" && !(is_part && self.variables.find(name).is_some()) {
             self.say(node, format!("{} left of `:=`", shown(node, self.text)), "a variable");
             return None;
         }

@@ -73,6 +73,9 @@ impl<R: Real> Slots<R> {
                 Code::Truncate => words[to] = truncated(reals[a]).cast_unsigned(),
                 Code::Single => reals[to] = in_single(reals[a]),
                 Code::Narrow => words[to] = narrowed(words[a].cast_signed()).cast_unsigned(),
+                Code::ElementReal => reals[to] = kept(op, element(reals, a, words[b], c).unwrap_or(R::lit(f64::NAN))),
+                Code::ElementBool => bools[to] = element(bools, a, words[b], c).unwrap_or(true),
+                Code::ElementWord => words[to] = element(words, a, words[b], c).unwrap_or(0x5555_5555),
                 Code::InRange => bools[to] = in_range(reals[a], reals[b]),
                 Code::Jump => next = to,
                 Code::JumpUnless if bools[a] => {}
@@ -80,6 +83,13 @@ impl<R: Real> Slots<R> {
             }
         }
     }
+}
+
+/// An element of an array. Outside of it implementations disagree: then the result is a value that a reference does not have by
+/// chance.
+fn element<T: Copy>(slots: &[T], first: usize, index: u32, length: usize) -> Option<T> {
+    let index = index as usize;
+    if index < length { slots.get(first + index).copied() } else { None }
 }
 
 /// The value rounded to single precision.

@@ -85,6 +85,12 @@ pub(crate) enum Code {
     Narrow,
     /// bool := real is finite, and between -real and real
     InRange,
+    /// real := element of the `c` reals from `a` on, at the DINT `b`
+    ElementReal,
+    /// bool := element of the `c` bools from `a` on, at the DINT `b`
+    ElementBool,
+    /// word := element of the `c` words from `a` on, at the DINT `b`
+    ElementWord,
     /// continue at operation `to`
     Jump,
     /// continue at operation `to`, unless bool `a`
@@ -99,6 +105,22 @@ impl Code {
             Kind::Bool => Self::MoveBool,
             Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => Self::MoveWord,
         }
+    }
+}
+
+impl Code {
+    /// The operation that reads an element of an array of this type.
+    pub(crate) fn element(kind: Kind) -> Self {
+        match kind {
+            Kind::Real => Self::ElementReal,
+            Kind::Bool => Self::ElementBool,
+            Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => Self::ElementWord,
+        }
+    }
+
+    /// Whether the second operand is an index, and the third one a length.
+    fn is_element(self) -> bool {
+        matches!(self, Self::ElementReal | Self::ElementBool | Self::ElementWord)
     }
 }
 
@@ -158,6 +180,9 @@ pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
     };
     let (to, operands) = places(op.code);
     let operand = |slot: u32| slot + start(operands);
+    if op.code.is_element() {
+        return Op { to: op.to + start(to), a: operand(op.a), b: op.b + base.words, ..op };
+    }
     Op { to: op.to + start(to), a: operand(op.a), b: operand(op.b), c: operand(op.c), ..op }
 }
 
@@ -172,11 +197,12 @@ fn places(code: Code) -> (Place, Place) {
         | Code::DivideReal
         | Code::FusedAdd
         | Code::FusedSubtract
-        | Code::FusedSubtractFrom => (Place::Real, Place::Real),
+        | Code::FusedSubtractFrom
+        | Code::ElementReal => (Place::Real, Place::Real),
         Code::LessReal | Code::AtMostReal | Code::EqualReal | Code::UnequalReal | Code::InRange => {
             (Place::Bool, Place::Real)
         }
-        Code::MoveBool | Code::Not | Code::And | Code::Or | Code::EqualBool | Code::UnequalBool => {
+        Code::MoveBool | Code::Not | Code::And | Code::Or | Code::EqualBool | Code::UnequalBool | Code::ElementBool => {
             (Place::Bool, Place::Bool)
         }
         Code::MoveWord
@@ -188,7 +214,8 @@ fn places(code: Code) -> (Place, Place) {
         | Code::DivideDint
         | Code::RemainderDint
         | Code::DivideUdint
-        | Code::RemainderUdint => (Place::Word, Place::Word),
+        | Code::RemainderUdint
+        | Code::ElementWord => (Place::Word, Place::Word),
         Code::EqualWord
         | Code::UnequalWord
         | Code::LessDint

@@ -99,7 +99,13 @@ fn declaration(variable: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, m
         mistakes.push(lines.mistake(variable.range().start, "`address`", "a variable without an address"));
     }
     let ty = child(variable, "type").and_then(|ty| ty.first_element_child());
-    let ty = word(variable, ty.map(|ty| ty.attribute("name").unwrap_or(ty.tag_name().name())), lines, mistakes);
+    let ty = match ty.filter(|ty| ty.tag_name().name() == "array") {
+        Some(array) => self::array(array, lines, mistakes),
+        None => {
+            let named = ty.map(|ty| ty.attribute("name").unwrap_or(ty.tag_name().name()));
+            word(variable, named, lines, mistakes).to_owned()
+        }
+    };
     source.make(&format!("{name} : {ty}"), variable.range().start);
     if let Some(initial) = child(variable, "initialValue") {
         let value = child(initial, "simpleValue").and_then(|value| value.attribute("value"));
@@ -114,6 +120,16 @@ fn declaration(variable: Node<'_, '_>, source: &mut Source, lines: &Lines<'_>, m
         }
     }
     source.make(";\n", variable.range().start);
+}
+
+/// The type of an array.
+fn array(array: Node<'_, '_>, lines: &Lines<'_>, mistakes: &mut Vec<Mistake>) -> String {
+    let dimension = child(array, "dimension");
+    let bound = |name| word(array, dimension.and_then(|dimension| dimension.attribute(name)), lines, &mut Vec::new());
+    let (lower, upper) = (bound("lower"), bound("upper"));
+    let of = child(array, "baseType").and_then(|base| base.first_element_child());
+    let of = word(array, of.map(|of| of.tag_name().name()), lines, mistakes);
+    format!("ARRAY[{lower}..{upper}] OF {of}")
 }
 
 /// A word that may be in the text; anything else would be more than one word there.

@@ -49,7 +49,7 @@ fn is_operation(op: &Op) -> bool {
 }
 
 fn is_variable(node: Node<'_>) -> bool {
-    matches!(inside(node).kind(), "identifier" | "member_access_expression")
+    matches!(inside(node).kind(), "identifier" | "member_access_expression" | "index_expression")
 }
 
 fn is_minus_variable(node: Node<'_>) -> bool {

@@ -54,6 +54,15 @@ pub(crate) struct Whole {
     pub(crate) role: Role,
 }
 
+/// An array, whose elements are variables by their names, `x[0]`, with consecutive slots.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Array {
+    /// its first element
+    pub(crate) first: Variable,
+    /// the number of its elements
+    pub(crate) length: u32,
+}
+
 /// The variables of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Variables {
@@ -65,6 +74,8 @@ pub(crate) struct Variables {
     inner: HashMap<String, Inner>,
     /// structures, by their names in lower case; each part of one is a variable by its path
     whole: BTreeMap<String, Whole>,
+    /// arrays, by their names in lower case
+    arrays: HashMap<String, Array>,
     /// the slots of the real numbers of the text, apart from start values, in its order
     pub(crate) numbers: Vec<u32>,
     /// start values of the slots
@@ -74,8 +85,8 @@ pub(crate) struct Variables {
 impl Variables {
     /// No variables.
     pub(crate) fn new(real: RealKind) -> Self {
-        let (by_name, inner, whole) = (HashMap::new(), HashMap::new(), BTreeMap::new());
-        Self { real, by_name, inner, whole, numbers: Vec::new(), slots: Slots::default() }
+        let (by_name, inner, whole, arrays) = (HashMap::new(), HashMap::new(), BTreeMap::new(), HashMap::new());
+        Self { real, by_name, inner, whole, arrays, numbers: Vec::new(), slots: Slots::default() }
     }
 
     /// A variable by its name.
@@ -97,6 +108,16 @@ impl Variables {
     pub(crate) fn shared(&self) -> impl Iterator<Item = (&str, Whole)> {
         let is_shared = |(_, whole): &(&String, &Whole)| whole.role == Role::Shared;
         self.whole.iter().filter(is_shared).map(|(name, whole)| (name.as_str(), *whole))
+    }
+
+    /// An array by its name.
+    pub(crate) fn array(&self, name: &str) -> Option<Array> {
+        self.arrays.get(&name.to_ascii_lowercase()).copied()
+    }
+
+    /// Adds an array.
+    pub(crate) fn add_array(&mut self, name: &str, array: Array) {
+        self.arrays.insert(name.to_ascii_lowercase(), array);
     }
 
     /// Adds a structure.

@@ -35,8 +35,8 @@ fn a_set_that_is_written_meanwhile_is_taken_over_whole_or_not_at_all() {
     let copied =
         |from: &str| members.iter().map(|name| format!("        shared.{name} = {from}.{name};\n")).collect::<String>();
     // Structure and number stand before the numbers.
-    let kept =
-        members[2..].iter().map(|name| format!("        && state.now_{name} == of->{name}\n")).collect::<String>();
+    let is_kept = |(at, name): (usize, &String)| format!("        && state.now[{at}] == of->{name}\n");
+    let kept: String = members[2..].iter().enumerate().map(is_kept).collect();
     let driver = DRIVER
         .replace("VALUES", &values)
         .replace("FIRST", &copied("axis_x_ipc_designed"))

@@ -16,7 +16,7 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 /// The last `else` of the last chain of conditions.
-fn last_else(list: &mut [Statement]) -> Option<&mut Vec<Statement>> {
+pub(super) fn last_else(list: &mut [Statement]) -> Option<&mut Vec<Statement>> {
     let Some(Statement::If { otherwise, .. }) = list.last_mut() else { return None };
     let goes_on = matches!(otherwise[..], [Statement::If { .. }]);
     if goes_on { last_else(otherwise) } else { Some(otherwise).filter(|rest| !rest.is_empty()) }

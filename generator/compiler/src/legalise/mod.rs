@@ -9,6 +9,7 @@ mod choose;
 mod copied;
 mod early;
 mod enable;
+mod general;
 mod joined;
 mod nearest;
 mod negation;
@@ -40,8 +41,10 @@ pub const WITH_OUTPUTS: &[Stage] = &[
     ("indexed", rows::run),
 ];
 
-/// The passes for Structured Text if digits of an LREAL may be in an expression.
+/// The passes for any compiler of Structured Text: digits of an LREAL may be in an expression. Not every one has arrays in an
+/// instance.
 pub const WITH_DIGITS: &[Stage] = &[
+    ("general", general::run),
     ("settled", settle::run),
     ("copied", copied::run),
     (presumed::NAME, presumed::run),
@@ -63,8 +66,9 @@ pub const WITH_ENABLE: &[Stage] = &with_enable(("bounded", bound::run), ("named"
 /// The passes for SCL: digits need not be LREAL, so numbers have names.
 pub const WITH_NAMES: &[Stage] = &with_enable(("bounded", bound::run_digits), ("all named", operands::run));
 
-const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 14] {
+const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 16] {
     [
+        ("general", general::run),
         ("enabled", enable::run),
         ("settled", settle::run),
         ("copied", copied::run),
@@ -79,6 +83,7 @@ const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 14] {
         ("chosen", choose::run),
         ("shared", share::run),
         ("repeated", repeated::run),
+        ("indexed", rows::run),
     ]
 }
 

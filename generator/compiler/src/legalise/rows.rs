@@ -14,14 +14,16 @@ const LEAST: usize = 3;
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut step = std::mem::take(&mut program.step);
-    in_list(&mut step, &mut program);
+    in_list(&mut step, None, &mut program);
     program.step = step;
     Ok(program)
 }
 
-fn in_list(list: &mut [Statement], program: &mut Program) {
-    for statement in list {
-        if let Some((by, length, columns)) = table(statement, program) {
+/// `below`: a variable, and the number that it is below of in the whole list.
+fn in_list(list: &mut Vec<Statement>, mut below: Option<(Var, usize)>, program: &mut Program) {
+    let mut at = 0;
+    while at < list.len() {
+        if let Some((by, length, columns)) = table(&list[at], program) {
             let mut fresh = rows(&columns, length);
             fresh.retain(|row| !program.rows.contains(row));
             program.rows.extend(fresh);
@@ -29,12 +31,30 @@ fn in_list(list: &mut [Statement], program: &mut Program) {
                 target: *target,
                 value: Expr::Element(Row { first: *first, length }, Box::new(Expr::Var(by))),
             };
-            let then = columns.iter().map(read).collect();
-            let number = u32::try_from(length).expect("rows: a chain is shorter than 2^32");
-            let condition = Expr::binary(Binary::Less, Expr::Var(by), Expr::Literal(Literal::U32(number)));
-            *statement = Statement::If { condition, then, otherwise: after(statement, length) };
+            let (then, otherwise) = (columns.iter().map(read), after(&mut list[at], length));
+            if below == Some((by, length)) && otherwise.is_empty() {
+                list.splice(at..=at, then);
+            } else {
+                let number = u32::try_from(length).expect("rows: a chain is shorter than 2^32");
+                let condition = Expr::binary(Binary::Less, Expr::Var(by), Expr::Literal(Literal::U32(number)));
+                list[at] = Statement::If { condition, then: then.collect(), otherwise };
+            }
         }
-        statement.branches_mut().for_each(|inner| in_list(inner, program));
+        below = below.filter(|(var, _)| !list[at].writes(*var));
+        let bound = bound(&list[at]);
+        for (branch, inner) in list[at].branches_mut().enumerate() {
+            in_list(inner, bound.filter(|_| branch == 0).or(below), program);
+        }
+        at += 1;
+    }
+}
+
+/// The variable that a condition compares with a number, if it is below of that where the condition holds.
+fn bound(statement: &Statement) -> Option<(Var, usize)> {
+    let Statement::If { condition: Expr::Binary(Binary::Less, left, right), .. } = statement else { return None };
+    match (&**left, &**right) {
+        (Expr::Var(var), Expr::Literal(Literal::U32(bound))) => Some((*var, *bound as usize)),
+        _ => None,
     }
 }
 
@@ -143,11 +163,7 @@ fn guarded(statement: &Statement, below: &mut Vec<(Var, usize)>) -> Result<(), D
     }
     for (branch, list) in statement.branches().enumerate() {
         let mut inside = below.clone();
-        if let Statement::If { condition: Expr::Binary(Binary::Less, left, right), .. } = statement
-            && let (Expr::Var(var), Expr::Literal(Literal::U32(bound)), 0) = (&**left, &**right, branch)
-        {
-            inside.push((*var, *bound as usize));
-        }
+        inside.extend(bound(statement).filter(|_| branch == 0));
         list.iter().try_for_each(|inner| guarded(inner, &mut inside))?;
     }
     statement.assignments(&mut |target, _| below.retain(|(var, _)| *var != target));

@@ -31,7 +31,8 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
         _ => false,
     });
     drop_unused(&mut program);
-    Ok(program)
+    // A branch without statements is left out, and its condition negated.
+    super::negation::run(program)
 }
 
 /// Target and source of each copy of a local to another one with its name.

@@ -99,17 +99,19 @@ fn members<'v>(
     variables.into_iter().map(name).collect()
 }
 
-/// Gives the elements of arrays the name of their array and their index.
-fn index_rows(program: &Program, state: &mut [String], language: &Language) {
-    let mut names = Names::new(language);
-    let is_single = |index: &usize| program.row_of(*index).is_none();
-    (0..state.len()).filter(is_single).for_each(|index| drop(names.take(&program.state[index].path)));
-    for row in &program.rows {
-        let name = names.take(program.path_of_row(*row).expect("print: an array has a path"));
-        for (at, element) in state[row.first..row.first + row.length].iter_mut().enumerate() {
-            *element = format!("{name}[{at}]");
+/// The names of the parts of the state. An element of an array has the name of the array, and its index.
+fn parts(program: &Program, language: &Language, names: &mut Names) -> Vec<String> {
+    let mut own = language.has_structs.then(|| Names::new(language));
+    let names = own.as_mut().unwrap_or(names);
+    let mut array = String::new();
+    let name = |(index, part): (usize, &Variable)| {
+        let Some(row) = program.row_of(index) else { return names.take(&part.path) };
+        if index == row.first {
+            array = names.take(program.path_of_row(row).expect("print: an array has a path"));
         }
-    }
+        format!("{array}[{}]", index - row.first)
+    };
+    program.state.iter().enumerate().map(name).collect()
 }
 
 impl<'p> Printer<'p> {
@@ -131,11 +133,10 @@ impl<'p> Printer<'p> {
         let mut scope = Scope {
             inputs: grouped(&program.inputs, program.set, language, &mut names),
             outputs: grouped(&program.outputs, program.made, language, &mut names),
-            state: members(&program.state, language, &mut names),
+            state: parts(program, language, &mut names),
             constants: program.constants.iter().zip(&appearances).map(|it| constant(it, &mut names)).collect(),
             locals: Vec::new(),
         };
-        index_rows(program, &mut scope.state, language);
         names.begin_locals();
         scope.locals = program.locals.iter().map(|local| names.take(&local.path)).collect();
         let names = scope;

@@ -48,7 +48,8 @@ pub static LANGUAGE: Language = Language {
         ends: ["", "}"],
         end: "}",
     },
-    index: ["[", " as usize]"],
+    // Without a call that panics, even where nothing is optimised.
+    index: [".get(", " as usize).copied().unwrap_or_default()"],
     call: "any_cycle(state, inputs, outputs);",
     comment: ["// ", "// ", ""],
 };

@@ -80,7 +80,12 @@ impl Listing {
 
     /// Whether a variable is an instance of another block.
     pub(super) fn is_block(&self, member: &Member) -> bool {
-        !["BOOL", "DINT", "UDINT", "REAL", "LREAL"].contains(&&*member.ty)
+        !["BOOL", "DINT", "UDINT", "REAL", "LREAL"].contains(&&*member.ty) && self.array(member).is_none()
+    }
+
+    /// The index of the last element of an array, and the type of its elements.
+    pub(super) fn array<'m>(&self, member: &'m Member) -> Option<(&'m str, &'m str)> {
+        member.ty.strip_prefix("ARRAY[0..")?.split_once("] OF ")
     }
 }
 
@@ -107,7 +112,10 @@ pub(super) fn listing(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &D
             .has_set()
             .then(|| SetType { name: set_name(&axis.name, block.program.block), parts: outline.set() }),
         outputs: outline.outputs([made(axis, dialect), String::new()]),
-        state: outline.parts_of_state(),
+        state: outline.state(outline.parts_of_state(), |of, length| Member {
+            ty: format!("ARRAY[0..{}] OF {}", length - 1, of.ty).into(),
+            ..of
+        }),
         locals: outline.locals(),
         inline,
         declared,

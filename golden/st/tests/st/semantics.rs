@@ -232,3 +232,25 @@ fn a_conversion_to_single_precision_rounds_once() {
         answers(&block, &inputs, &[inputs.map(|(_, value)| value).to_vec()], &[("y", single), ("z", single)], &[]);
     assert_eq!(found, [[Literal::F32(-16_777_216.0), Literal::F32(4_294_967_040.0)]]);
 }
+
+/// Of each type; outside of it the value is one that nothing else has.
+#[test]
+fn an_element_of_an_array() {
+    let text = "FUNCTION_BLOCK \"probe\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n\
+        VAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\nEND_VAR\n\
+        VAR_OUTPUT\n    y : LREAL;\n    j : DINT;\n    q : BOOL;\nEND_VAR\n\
+        VAR\n    k : ARRAY[0..2] OF LREAL;\n    n : ARRAY[0..2] OF DINT;\n    p : ARRAY[0..2] OF BOOL;\nEND_VAR\nBEGIN\n\
+        #k[0] := #x;\n#k[1] := #x + #x;\n#k[2] := #k[0] + #k[1];\n#n[1] := #i;\n#p[2] := TRUE;\n\
+        #y := #k[UDINT_TO_DINT(#u)];\n#j := #n[#i];\n#q := #p[#i];\nEND_FUNCTION_BLOCK\n";
+    let block = block(Dialect::Scl, text, "probe", RealKind::F64);
+    let inputs = [("x", LREAL), ("i", Literal::I32(0)), ("u", Literal::U32(0))];
+    let outputs = [("y", LREAL), ("j", Literal::I32(0)), ("q", Literal::Bool(false))];
+    let sample = |index: u32| vec![Literal::F64(5.0), Literal::I32(index.cast_signed()), Literal::U32(index)];
+    let inside = answers(&block, &inputs, &[0, 1, 2].map(sample), &outputs, &[]);
+    let expected = [(5.0, 0, false), (10.0, 1, false), (15.0, 0, true)];
+    for (answer, (y, j, q)) in inside.iter().zip(expected) {
+        assert_eq!(*answer, [Literal::F64(y), Literal::I32(j), Literal::Bool(q)]);
+    }
+    let outside = answers(&block, &inputs, &[3, u32::MAX].map(sample), &outputs, &[]);
+    assert!(outside.iter().all(|answer| is_nan(answer[0]) && answer[1] == Literal::I32(0x5555_5555)), "{outside:?}");
+}

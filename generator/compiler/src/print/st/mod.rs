@@ -43,7 +43,8 @@ pub static PLAIN: Language = Language {
         ends: [""; 2],
         end: "END_CASE;",
     },
-    index: ["[", "]"],
+    // Not every compiler has an index of UDINT.
+    index: ["[UDINT_TO_DINT(", ")]"],
     call: "", // nothing stands apart
     comment: ["(* ", "   ", " *)"],
 };
