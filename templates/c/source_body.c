@@ -96,6 +96,12 @@ AXGEN_CODE_SECTION static void {{ block.prefix }}_any_cycle(
 {{ block.any_cycle }}}
 
 {% endif -%}
+{% if block.is_slow -%}
+/* cold: compiled for size, because a slow task runs it */
+#if defined(__GNUC__)
+__attribute__((cold))
+#endif
+{% endif -%}
 AXGEN_CODE_SECTION void {{ block.prefix }}_step(
     {{ block.prefix }}_state *restrict state,
     const {{ block.prefix }}_inputs *restrict inputs,

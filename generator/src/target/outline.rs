@@ -115,13 +115,22 @@ impl Outline<'_> {
         parts.into_iter().enumerate().filter_map(declared).collect()
     }
 
-    /// The names of the elements of an array, in their order.
+    /// The names of the elements of an array, in their order, unless an array before it has the same.
     fn contents(&self, row: Row) -> String {
         let program = &*self.block.program;
-        let common = program.path_of_row(row).map_or(0, str::len);
-        let name = |part| identifier(program.path(part)[common..].trim_start_matches('.'));
-        let names: Vec<String> = row.elements().map(name).collect();
-        names.join(", ")
+        let names = |row: Row| -> Vec<String> {
+            let common = program.path_of_row(row).map_or(0, str::len);
+            let name = |part| identifier(program.path(part)[common..].trim_start_matches('.'));
+            row.elements().map(name).collect()
+        };
+        let mut before = program.rows.iter().filter(|other| other.first < row.first);
+        match before.find(|other| names(**other) == names(row)) {
+            None => names(row).join(", "),
+            Some(same) => {
+                let name = self.printer.names().state[same.first].trim_end_matches("[0]");
+                format!("the same elements as {name}")
+            }
+        }
     }
 
     /// The intermediate values; their meaning is explained where they are computed.

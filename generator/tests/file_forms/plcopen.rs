@@ -7,7 +7,7 @@ use super::{CASES, xml};
 use std::collections::BTreeSet;
 
 /// The types that a variable may have.
-const TYPES: [&str; 7] = ["BOOL", "DINT", "UDINT", "REAL", "LREAL", "pointer", "derived"];
+const TYPES: [&str; 8] = ["BOOL", "DINT", "UDINT", "REAL", "LREAL", "array", "pointer", "derived"];
 
 /// What a list of variables holds.
 const VARIABLES: Inside = Elements(&[(&["variable"], Any), (&["documentation"], Perhaps)]);
@@ -16,7 +16,7 @@ const VARIABLES: Inside = Elements(&[(&["variable"], Any), (&["documentation"], 
 const FORMATTED: Inside = Elements(&[(&["xhtml"], Once)]);
 
 /// The schema's elements that are used here, in the schema's order (which has `addData` before each `documentation`).
-const RULES: [Rule; 46] = [
+const RULES: [Rule; 48] = [
     rule(
         "project",
         &[("xmlns", |value| value == "http://www.plcopen.org/xml/tc6_0200")],
@@ -69,7 +69,13 @@ const RULES: [Rule; 46] = [
     rule("simpleValue", &[("value", |value| !value.is_empty())], Nothing),
     rule("documentation", &[], FORMATTED),
     rule("pointer", &[], Elements(&[(&["baseType"], Once)])),
-    rule("baseType", &[], Elements(&[(&["DWORD", "LWORD", "DINT", "enum", "struct"], Once)])),
+    rule("array", &[], Elements(&[(&["dimension"], Once), (&["baseType"], Once)])),
+    rule("dimension", &[("lower", is_decimal), ("upper", is_decimal)], Nothing),
+    rule(
+        "baseType",
+        &[],
+        Elements(&[(&["DWORD", "LWORD", "DINT", "UDINT", "BOOL", "REAL", "LREAL", "enum", "struct"], Once)]),
+    ),
     rule("struct", &[], Elements(&[(&["variable"], Any)])),
     rule("body", &[], Elements(&[(&["ST"], Once)])),
     rule("ST", &[], FORMATTED),

@@ -82,6 +82,8 @@ struct CBlock {
     /// constants of the separate function
     constants_apart: Vec<Group>,
     init: String,
+    /// whether a slow task runs it
+    is_slow: bool,
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
@@ -195,6 +197,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         constants,
         constants_apart,
         init: init(program, printer),
+        is_slow: program.made.is_some(),
         any_cycle: printer.body(apart, 1),
         step: printer.body(&program.step, 1),
         purpose: comment::wrapped(&[&outline.block.block.purpose], COMMENT_WIDTH, outline.next_line),

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   954c5caf43e2d0305eb22a6f3832c66d
- * checksum    2ccaff251862be94ead838c298b99135
+ * checksum    83c14f051435d6ad0c11dd5450a812ed
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -152,9 +152,7 @@ typedef struct {
     /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_a, stage0_filter0_bandpass0_b,
      * stage0_filter0_bandpass0_c, stage0_gain */
     float now[7];
-    /* limit, lower_limit, sum_limit, stage0_filter0_bandpass0_a, stage0_filter0_bandpass0_b,
-     * stage0_filter0_bandpass0_c, stage0_gain */
-    float copy[7];
+    float copy[7]; /* the same elements as now */
     uint32_t turn; /* cycle in the round of comparisons, from 0 on: it selects the number to compare with its copy */
     float picked_number; /* the number whose turn it is */
     float picked_copy; /* its copy */
