@@ -12,15 +12,17 @@ use portable::{Binary, Literal};
 /// A shorter chain stays as it is.
 const LEAST: usize = 3;
 
+/// Variables, each with a number that it is below of.
+type Below = Vec<(Var, usize)>;
+
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut step = std::mem::take(&mut program.step);
-    in_list(&mut step, None, &mut program);
+    in_list(&mut step, Below::new(), &mut program);
     program.step = step;
     Ok(program)
 }
 
-/// `below`: a variable, and the number that it is below of in the whole list.
-fn in_list(list: &mut Vec<Statement>, mut below: Option<(Var, usize)>, program: &mut Program) {
+fn in_list(list: &mut Vec<Statement>, mut below: Below, program: &mut Program) {
     let mut at = 0;
     while at < list.len() {
         if let Some((by, length, columns)) = table(&list[at], program) {
@@ -32,7 +34,7 @@ fn in_list(list: &mut Vec<Statement>, mut below: Option<(Var, usize)>, program: 
                 value: Expr::Element(Row { first: *first, length }, Box::new(Expr::Var(by))),
             };
             let (then, otherwise) = (columns.iter().map(read), after(&mut list[at], length));
-            if below == Some((by, length)) && otherwise.is_empty() {
+            if below.contains(&(by, length)) && otherwise.is_empty() {
                 list.splice(at..=at, then);
             } else {
                 let number = u32::try_from(length).expect("rows: a chain is shorter than 2^32");
@@ -40,13 +42,30 @@ fn in_list(list: &mut Vec<Statement>, mut below: Option<(Var, usize)>, program: 
                 list[at] = Statement::If { condition, then: then.collect(), otherwise };
             }
         }
-        below = below.filter(|(var, _)| !list[at].writes(*var));
-        let bound = bound(&list[at]);
-        for (branch, inner) in list[at].branches_mut().enumerate() {
-            in_list(inner, bound.filter(|_| branch == 0).or(below), program);
+        for branch in 0..list[at].branches().count() {
+            let inside = inside(&list[at], branch, &below);
+            in_list(list[at].branches_mut().nth(branch).expect("rows: counted"), inside, program);
         }
+        pass(&list[at], &mut below);
         at += 1;
     }
+}
+
+/// What is known in a branch of a statement.
+fn inside(statement: &Statement, branch: usize, below: &Below) -> Below {
+    below.iter().copied().chain(bound(statement).filter(|_| branch == 0)).collect()
+}
+
+/// What is known after a statement: nothing about what it assigns, unless it only copies.
+fn pass(statement: &Statement, below: &mut Below) {
+    let copied = match statement {
+        Statement::Assign { target, value: Expr::Var(source) } => {
+            below.iter().find(|(var, _)| var == source).map(|(_, bound)| (*target, *bound))
+        }
+        _ => None,
+    };
+    statement.assignments(&mut |target, _| below.retain(|(var, _)| *var != target));
+    below.extend(copied);
 }
 
 /// The variable that a condition compares with a number, if it is below of that where the condition holds.
@@ -142,30 +161,30 @@ fn after(statement: &mut Statement, questions: usize) -> Vec<Statement> {
 }
 
 /// Checks that an index is below the length of its array wherever an element is read: a condition around the statement compares
-/// the same variable with a number up to the length, and nothing assigns the variable in between.
+/// the same variable, or the one that it copies, with a number up to the length, and nothing assigns it in between.
 pub(super) fn verify(program: &Program) -> Result<(), Defect> {
-    program.statements().try_for_each(|statement| guarded(statement, &mut Vec::new()))
+    [&program.init, &program.step].into_iter().try_for_each(|list| verify_list(list, Below::new()))
 }
 
-/// `below`: variables with numbers that they are below of.
-fn guarded(statement: &Statement, below: &mut Vec<(Var, usize)>) -> Result<(), Defect> {
-    if let Some(expr) = statement.expr() {
-        let mut result = Ok(());
-        expr.parts(&mut |part| {
-            if let Expr::Element(row, index) = part
-                && !below.iter().any(|(var, bound)| **index == Expr::Var(*var) && *bound <= row.length)
-            {
-                let message = format!("an element of {row:?} is read at {index:?}, which may be outside");
-                result = Err(Defect { pass: "indexed", message });
-            }
-        });
-        result?;
+fn verify_list(list: &[Statement], mut below: Below) -> Result<(), Defect> {
+    for statement in list {
+        let mut outside = None;
+        if let Some(expr) = statement.expr() {
+            expr.parts(&mut |part| {
+                if let Expr::Element(row, index) = part
+                    && !below.iter().any(|(var, bound)| **index == Expr::Var(*var) && *bound <= row.length)
+                {
+                    outside = Some(format!("an element of {row:?} is read at {index:?}, which may be outside"));
+                }
+            });
+        }
+        if let Some(message) = outside {
+            return Err(Defect { pass: "indexed", message });
+        }
+        for (branch, list) in statement.branches().enumerate() {
+            verify_list(list, inside(statement, branch, &below))?;
+        }
+        pass(statement, &mut below);
     }
-    for (branch, list) in statement.branches().enumerate() {
-        let mut inside = below.clone();
-        inside.extend(bound(statement).filter(|_| branch == 0));
-        list.iter().try_for_each(|inner| guarded(inner, &mut inside))?;
-    }
-    statement.assignments(&mut |target, _| below.retain(|(var, _)| *var != target));
     Ok(())
 }

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   954c5caf43e2d0305eb22a6f3832c66d
- * checksum    bd73ff76207ff836e178745ef6bca179
+ * checksum    6ff7d9ca0bf9dd38aa5c634747def6a0
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -609,10 +609,8 @@ AXGEN_CODE_SECTION void axis_x_ipc_step(
     if (state->turn < 7u) {
         /* one number in use is compared with its copy in each cycle */
         const uint32_t turn = state->turn;
-        if (turn < 7u) {
-            state->picked_number = state->now[turn];
-            state->picked_copy = state->copy[turn];
-        }
+        state->picked_number = state->now[turn];
+        state->picked_copy = state->copy[turn];
         if (state->set_id != 0u) {
             if (axis_x_ipc_is_zero(state->picked_number - state->picked_copy)) {
                 state->turn = state->turn + 1u;
