@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use commands::files::Files;
-use commands::stages::{self, Number};
+use commands::stages::{self, Number, Written};
 use commands::{check, trace, verify};
 use generator::blocks;
 use generator::config::{ListOptions, Load};
@@ -44,7 +44,7 @@ impl Read {
         let load = |path: &Path| self.files.load(path);
         let source = (self.path.as_path(), &self.options, &load as Load<'_>);
         let written = stages::written(source, &self.set.axes[0], (stage, number, value));
-        let text = |files: Files| String::from_utf8(files.0[&self.path].clone()).unwrap();
+        let text = |written: Written| String::from_utf8(written.files.0[&self.path].clone()).unwrap();
         written.map(text).map_err(|report| report.to_string())
     }
 }
@@ -119,8 +119,10 @@ fn a_number_of_a_list_is_written_into_the_list() {
     let options = ListOptions::default();
     let read = pipeline::read_with(&set_file, &options, &load).0.unwrap();
     let written = stages::written((&set_file, &options, &load), &read.axes[0], (0, Number::QFactor, 9.0)).unwrap();
-    assert_eq!(written.0.keys().collect::<Vec<_>>(), [&list_file]);
-    let list = String::from_utf8(written.0[&list_file].clone()).unwrap();
+    let Written { files, shown, report } = written;
+    assert!(shown.is_allowed && !report.has_errors());
+    assert_eq!(files.0.keys().collect::<Vec<_>>(), [&list_file]);
+    let list = String::from_utf8(files.0[&list_file].clone()).unwrap();
     let changed = changes(LIST, &list);
     assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   9"), "{changed:?}");
 }
