@@ -7,7 +7,7 @@ use commands::stages::{self, Number, Written};
 use commands::{check, trace, verify};
 use generator::blocks;
 use generator::config::{ListOptions, Load};
-use generator::pipeline::{self, Set};
+use generator::pipeline::{self, RefusedAxis, Set, Shown};
 use generator::target::TARGETS;
 use golden::engine::ENGINES;
 use serde_json::{Value, json};
@@ -125,6 +125,28 @@ fn a_number_of_a_list_is_written_into_the_list() {
     let list = String::from_utf8(files.0[&list_file].clone()).unwrap();
     let changed = changes(LIST, &list);
     assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   9"), "{changed:?}");
+}
+
+/// Both axes of a set with a mistake in one: the good one, and what is wrong with the other. An unstable loop alone is shown.
+#[test]
+fn a_set_with_errors_is_shown_as_far_as_it_can_be_read() {
+    let show = |text: &str| {
+        let files = Files(BTreeMap::from([("x.toml".into(), text.as_bytes().to_vec())]));
+        let load = |path: &Path| files.load(path);
+        let (shown, report) = pipeline::read_to_show(Path::new("x.toml"), &ListOptions::default(), &load);
+        (shown.unwrap(), report)
+    };
+    let names = |shown: &Shown| shown.set.axes.iter().map(|of| of.axis.name.clone()).collect::<Vec<_>>();
+    let bad = SET.split_once("[axis.X]").unwrap().1.replace("axis.X", "axis.Y").replace("achs_nr = 1", "achs_nr = 2");
+    let (shown, _) = show(&format!("{SET}[axis.Y]{}", bad.replace("36.0", "-36.0")));
+    assert_eq!((names(&shown), shown.is_allowed, shown.is_whole), (vec!["X".to_owned()], false, false));
+    let [RefusedAxis { axis, found }] = &shown.refused[..] else { panic!("{:?}", shown.refused) };
+    assert!(axis == "Y" && found.contains("-36"), "{axis}: {found}");
+
+    let unstable = SET.replace("DRYRUN", "ON").replace("36.0", "300.0").replace("num = 80", "num = 700");
+    let (shown, report) = show(&unstable);
+    assert!(report.has_errors(), "{report}");
+    assert_eq!((names(&shown), shown.is_allowed, shown.is_whole), (vec!["X".to_owned()], false, true));
 }
 
 #[test]
