@@ -60,8 +60,10 @@ fn warned(axis: &str, program: &str, options: &str) -> (Vec<String>, String) {
     let run = format!("run sets.toml --axis {axis} --block {block} --scenario p.nc {options}");
     let by_program = axgen(folder.path(), &run);
     assert_eq!((by_program.0, &by_program.2), (0, &err), "{program}");
-    let by_stimulus = axgen(folder.path(), &format!("run sets.toml --axis {axis} --block {block} --stimulus p.csv"));
-    assert_eq!(by_program.1, by_stimulus.1, "{program}");
+    if crate::is_exhaustive() {
+        let run = format!("run sets.toml --axis {axis} --block {block} --stimulus p.csv");
+        assert_eq!(by_program.1, axgen(folder.path(), &run).1, "{program}");
+    }
     let heads = err.lines().filter(|line| line.contains(": warning["));
     (heads.map(|line| line.replace("p.nc:", "").replace("warning", "")).collect(), out)
 }
