@@ -4,9 +4,10 @@ use crate::blocks::ipc::drive_response;
 use crate::check::{self, Checked, command_filter, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
-use crate::diagnostics::{Place, Report, Severity};
+use crate::diagnostics::{Diagnostic, Place, Report, Severity};
 use crate::{axis::Axis, blocks::Designed, codes, feasibility, parameters::Name};
 use rayon::prelude::*;
+use serde::Serialize;
 use std::path::Path;
 
 /// The axes of a set, checked and designed.
@@ -20,6 +21,27 @@ pub struct Set {
     pub foreign: usize,
 }
 
+/// A set as far as it could be read, for a page that shows it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shown {
+    /// with the axes that could be designed, also if a loop is unstable
+    pub set: Set,
+    /// the other axes
+    pub refused: Vec<RefusedAxis>,
+    /// whether no message is an error: blocks may be generated
+    pub is_allowed: bool,
+    /// whether no message is an error, except about an unstable loop
+    pub is_whole: bool,
+}
+
+/// An axis that could not be designed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct RefusedAxis {
+    pub axis: String,
+    /// what its first error says, else the first one of the set
+    pub found: String,
+}
+
 /// Reads, checks and designs a TOML set (`.toml`) or one axis list (any other extension). The set is `Some` if and only if
 /// no message is an error.
 pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
@@ -28,17 +50,26 @@ pub fn read(path: &Path, options: &ListOptions) -> (Option<Set>, Report) {
 
 /// Reads a set for a command that shows its effect and writes no block: an unstable loop is only a warning.
 pub fn read_to_look_at(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
-    read_as(path, options, load, Purpose::Look)
+    complete(read_as(path, options, load, Purpose::Look))
 }
 
 /// Reads a set for a command that proposes stages: the drive is read even if no stage is active yet.
 pub fn read_to_tune(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
-    read_as(path, options, load, Purpose::Tune)
+    complete(read_as(path, options, load, Purpose::Tune))
 }
 
 /// Reads a set as [`read`] does, from another source of files.
 pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Set>, Report) {
-    read_as(path, options, load, Purpose::Build)
+    complete(read_as(path, options, load, Purpose::Build))
+}
+
+/// Reads a set with the messages of [`read_with`], and keeps what could be read. `None` if its file cannot be read at all.
+pub fn read_to_show(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Shown>, Report) {
+    read_as(path, options, load, Purpose::Show)
+}
+
+fn complete((shown, report): (Option<Shown>, Report)) -> (Option<Set>, Report) {
+    (shown.filter(|shown| shown.is_allowed).map(|shown| shown.set), report)
 }
 
 /// The purpose of reading a set.
@@ -46,13 +77,15 @@ pub fn read_with(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<
 enum Purpose {
     /// blocks that act on a machine
     Build,
+    /// blocks, and display of what has errors
+    Show,
     /// only display
     Look,
     /// its drive, for stages that it does not have yet
     Tune,
 }
 
-fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose) -> (Option<Set>, Report) {
+fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose) -> (Option<Shown>, Report) {
     let given = match given::read(path, options, load) {
         Ok(given) => given,
         Err(report) => return (None, report.shortened()),
@@ -78,14 +111,34 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
         given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
     set.foreign = given.axes.iter().map(|axis| axis.foreign.count).sum();
-    for (designed, said) in designed {
+    let mut refused = Vec::new();
+    for (of, (designed, said)) in given.axes.iter().zip(designed) {
+        if designed.is_none() {
+            refused.push(RefusedAxis { axis: of.name.clone(), found: first_error(&said) });
+        }
         report.extend(said);
         set.axes.extend(designed);
     }
     if !report.has_errors() {
         report.extend(coupling.unwrap_or_default());
     }
-    (if report.has_errors() { None } else { Some(set) }, report.shortened())
+    for axis in refused.iter_mut().filter(|axis| axis.found.is_empty()) {
+        axis.found = first_error(&report);
+    }
+    let is_whole = refused.is_empty() && !report.diagnostics.iter().any(is_refusal);
+    let shown = Shown { set, refused, is_allowed: !report.has_errors(), is_whole };
+    (Some(shown), report.shortened())
+}
+
+/// What the first error says.
+fn first_error(report: &Report) -> String {
+    let error = report.diagnostics.iter().find(|diagnostic| diagnostic.severity == Severity::Error);
+    error.map_or_else(String::new, |error| error.found.clone())
+}
+
+/// Whether a message is an error that leaves nothing to be shown.
+fn is_refusal(diagnostic: &Diagnostic) -> bool {
+    diagnostic.severity == Severity::Error && diagnostic.code != codes::UNSTABLE
 }
 
 /// Couples gantry slaves to their masters, if all axes are available; returns the messages.
@@ -121,11 +174,14 @@ fn design(
         command_filter::advise(&designed.axis, &given.foreign, &mut effective);
     }
     let mut said = effective.report;
-    if purpose != Purpose::Build {
+    if matches!(purpose, Purpose::Look | Purpose::Tune) {
         let unstable = said.diagnostics.iter_mut().filter(|diagnostic| diagnostic.code == codes::UNSTABLE);
         unstable.for_each(|diagnostic| diagnostic.severity = Severity::Warning);
     }
-    let designed = designed.filter(|_| !said.has_errors());
+    let designed = designed.filter(|_| !match purpose {
+        Purpose::Show => report.has_errors() || said.diagnostics.iter().any(is_refusal),
+        Purpose::Build | Purpose::Look | Purpose::Tune => said.has_errors(),
+    });
     let unread = values.unread(&said);
     said.diagnostics.extend(unread);
     if report.has_errors() {

@@ -1,6 +1,6 @@
 // Puts workbench.html together: `node assemble.mjs FOLDER PAGE`. FOLDER has what wasm-bindgen wrote. It uses no package.
 import { execFileSync } from "node:child_process";
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
@@ -11,9 +11,10 @@ const [folder, file] = process.argv.slice(2);
 const page = (name) => readFileSync(join(here, "page", name), "utf8");
 const { textOf } = new Function(`${page("digits.js")}\nreturn { textOf };`)();
 const packed = (bytes) => textOf(gzipSync(bytes, { level: 9 }));
+const wasm = join(folder, "workbench_bg.wasm");
 
-const SCRIPTS = ["vendor/uPlot.iife.min.js", "digits.js", "dom.js", "state.js", "client.js", "files.js", "axes.js", "editing.js", "pictures.js", "code.js",
-  "messages.js", "work.js", "main.js"];
+const OWN = ["digits", "dom", "state", "client", "files", "axes", "editing", "pictures", "code", "messages", "work", "main"];
+const SCRIPTS = ["vendor/uPlot.iife.min.js", ...OWN.map((name) => `${name}.js`)];
 
 /** The packages that are in the WebAssembly, with their licences: those that it depends on for its target. */
 function licences() {
@@ -39,7 +40,9 @@ function licenceTexts() {
   for (const of of licences()) {
     const at = dirname(of.manifest_path);
     const own = of.source ? at : root;
-    const all = readdirSync(own).filter((name) => /^(licen[cs]e|copying|notice|unlicense)/i.test(name)).sort();
+    const all = readdirSync(own)
+      .filter((name) => /^(licen[cs]e|copying|notice|unlicense)/i.test(name))
+      .sort();
     const names = all.some((name) => /mit/i.test(name)) ? all.filter((name) => /mit|notice/i.test(name)) : all;
     const name = of.source ? `${of.name} ${of.version}` : "axgen";
     if (!names.length) add(name, `${of.license}, ${of.authors.join(", ")}; the package has no text of its own`);
@@ -57,7 +60,8 @@ const texts = { version, example: readFileSync(join(root, "examples/rack-and-pin
 const parts = {
   STYLE: page("vendor/uPlot.min.css") + page("style.css"),
   WORKER: readFileSync(join(folder, "workbench.js"), "utf8") + page("worker.js"),
-  WASM: packed(readFileSync(join(folder, "workbench_bg.wasm"))),
+  // The page as it is released has been compressed already.
+  WASM: existsSync(`${wasm}.gz`) ? textOf(readFileSync(`${wasm}.gz`)) : packed(readFileSync(wasm)),
   TEXTS: packed(Buffer.from(JSON.stringify(texts))),
   SCRIPT: SCRIPTS.map(page).join("\n"),
 };

@@ -74,7 +74,7 @@ fn shows(case: &Case, inputs: &Samples, expected: &Samples, block: &Block) -> bo
 
 /// So many that are missed, of a case in which none is found, are no accident of which of them were planted.
 fn too_many() -> usize {
-    by_depth(6, 3, 1)
+    by_depth(6, 4, 1)
 }
 
 /// Of `part` faults of a case one is planted, in turn.
@@ -108,7 +108,7 @@ fn count(case: &Case, turn: usize, name: &str, (plant, part): (Plant, usize)) ->
 #[test]
 fn a_self_test_finds_planted_faults() {
     // A block has few numbers and places to fuse, and many statements.
-    let (few, many) = (by_depth(6, 3, 1), by_depth(40, 10, 1));
+    let (few, many) = (by_depth(8, 4, 1), by_depth(60, 20, 1));
     let plants: [(&str, Plant, usize); 3] = [
         ("another constant", Block::with_other_constant, few),
         ("a lost statement", Block::without, many),

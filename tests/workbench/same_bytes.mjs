@@ -1,12 +1,13 @@
-// Every file that the page generates has the bytes of the command's file: `node same_bytes.mjs PAGE AXGEN EVERY`. EVERY: of so
-// many sets one is compared.
+// Every file that the page generates has the bytes of the command's file: `node same_bytes.mjs PAGE released|quick AXGEN`.
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { basename, dirname, join, relative } from "node:path";
 import { loader, unzipped } from "./library.mjs";
 
-const [page, axgen, every] = process.argv.slice(2);
+const [page, kind, axgen] = process.argv.slice(2);
+/** Of how many sets one is compared. */
+const EVERY = kind === "released" ? 1 : 8;
 const root = process.env.WORKBENCH_ROOT;
 const TARGETS = ["c", "rust", "st", "twincat", "codesys", "scl"];
 const begin = loader(page);
@@ -21,7 +22,9 @@ function* filesBelow(folder) {
 
 /** Sets and lists of the repository. */
 function subjects() {
-  const all = ["golden/cases", "examples", "tests", "generator/tests", "generator/unit"].flatMap((folder) => [...filesBelow(join(root, folder))]);
+  const all = ["golden/cases", "examples", "tests", "generator/tests", "generator/unit"].flatMap((folder) => [
+    ...filesBelow(join(root, folder)),
+  ]);
   const isSet = (path) => path.endsWith(".toml") && /^\s*\[axis\./m.test(readFileSync(path, "utf8"));
   return all.filter((path) => !path.includes("node_modules") && (isSet(path) || path.endsWith(".lis"))).sort();
 }
@@ -29,10 +32,21 @@ function subjects() {
 /** The files of the command, or null if it refuses the set. */
 function ofCommand(path, folder) {
   const options = path.endsWith(".lis") ? ["--cycle-time", "1ms"] : [];
-  const done = spawnSync(axgen, ["generate", path, "--out", folder, ...options, ...TARGETS.flatMap((name) => ["--target", name])]);
+  const done = spawnSync(axgen, [
+    "generate",
+    path,
+    "--out",
+    folder,
+    ...options,
+    ...TARGETS.flatMap((name) => ["--target", name]),
+  ]);
   if (done.status === 2) return null;
   if (done.status !== 0) throw new Error(`${path}: ${done.stderr}`);
-  return new Map([...filesBelow(folder)].filter((file) => basename(file) !== ".axgen.lock").map((file) => [relative(folder, file), readFileSync(file)]));
+  return new Map(
+    [...filesBelow(folder)]
+      .filter((file) => basename(file) !== ".axgen.lock")
+      .map((file) => [relative(folder, file), readFileSync(file)]),
+  );
 }
 
 /** The same of the page. */
@@ -53,7 +67,7 @@ function ofPage(path) {
 let [sets, refused, files] = [0, 0, 0];
 const mistakes = [];
 for (const [n, path] of subjects().entries()) {
-  if (n % Number(every)) continue;
+  if (n % EVERY) continue;
   const folder = mkdtempSync(join(tmpdir(), "workbench-"));
   const [expected, found] = [ofCommand(path, folder), ofPage(path)];
   rmSync(folder, { recursive: true });

@@ -8,7 +8,7 @@ use generator::codes;
 use generator::config::{ListOptions, Load, Unreadable};
 use generator::diagnostics::{Report, Slashes};
 use generator::parameters::Name;
-use generator::pipeline;
+use generator::pipeline::{self, Shown};
 use generator::set_number::{Changed, set_number};
 use serde::Deserialize;
 use std::path::Path;
@@ -63,6 +63,15 @@ fn set(stage: &mut Stage, number: Number, value: f64) {
     }
 }
 
+/// Files of the user with another number of a stage, and what was read from them.
+#[derive(Clone, Debug)]
+pub struct Written {
+    pub files: Files,
+    pub shown: Shown,
+    /// the messages about the set
+    pub report: Report,
+}
+
 /// The files of the user with another number of a stage: its digits are replaced where they stand, all other bytes stay. The
 /// result is read: the axis then has exactly the stages of [`with`].
 ///
@@ -72,30 +81,29 @@ pub fn written(
     (path, options, load): (&Path, &ListOptions, Load<'_>),
     designed: &Designed,
     (stage, number, value): (usize, Number, f64),
-) -> Result<Files, Report> {
+) -> Result<Written, Report> {
     let (axis, version) = (&designed.axis.name, with(designed, stage, number, value));
-    let mut after = Files::default();
+    let mut files = Files::default();
+    let refused = |found: String| refused::input(codes::NOT_WRITTEN, path.slashes(), found);
     let numbers = given(&version, stage, number, value);
     if numbers.is_empty() {
-        let found = format!("stage {stage} of the axis {axis} has no such number");
-        return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
+        return Err(refused(format!("stage {stage} of the axis {axis} has no such number")));
     }
     for (names, index, value) in numbers {
-        let changed = set_number((path, options, &over(&after, load)), axis, (names, index), value)?;
+        let changed = set_number((path, options, &over(&files, load)), axis, (names, index), value)?;
         let id = names[0].parameter().id.unwrap_or_default();
-        let Changed { file, after: bytes } = changed.ok_or_else(|| {
-            let found = format!("{id} of stage {stage} of the axis {axis} is not given: its default is used");
-            refused::input(codes::NOT_WRITTEN, path.slashes(), found)
+        let Changed { file, after } = changed.ok_or_else(|| {
+            refused(format!("{id} of stage {stage} of the axis {axis} is not given: its default is used"))
         })?;
-        after.0.insert(file, bytes);
+        files.0.insert(file, after);
     }
-    let (set, report) = pipeline::read_to_look_at(path, options, &over(&after, load));
-    let stages = set.as_ref().ok_or(report)?.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
+    let (shown, report) = pipeline::read_to_show(path, options, &over(&files, load));
+    let Some(shown) = shown.filter(|shown| shown.is_whole) else { return Err(report) };
+    let stages = shown.set.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
     if stages != Some(&version.axis.ipc.stage) {
-        let found = format!("the stage {stage} of the axis {axis} stands in a form that is not edited");
-        return Err(refused::input(codes::NOT_WRITTEN, path.slashes(), found));
+        return Err(refused(format!("the stage {stage} of the axis {axis} stands in a form that is not edited")));
     }
-    Ok(after)
+    Ok(Written { files, shown, report })
 }
 
 /// Loads a changed file as it is now, any other as before.

@@ -3,11 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use commands::files::Files;
-use commands::stages::{self, Number};
+use commands::stages::{self, Number, Written};
 use commands::{check, trace, verify};
 use generator::blocks;
 use generator::config::{ListOptions, Load};
-use generator::pipeline::{self, Set};
+use generator::pipeline::{self, RefusedAxis, Set, Shown};
 use generator::target::TARGETS;
 use golden::engine::ENGINES;
 use serde_json::{Value, json};
@@ -44,7 +44,7 @@ impl Read {
         let load = |path: &Path| self.files.load(path);
         let source = (self.path.as_path(), &self.options, &load as Load<'_>);
         let written = stages::written(source, &self.set.axes[0], (stage, number, value));
-        let text = |files: Files| String::from_utf8(files.0[&self.path].clone()).unwrap();
+        let text = |written: Written| String::from_utf8(written.files.0[&self.path].clone()).unwrap();
         written.map(text).map_err(|report| report.to_string())
     }
 }
@@ -119,10 +119,34 @@ fn a_number_of_a_list_is_written_into_the_list() {
     let options = ListOptions::default();
     let read = pipeline::read_with(&set_file, &options, &load).0.unwrap();
     let written = stages::written((&set_file, &options, &load), &read.axes[0], (0, Number::QFactor, 9.0)).unwrap();
-    assert_eq!(written.0.keys().collect::<Vec<_>>(), [&list_file]);
-    let list = String::from_utf8(written.0[&list_file].clone()).unwrap();
+    let Written { files, shown, report } = written;
+    assert!(shown.is_allowed && !report.has_errors());
+    assert_eq!(files.0.keys().collect::<Vec<_>>(), [&list_file]);
+    let list = String::from_utf8(files.0[&list_file].clone()).unwrap();
     let changed = changes(LIST, &list);
     assert!(changed.len() == 1 && changed[0][1].ends_with("q_factor   9"), "{changed:?}");
+}
+
+/// Both axes of a set with a mistake in one: the good one, and what is wrong with the other. An unstable loop alone is shown.
+#[test]
+fn a_set_with_errors_is_shown_as_far_as_it_can_be_read() {
+    let show = |text: &str| {
+        let files = Files(BTreeMap::from([("x.toml".into(), text.as_bytes().to_vec())]));
+        let load = |path: &Path| files.load(path);
+        let (shown, report) = pipeline::read_to_show(Path::new("x.toml"), &ListOptions::default(), &load);
+        (shown.unwrap(), report)
+    };
+    let names = |shown: &Shown| shown.set.axes.iter().map(|of| of.axis.name.clone()).collect::<Vec<_>>();
+    let bad = SET.split_once("[axis.X]").unwrap().1.replace("axis.X", "axis.Y").replace("achs_nr = 1", "achs_nr = 2");
+    let (shown, _) = show(&format!("{SET}[axis.Y]{}", bad.replace("36.0", "-36.0")));
+    assert_eq!((names(&shown), shown.is_allowed, shown.is_whole), (vec!["X".to_owned()], false, false));
+    let [RefusedAxis { axis, found }] = &shown.refused[..] else { panic!("{:?}", shown.refused) };
+    assert!(axis == "Y" && found.contains("-36"), "{axis}: {found}");
+
+    let unstable = SET.replace("DRYRUN", "ON").replace("36.0", "300.0").replace("num = 80", "num = 700");
+    let (shown, report) = show(&unstable);
+    assert!(report.has_errors(), "{report}");
+    assert_eq!((names(&shown), shown.is_allowed, shown.is_whole), (vec!["X".to_owned()], false, true));
 }
 
 #[test]

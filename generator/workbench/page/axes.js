@@ -1,7 +1,6 @@
 // The axes with their verdicts, and the stages of one axis with their numbers.
 "use strict";
 
-const VERDICT = { calm: "calm", little_reserve: "little reserve", unstable: "unstable" };
 const VALUES = {
   f0: { label: "f0 [Hz]", field: "f0", from: 0.2, to: 5 },
   q_factor: { label: "Q", field: "q_factor", from: 0.2, to: 5 },
@@ -10,17 +9,27 @@ const VALUES = {
 };
 const STEPS = 1000;
 
+/** The axes with their verdicts; those that cannot be designed with what is wrong. */
 function showAxes() {
-  const rows = state.checked?.axes ?? [];
-  const body = rows.map((row) => {
-    const verdict = row.reserve ? make("span", { className: row.reserve }, VERDICT[row.reserve]) : "-";
-    const open = button(row.axis, () => chooseAxis(row.axis));
-    const line = make("tr", {}, make("td", {}, open), make("td", {}, row.blocks.join(", ")), make("td", {}, verdict));
-    if (row.axis === state.axis) line.setAttribute("aria-current", "true");
+  const axes = (state.checked?.axes ?? []).map(({ axis, blocks, reserve }) => ({ axis, words: blocks.join(", "), reserve }));
+  const refused = state.refused.map(({ axis, found }) => ({ axis, words: found, reserve: "error" }));
+  const rows = [...axes, ...refused];
+  if (isShown("axes", [rows, state.axis])) return;
+  const body = rows.map(({ axis, words, reserve }) => {
+    // The worker's name of a verdict is its words with lines between them.
+    const verdict = reserve ? make("span", { className: reserve }, reserve.replace("_", " ")) : "-";
+    const name = reserve === "error" ? axis : button(axis, () => chooseAxis(axis));
+    const line = make("tr", {}, make("td", {}, name), make("td", {}, words), make("td", {}, verdict));
+    if (axis === state.axis) line.setAttribute("aria-current", "true");
     return line;
   });
   const head = make("tr", {}, ...["axis", "blocks", "loop"].map((name) => make("th", { scope: "col" }, name)));
-  fill($("axes"), make("caption", {}, `${rows.length} ${rows.length === 1 ? "axis" : "axes"}`), make("thead", {}, head), make("tbody", {}, ...body));
+  fill(
+    $("axes"),
+    make("caption", {}, `${rows.length} ${rows.length === 1 ? "axis" : "axes"}`),
+    make("thead", {}, head),
+    make("tbody", {}, ...body),
+  );
 }
 
 /** The cards of the stages; a card that is there keeps its elements, so that a slider keeps the focus. */
@@ -40,17 +49,33 @@ function card(stage) {
   const title = make("legend", {}, `Stage ${at}: ${stage.mode}`);
   if (!stage.active) return make("fieldset", { id: `stage${at}` }, title);
   const values = Object.keys(VALUES).filter((value) => stage.active[VALUES[value].field] !== null);
-  return make("fieldset", { id: `stage${at}` }, title, make("p", { id: `verdict${at}` }), ...values.map((value) => control(at, value)));
+  return make(
+    "fieldset",
+    { id: `stage${at}` },
+    title,
+    make("p", { id: `verdict${at}` }),
+    ...values.map((value) => control(at, value)),
+  );
 }
 
 function control(stage, value) {
   const id = `${value}${stage}`;
   const number = make("input", { type: "number", id, step: "any", min: "0" });
-  const range = make("input", { type: "range", id: `range-${id}`, min: 0, max: STEPS, step: 1, "aria-label": `${VALUES[value].label} of stage ${stage}` });
+  const range = make("input", {
+    type: "range",
+    id: `range-${id}`,
+    min: 0,
+    max: STEPS,
+    step: 1,
+    "aria-label": `${VALUES[value].label} of stage ${stage}`,
+  });
   number.onchange = () => change(stage, value, Number(number.value));
   range.oninput = () => change(stage, value, atStep(Number(range.value), stage, value));
   range.onchange = number.onfocus = range.onfocus = () => touch(stage, value);
-  const undo = button("Undo", () => change(stage, value, originalOf(stage, value)), { id: `undo-${id}`, "aria-label": `Undo ${value} of stage ${stage}` });
+  const undo = button("Undo", () => change(stage, value, originalOf(stage, value)), {
+    id: `undo-${id}`,
+    "aria-label": `Undo ${value} of stage ${stage}`,
+  });
   const label = make("label", { htmlFor: id }, VALUES[value].label);
   return make("div", { className: "value" }, label, number, range, make("small", { id: `was-${id}` }), undo);
 }

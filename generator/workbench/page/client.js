@@ -14,7 +14,9 @@ const client = {
   /** Unpacks the WebAssembly once, and starts a worker. */
   async begin() {
     this.wasm = await unpacked("wasm");
-    this.source = URL.createObjectURL(new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" }));
+    this.source = URL.createObjectURL(
+      new Blob([document.getElementById("worker-source").textContent], { type: "text/javascript" }),
+    );
     await this.start();
   },
 
@@ -68,6 +70,8 @@ const client = {
 
 /** The bytes of a part of the page, which are gzip as text. */
 async function unpacked(id) {
-  const stream = new Blob([bytesOf(document.getElementById(id).textContent)]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Blob([bytesOf(document.getElementById(id).textContent)])
+    .stream()
+    .pipeThrough(new DecompressionStream("gzip"));
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }

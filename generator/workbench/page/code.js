@@ -2,28 +2,23 @@
 "use strict";
 
 let generated = [];
+const HINT = $("named").textContent;
 
 async function showCode() {
   const target = $("target").value;
   const axis = state.axis;
   const from = performance.now();
-  if (!axis || !state.allowed) {
-    generated = [];
-    options($("file"), []);
-    fill($("code"));
-    $("named").textContent = axis ? "No block is generated: the set has errors." : "";
-    measure("lines", from);
-    return;
-  }
-  const { data } = await ask({ command: "files", target, axis });
-  generated = data ?? [];
-  state.traced = [];
-  options($("file"), generated.map((file) => file.name));
-  showFile();
-  const { data: traced } = await ask({ command: "trace", of: subject(), axis, target });
+  const hasErrors = state.checked && !state.allowed;
+  const { data } = axis && state.allowed ? await ask({ command: "code", of: subject(), axis, target }) : { data: null };
   if (axis !== state.axis || target !== $("target").value) return;
-  state.traced = traced ? linesOf(traced) : [];
-  mark();
+  $("named").textContent = hasErrors ? "No block is generated: the set has errors." : HINT;
+  generated = data?.emitted ?? [];
+  state.traced = data ? linesOf(data.trace) : [];
+  options(
+    $("file"),
+    generated.map((file) => file.name),
+  );
+  showFile();
   measure("lines", from);
 }
 
@@ -31,19 +26,37 @@ const VALUE_OF = { fg_f0: "f0", q_factor: "q_factor", osc_damping: "damping", da
 
 /** The parameters that have coefficients, each with its lines; those of the stages with the number of the page. */
 function linesOf({ parameters, coefficients }) {
-  return parameters.filter((of) => of.coefficients.length).map((of) => {
-    const stage = /stage\[(\d)\]/.exec(of.path);
-    const value = VALUE_OF[of.path.split(".").pop()];
-    const lines = of.coefficients.map((at) => coefficients[at]).flatMap(({ path, lines: files }) =>
-      files.flatMap(({ file, lines }) => lines.map((line) => ({ file, line, coefficient: path }))));
-    return { stage: stage && value ? Number(stage[1]) : null, value, parameter: of.id, path: of.path, given: of.given, lines };
-  });
+  return parameters
+    .filter((of) => of.coefficients.length)
+    .map((of) => {
+      const stage = /stage\[(\d)\]/.exec(of.path);
+      const value = VALUE_OF[of.path.split(".").pop()];
+      const lines = of.coefficients
+        .map((at) => coefficients[at])
+        .flatMap(({ path, lines: files }) =>
+          files.flatMap(({ file, lines }) => lines.map((line) => ({ file, line, coefficient: path }))),
+        );
+      return {
+        stage: stage && value ? Number(stage[1]) : null,
+        value,
+        parameter: of.id,
+        path: of.path,
+        given: of.given,
+        lines,
+      };
+    });
 }
 
+/** Shows a file; lines that are there keep their elements. */
 function showFile() {
   const file = generated.find((of) => of.name === $("file").value);
-  const lines = (file?.text ?? "").split("\n");
-  fill($("code"), ...lines.map((line) => make("div", {}, line || " ")));
+  const lines = file?.text.split("\n") ?? [];
+  const rows = [...$("code").children];
+  for (const row of rows.slice(lines.length)) row.remove();
+  lines.forEach((line, n) => {
+    const row = rows[n] ?? $("code").appendChild(make("div"));
+    if (row.textContent !== (line || " ")) row.textContent = line || " ";
+  });
   mark();
 }
 
@@ -87,7 +100,9 @@ function keyInCode(event) {
 
 /** Names the parameters of a line, and goes to the first one. */
 function nameLine(file, number) {
-  const found = state.traced.flatMap((of) => of.lines.filter((line) => line.file === file && line.line === number).map((line) => ({ of, line })));
+  const found = state.traced.flatMap((of) =>
+    of.lines.filter((line) => line.file === file && line.line === number).map((line) => ({ of, line })),
+  );
   const words = found.map(({ of, line }) => `${of.parameter ?? ""} ${of.path} -> ${line.coefficient}`);
   $("named").textContent = words.join("; ");
   const input = found[0] && $(`${found[0].of.value}${found[0].of.stage}`);

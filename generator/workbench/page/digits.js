@@ -1,5 +1,5 @@
-// Bytes as text: two digits of base 91 for 13 bits, a thirteenth less than base64. No digit begins an element. The number of bytes
-// stands in front. Also read by assemble.mjs, and by tests/workbench.
+// Bytes as text: two digits of base 91 for 13 bits, a thirteenth less than base64. No digit begins an element. The number of
+// bytes stands in front. Also read by assemble.mjs, and by tests/workbench.
 "use strict";
 
 const DIGITS = Array.from({ length: 94 }, (_, n) => String.fromCharCode(33 + n)).filter((letter) => letter !== "<").slice(0, 91);

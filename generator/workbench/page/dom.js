@@ -22,6 +22,16 @@ function fill(element, ...children) {
   element.replaceChildren(...children);
 }
 
+const shownParts = new Map();
+
+/** Whether a part of the page shows this already; from then on it does. Elements that need not change keep the focus. */
+function isShown(part, what) {
+  const text = JSON.stringify(what);
+  const is = shownParts.get(part) === text;
+  shownParts.set(part, text);
+  return is;
+}
+
 /** A table: a head, and rows of cells. */
 function table(head, rows) {
   const cells = (tag, row) => make("tr", {}, ...row.map((cell) => make(tag, {}, cell ?? "")));

@@ -39,24 +39,30 @@ async function edited(request) {
   }
   keep(files);
   accept(data.checked, messages);
-  await showLoop();
+  drawLoop(data.loop);
   measure("slider step", from);
 }
 
-/** Takes over the result of a check. */
+/** Takes over the result of a check; null: nothing could be read. */
 function accept(data, messages) {
-  state.checked = data.checked ?? state.checked;
-  state.allowed = data.allowed;
+  state.checked = data?.checked ?? null;
+  state.refused = data?.refused ?? [];
+  state.allowed = data?.allowed ?? false;
   state.messages = messages;
-  if (!state.checked?.axes.some((row) => row.axis === state.axis)) state.axis = state.checked?.axes[0]?.axis ?? "";
+  choose();
+  showMessages(messages);
+  $("verify").disabled = !data?.whole;
+  $("save").disabled = !state.allowed;
+  say(summary());
+}
+
+/** Shows the chosen axis, else the first one. */
+function choose() {
+  if (!axisRow()) state.axis = state.checked?.axes[0]?.axis ?? "";
   const row = axisRow();
   if (row && !state.before.has(state.axis)) state.before.set(state.axis, { row: structuredClone(row), loop: null });
   showAxes();
   showStages();
-  showMessages(messages);
-  $("verify").disabled = !data.checked;
-  $("save").disabled = !data.allowed;
-  say(summary());
 }
 
 function touch(stage, value, shows = true) {

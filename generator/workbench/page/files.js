@@ -1,13 +1,20 @@
 // The files of the user: opening, dropping, what each is for, saving.
 "use strict";
 
-const ROLES = { set: "set or list", recording: "recording", excited: "recording with excitation", response: "response of the drive",
-  older: "older version", part: "named by the set" };
+const ROLES = {
+  set: "set or list",
+  recording: "recording",
+  excited: "recording with excitation",
+  response: "response of the drive",
+  older: "older version",
+  part: "named by the set",
+};
 
 async function opened(files) {
   for (const file of files) put(file.name, new Uint8Array(await file.arrayBuffer()));
   if (!state.files.has(state.set)) state.set = fileOf("set") ?? "";
-  else if (files.length === 1 && state.files.get(files[0].name).role === "set" && files[0].name !== state.set) state.set = files[0].name;
+  else if (files.length === 1 && state.files.get(files[0].name).role === "set" && files[0].name !== state.set)
+    state.set = files[0].name;
   // A set of several files names the others.
   const toml = [...state.files].find(([name, file]) => file.role === "set" && /\.toml$/i.test(name));
   if (toml && files.length > 1) state.set = toml[0];
@@ -32,11 +39,15 @@ function showFiles() {
       file.role = role.value;
       refresh();
     };
-    const remove = button("Remove", () => {
-      state.files.delete(name);
-      if (state.set === name) state.set = fileOf("set") ?? "";
-      refresh();
-    }, { "aria-label": `Remove ${name}` });
+    const remove = button(
+      "Remove",
+      () => {
+        state.files.delete(name);
+        if (state.set === name) state.set = fileOf("set") ?? "";
+        refresh();
+      },
+      { "aria-label": `Remove ${name}` },
+    );
     return [name, role, remove];
   });
   fill($("files"), table(["file", "use", ""], rows));

@@ -12,10 +12,7 @@ function measure(what, from) {
 async function refresh(isWhole = true) {
   showFiles();
   if (!state.set) {
-    state.checked = null;
-    state.messages = [];
-    state.allowed = false;
-    accept({ checked: null, allowed: false }, []);
+    accept(null, []);
     clearLoop();
     showText();
     return showCode();
@@ -24,8 +21,7 @@ async function refresh(isWhole = true) {
   say(`Reading ${state.set}`);
   try {
     const { data, messages } = await ask({ command: "check", of: subject() });
-    if (!data?.checked) state.checked = null;
-    accept(data ?? { checked: null, allowed: false }, messages);
+    accept(data, messages);
     measure("table", from);
     await showLoop();
     measure("first picture", from);
@@ -40,7 +36,7 @@ async function refresh(isWhole = true) {
 async function chooseAxis(name) {
   state.axis = name;
   state.touched = null;
-  accept({ checked: state.checked, allowed: state.allowed }, state.messages);
+  choose();
   await showLoop();
   await showCode();
 }
@@ -76,7 +72,7 @@ function listenToAll() {
 
 /** Reads the set again in a new worker, unless that ended the last one. */
 async function reread() {
-  if (!state.checked || !state.set) return;
+  if (!state.checked) return;
   await ask({ command: "check", of: subject() }).catch(() => {});
 }
 
@@ -94,9 +90,12 @@ async function start() {
     measure("ready", from);
     say(summary());
   } catch (error) {
-    say(`This browser cannot run the page: ${error.message}. Chromium or Edge from version 103 on, or Firefox from 115 on, can.`);
+    say(
+      `This browser cannot run the page: ${error.message}. Chromium or Edge from version 103 on, or Firefox from 115 on, can.`,
+    );
   }
-  $("licences-part").ontoggle = () => fill($("licences"), ...texts.licences.map(([of, words]) => make("div", {}, make("h3", {}, of), make("pre", {}, words))));
+  $("licences-part").ontoggle = () =>
+    fill($("licences"), ...texts.licences.map(([of, words]) => make("div", {}, make("h3", {}, of), make("pre", {}, words))));
 }
 
 start();

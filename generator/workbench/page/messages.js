@@ -10,16 +10,21 @@ function summary() {
   const errors = state.messages.filter((message) => message.severity === "error").length;
   const warnings = state.messages.length - errors;
   const counted = (count, what) => `${count} ${what}${count === 1 ? "" : "s"}`;
-  return `${state.set}: ${counted(errors, "error")}, ${counted(warnings, "warning")}${state.allowed ? "" : "; no block is generated"}`;
+  const end = state.allowed ? "" : "; no block is generated";
+  return `${state.set}: ${counted(errors, "error")}, ${counted(warnings, "warning")}${end}`;
 }
 
 const MOST_SHOWN = 200;
 
 function showMessages(messages) {
+  if (isShown("messages", [messages, state.set])) return;
   const items = messages.slice(0, MOST_SHOWN).map((message) => {
     const place = message.line ? `${message.file}:${message.line}${message.column ? `:${message.column}` : ""}` : message.file;
     const go = message.line && state.files.has(message.file) ? button(place, () => jump(message)) : make("span", {}, place);
-    const more = [message.allowed && `allowed: ${message.allowed}`, message.instead && `write instead: ${message.instead}`].filter(Boolean);
+    const more = [
+      message.allowed && `allowed: ${message.allowed}`,
+      message.instead && `write instead: ${message.instead}`,
+    ].filter(Boolean);
     const kind = make("strong", { className: message.severity }, `${message.severity}[${message.code}]`);
     return make("li", {}, go, " ", kind, ` ${message.found}`, ...more.map((line) => make("div", {}, line)));
   });

@@ -10,7 +10,12 @@ async function showLoop() {
   const axis = state.axis;
   if (!axis) return clearLoop();
   const { data } = await ask({ command: "loop", axis });
-  if (axis !== state.axis) return;
+  if (axis === state.axis) drawLoop(data);
+}
+
+/** Draws the loop of the axis; null: no stage closes one. */
+function drawLoop(data) {
+  const axis = state.axis;
   state.loop = data;
   const before = state.before.get(axis);
   if (before && !before.loop) before.loop = data;
@@ -21,9 +26,9 @@ async function showLoop() {
   draw("phase", "Phase [deg]", curvesOf(data, "phase"), old && curvesOf(old, "phase"), [-180, 180]);
   draw("sensitivity", "|S| [dB]", ofDrives(data, "sensitivity"), old && ofDrives(old, "sensitivity"), [-30, 15]);
   draw("closed", "Closed loop T [dB]", ofDrives(data, "closed"), old && ofDrives(old, "closed"), [-60, 20]);
+  if (isShown("nyquist", data.nyquist) && $("nyquist")) return;
   const image = picture(data.nyquist, `Nyquist curve of the loop of axis ${axis}`);
-  const at = $("nyquist");
-  if (at) at.replaceChildren(image);
+  if ($("nyquist")) $("nyquist").replaceChildren(image);
   else $("pictures").append(make("div", { id: "nyquist" }, image));
 }
 
@@ -50,35 +55,53 @@ function joined(now, old) {
   return old ? uPlot.join([one(old), one(now)]) : one(now);
 }
 
+/** Draws a picture; the curves of before are added to one that is there, which is sooner done than another one. */
 function draw(id, title, now, old, scale) {
   const data = joined(now, old);
-  const key = [state.axis, ...(old ? old.rows : []), ...now.rows].map((row) => row.name ?? row).join("|");
   const known = plots.get(id);
-  if (known?.key === key) {
-    known.plot.setData(data, false);
+  const key = [state.axis, ...now.rows.map((row) => row.name)].join("|");
+  const before = (old?.rows ?? []).map((row) => row.name).join("|");
+  if (known?.key !== key || (known.before && known.before !== before)) {
+    plots.set(id, { key, before, plot: plotted(id, title, data, now, old, scale) });
     return;
   }
+  if (!known.before) (old?.rows ?? []).forEach((row, n) => known.plot.addSeries(grey(row), n + 1));
+  known.before = before;
+  known.plot.setData(data, false);
+}
+
+const decimal = (_, number) => (number === null || number === undefined ? "-" : number.toFixed(1));
+const LINE = { spanGaps: true, points: { show: false }, value: decimal };
+const DASHES = [[], [5, 3], [2, 2], [9, 3, 2, 3]];
+const HZ = { label: "Hz", value: (_, hz) => (hz === null || hz === undefined ? "-" : hz.toPrecision(4)) };
+const grey = (row) => ({ ...LINE, label: `before: ${row.name}`, stroke: GREY, width: 1 });
+const coloured = (row, n) => ({ ...LINE, label: row.name, stroke: COLOURS[n % 4], width: 1.6, dash: DASHES[n % 4] });
+
+function plotted(id, title, data, now, old, scale) {
   let place = $(`picture-${id}`);
   if (!place) $("pictures").append((place = make("div", { id: `picture-${id}` })));
   place.replaceChildren();
-  const grey = (row) => ({ label: `before: ${row.name}`, stroke: GREY, width: 1, spanGaps: true, points: { show: false } });
-  const line = (row, n) => ({ label: row.name, stroke: COLOURS[n % 4], width: 1.6, dash: [[], [5, 3], [2, 2], [9, 3, 2, 3]][n % 4], spanGaps: true, points: { show: false } });
-  const value = (_, number) => (number === null || number === undefined ? "-" : number.toFixed(1));
   const ink = getComputedStyle(document.documentElement).getPropertyValue("--dim");
   const axis = { stroke: ink, grid: { stroke: `${GREY}40`, width: 1 }, ticks: { stroke: `${GREY}40` } };
-  const series = [{ label: "Hz", value: (_, hz) => (hz === null || hz === undefined ? "-" : hz.toPrecision(4)) }, ...(old?.rows ?? []).map(grey), ...now.rows.map(line)];
-  const plot = new uPlot({
-    title, width: Math.max(260, place.clientWidth), height: 210,
-    cursor: { sync: { key: "loop" }, drag: { x: true, y: false } },
-    scales: { x: { time: false, distr: 3, range: [now.hz[0], now.hz[now.hz.length - 1]] }, y: { range: scale } },
-    axes: [axis, { ...axis, size: 46 }],
-    series: series.map((of, n) => (n ? { ...of, value } : of)),
-  }, data, place);
+  const plot = new uPlot(
+    {
+      title,
+      ...sizeIn(place),
+      cursor: { sync: { key: "loop" }, drag: { x: true, y: false } },
+      scales: { x: { time: false, distr: 3, range: [now.hz[0], now.hz[now.hz.length - 1]] }, y: { range: scale } },
+      axes: [axis, { ...axis, size: 46 }],
+      series: [HZ, ...(old?.rows ?? []).map(grey), ...now.rows.map(coloured)],
+    },
+    data,
+    place,
+  );
   plot.root.setAttribute("role", "img");
   plot.root.setAttribute("aria-label", `${title} over frequency, axis ${state.axis}`);
-  plots.set(id, { key, plot });
+  return plot;
 }
 
+const sizeIn = (place) => ({ width: Math.max(260, place.clientWidth), height: 210 });
+
 function resize() {
-  for (const { plot } of plots.values()) plot.setSize({ width: Math.max(260, plot.root.parentElement.clientWidth), height: 210 });
+  for (const { plot } of plots.values()) plot.setSize(sizeIn(plot.root.parentElement));
 }

@@ -7,7 +7,9 @@ const state = {
   /** name -> { bytes, original, role, sent } */
   files: new Map(),
   set: "",
+  /** the answer to the last check: the axes that can be shown, the others, and whether blocks are generated */
   checked: null,
+  refused: [],
   allowed: false,
   messages: [],
   axis: "",
@@ -35,12 +37,20 @@ function fileOf(role) {
 async function ask(request) {
   const files = [...state.files].filter(([, file]) => !file.sent);
   for (const [, file] of files) file.sent = true;
-  return client.ask(request, files.map(([name, file]) => [name, file.bytes]));
+  return client.ask(
+    request,
+    files.map(([name, file]) => [name, file.bytes]),
+  );
 }
 
 function put(name, bytes, role) {
   const known = state.files.get(name);
-  state.files.set(name, { bytes, original: known ? known.original : bytes, role: role ?? known?.role ?? kindOf(name, bytes), sent: false });
+  state.files.set(name, {
+    bytes,
+    original: known ? known.original : bytes,
+    role: role ?? known?.role ?? kindOf(name, bytes),
+    sent: false,
+  });
 }
 
 /** What a file probably is. The user can say something else. */

@@ -4,12 +4,13 @@ use crate::request::{Request, Subject};
 use crate::session::{Session, load};
 use crate::{curves, recorded, zip};
 use commands::plan::Plan;
+use commands::stages::{Number, Written};
 use commands::verify::{Verification, engines};
 use commands::words::{TIMES, made, seconds};
 use commands::{check, diff, messages, refused, stages, trace};
 use generator::blocks::{self, Designed};
 use generator::diagnostics::Report;
-use generator::pipeline::{self, Set};
+use generator::pipeline::{self, Set, Shown};
 use generator::target::{self, File, TARGETS, Target};
 use generator::{codes, generate, manifest, params_of};
 use golden::simulate::{self, Moved, picture, text};
@@ -37,31 +38,16 @@ fn answered(session: &mut Session, request: Request) -> Answer {
     match request {
         Request::Check { of } => check_set(session, &of),
         Request::Loop { axis } => Ok((json!(curves::curves(axis_of(session, &axis)?)), Report::default())),
-        Request::Edit { of, axis, stage, value, to } => {
-            let (options, load) = (of.options(), load(&session.files));
-            let files = stages::written((of.path(), &options, &load), axis_of(session, &axis)?, (stage, value, to))?;
-            drop(load);
-            let names: Vec<String> = files.0.into_iter().map(|(path, bytes)| session.put(path, bytes)).collect();
-            let (checked, report) = check_set(session, &of)?;
-            Ok((json!({ "files": names, "checked": checked }), report))
-        }
-        Request::Files { axis, target } => {
-            let files = made(generate::axis_files(allowed(session, &axis)?, &[target_of(&target)?]));
-            Ok((files.iter().map(as_json).collect(), Report::default()))
-        }
+        Request::Edit { of, axis, stage, value, to } => edit(session, &of, &axis, (stage, value, to)),
         Request::Page { axis, target } => {
-            let name = allowed(session, &axis)?.axis.name.clone();
-            let pages = generate::pages(&set_of(session)?.1, &[name], &[target_of(&target)?], |page| page.file);
+            let (_, set) = allowed_set(session)?;
+            let name = commands::axis(set, Some(&axis))?.axis.name.clone();
+            let pages = generate::pages(set, &[name], &[target_of(&target)?], |page| page.file);
             let page =
                 pages.first().ok_or_else(|| refused::input(codes::USAGE, axis, "has no improved position control"))?;
             Ok((as_json(page), Report::default()))
         }
-        Request::Trace { of, axis, target } => {
-            let designed = allowed(session, &axis)?;
-            let (blocks, targets) = (made(blocks::blocks(designed)), [target_of(&target)?]);
-            let (options, load) = (of.options(), load(&session.files));
-            Ok((json!(trace::trace((of.path(), &options, &load), designed, &blocks, &targets)?), Report::default()))
-        }
+        Request::Code { of, axis, target } => code(session, &of, &axis, target_of(&target)?),
         Request::Zip { of, targets, name } => archive(session, &of, &targets, &name),
         Request::Verify { samples } => verify(session, samples),
         Request::Diff { of, old } => difference(session, &of, &old),
@@ -79,40 +65,67 @@ fn answered(session: &mut Session, request: Request) -> Answer {
     }
 }
 
-/// Reads and checks. An unstable loop is shown, but no block is generated from it.
+/// Reads and checks. What has errors is shown as far as it can be read, but no block is generated from it.
 fn check_set(session: &mut Session, of: &Subject) -> Answer {
-    let (options, load) = (of.options(), load(&session.files));
-    let (set, report) = pipeline::read_with(of.path(), &options, &load);
-    let is_allowed = set.is_some();
-    let shown = set.or_else(|| pipeline::read_to_look_at(of.path(), &options, &load).0);
-    let checked = shown.as_ref().map(|set| check::check(set, report.warnings(), false));
-    let text = checked.as_ref().map(check::Check::text);
-    let data = json!({ "allowed": is_allowed, "checked": checked, "text": text });
-    session.is_allowed = is_allowed;
-    session.set = shown.map(|set| (of.set.clone(), set));
+    let (shown, report) = pipeline::read_to_show(of.path(), &of.options(), &load(&session.files));
+    let data = checked(shown.as_ref(), &report);
+    session.set = shown.map(|shown| (of.set.clone(), shown));
     Ok((data, report))
 }
 
-fn set_of(session: &Session) -> Result<&(String, Set), Report> {
-    session.set.as_ref().ok_or_else(|| refused::input(codes::USAGE, "set", "no set without errors is open"))
+fn checked(shown: Option<&Shown>, report: &Report) -> Value {
+    let checked = shown.map(|shown| check::check(&shown.set, report.warnings(), false));
+    let text = checked.as_ref().map(check::Check::text);
+    json!({
+        "allowed": shown.is_some_and(|shown| shown.is_allowed),
+        "whole": shown.is_some_and(|shown| shown.is_whole),
+        "refused": shown.map(|shown| &shown.refused),
+        "checked": checked,
+        "text": text,
+    })
+}
+
+/// Another number in the text of the user: what was read to prove it is the set from now on.
+fn edit(session: &mut Session, of: &Subject, axis: &str, number: (usize, Number, f64)) -> Answer {
+    let (options, load) = (of.options(), load(&session.files));
+    let Written { files, shown, report } =
+        stages::written((of.path(), &options, &load), axis_of(session, axis)?, number)?;
+    drop(load);
+    let names: Vec<String> = files.0.into_iter().map(|(path, bytes)| session.put(path, bytes)).collect();
+    let curves = commands::axis(&shown.set, Some(axis)).map(curves::curves)?;
+    let data = json!({ "files": names, "checked": checked(Some(&shown), &report), "loop": curves });
+    session.set = Some((of.set.clone(), shown));
+    Ok((data, report))
+}
+
+fn code(session: &Session, of: &Subject, axis: &str, target: Target) -> Answer {
+    let designed = allowed(session, axis)?;
+    let (options, load) = (of.options(), load(&session.files));
+    let blocks = made(blocks::blocks(designed));
+    let trace = trace::trace((of.path(), &options, &load), designed, &blocks, &[target])?;
+    let emitted: Value = trace.files.iter().map(as_json).collect();
+    Ok((json!({ "emitted": emitted, "trace": trace }), Report::default()))
+}
+
+fn shown_of(session: &Session) -> Result<&(String, Shown), Report> {
+    session.set.as_ref().ok_or_else(|| refused::input(codes::USAGE, "set", "no set that can be read is open"))
 }
 
 fn axis_of<'s>(session: &'s Session, name: &str) -> Result<&'s Designed, Report> {
-    commands::axis(&set_of(session)?.1, Some(name))
+    commands::axis(&shown_of(session)?.1.set, Some(name))
 }
 
 /// The set, if it has no errors.
-fn allowed_set(session: &Session) -> Result<&(String, Set), Report> {
-    let of = set_of(session)?;
-    match session.is_allowed {
-        true => Ok(of),
-        false => Err(refused::input(codes::USAGE, &of.0, "has errors: no block is generated from it")),
+fn allowed_set(session: &Session) -> Result<(&str, &Set), Report> {
+    match shown_of(session)? {
+        (name, shown) if shown.is_allowed => Ok((name, &shown.set)),
+        (name, _) => Err(refused::input(codes::USAGE, name, "has errors: no block is generated from it")),
     }
 }
 
 /// An axis of a set without errors.
 fn allowed<'s>(session: &'s Session, axis: &str) -> Result<&'s Designed, Report> {
-    commands::axis(&allowed_set(session)?.1, Some(axis))
+    commands::axis(allowed_set(session)?.1, Some(axis))
 }
 
 fn target_of(name: &str) -> Result<Target, Report> {
@@ -150,7 +163,11 @@ fn verify(session: &Session, samples: usize) -> Answer {
     engines.retain(|engine| !engine.is_compiled());
     let mut verification = Verification::new(&engines, &|_, _| None);
     let (mut rows, mut reached) = (Vec::new(), Vec::new());
-    for designed in &set_of(session)?.1.axes {
+    let (name, shown) = shown_of(session)?;
+    if !shown.is_whole {
+        return Err(refused::input(codes::USAGE, name, "has errors: not every block can be run"));
+    }
+    for designed in &shown.set.axes {
         let (of_axis, lines) = verification.blocks(designed, &made(blocks::blocks(designed)), samples);
         rows.extend(of_axis);
         reached.extend(lines);

@@ -33,10 +33,10 @@ pub fn measured(
 ) -> Result<(Value, Report), Report> {
     let all = read(session, names, cycle_time)?;
     let own = &all.own.1;
+    let text: String = all.measured().map(measured_text::report).collect();
     let response = all.response().map(measured_text::response);
-    let text = measured_text::report(own) + &response.unwrap_or_default();
     let picture = measure::picture::of(own, all.response()).map(|picture| picture.svg());
-    Ok((json!({ "results": results(&all), "text": text, "picture": picture }), all.said()))
+    Ok((json!({ "results": results(&all), "text": text, "response": response, "picture": picture }), all.said()))
 }
 
 /// The proposals for an axis, and the spectra with the first one.

@@ -28,7 +28,7 @@ pub enum Request {
     Loop {
         axis: String,
     },
-    /// writes a value into the text of the user, reads and checks
+    /// writes a value into the text of the user, reads and checks; with the loop of the axis
     Edit {
         of: Subject,
         axis: String,
@@ -36,18 +36,13 @@ pub enum Request {
         value: Number,
         to: f64,
     },
-    /// the files of an axis for a target
-    Files {
-        axis: String,
-        target: String,
-    },
     /// the commissioning page of an axis, with the names of a target
     Page {
         axis: String,
         target: String,
     },
-    /// the parameters with their coefficients, and the lines of these in the files for a target
-    Trace {
+    /// the files of an axis for a target; the parameters with their coefficients, and the lines of these in the files
+    Code {
         of: Subject,
         axis: String,
         target: String,

@@ -4,17 +4,15 @@ use crate::request::Subject;
 use commands::files::Files;
 use generator::config::{ListOptions, OptionKey, Unreadable, is_set};
 use generator::parameters::Name;
-use generator::pipeline::Set;
+use generator::pipeline::Shown;
 use golden::tune::Tuning;
 use std::path::{Path, PathBuf};
 
 #[derive(Default)]
 pub struct Session {
     pub files: Files,
-    /// the name of its file, and the set, which has no errors but perhaps an unstable loop
-    pub set: Option<(String, Set)>,
-    /// whether blocks may be generated from it
-    pub is_allowed: bool,
+    /// the name of its file, and the set as far as it could be read
+    pub set: Option<(String, Shown)>,
     pub tuning: Option<Tuning>,
 }
 

@@ -36,7 +36,7 @@ fn emitted(index: usize) -> Option<Emitted> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_axes_have_the_bits_of_the_reference() {
-    let axes = numbers(by_depth(6, 30, 200));
+    let axes = numbers(by_depth(6, 15, 200));
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let said = run_here(&emitted.iter().collect::<Vec<_>>());

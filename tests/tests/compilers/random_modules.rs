@@ -84,7 +84,7 @@ fn wrong(batch: &[Emitted]) -> Vec<&str> {
 #[test]
 #[expect(clippy::print_stdout, reason = "a figure of the acceptance")]
 fn random_modules_have_the_bits_of_the_reference() {
-    let axes = numbers(by_depth(4, 30, 200));
+    let axes = numbers(by_depth(4, 15, 200));
     let batch = |batch: &[usize]| {
         let emitted: Vec<Emitted> = batch.iter().filter_map(|index| emitted(*index)).collect();
         let spindles = emitted.iter().filter(|of| of.block.program.block.starts_with("spindle")).count();

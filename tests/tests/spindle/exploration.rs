@@ -15,13 +15,17 @@ const DEPTH: u32 = 100;
 
 static FOUND: LazyLock<Vec<(Scenario, Found)>> = LazyLock::new(|| {
     let explored = |scenario: Scenario| {
-        let found = explore(&scenario, DEPTH, by_depth(8, 1, 1));
+        let found = explore(&scenario, DEPTH, by_depth(16, 1, 1));
         (scenario, found)
     };
     let is_deep = std::env::var_os("AXGEN_DEEP_EXPLORATION").is_some();
     let mut all = scenarios::all(is_deep);
-    // A third of all cycles is that of weak drives that go off and on at any speed.
-    let is_dear = |of: &Scenario| of.model.coasts && of.model.follows != Follows::AtOnce;
+    // Half of all cycles are those of weak drives, and of others that go off and on at any speed.
+    let is_dear = |of: &Scenario| match of.model.follows {
+        Follows::AtOnce => false,
+        Follows::Weak(_) => true,
+        _ => of.model.coasts,
+    };
     all.retain(|scenario| by_depth(!is_dear(scenario), true, true));
     all.into_par_iter().map(explored).collect()
 });

@@ -117,7 +117,12 @@ fn the_dead_time_of_the_demonstration_plant() {
 
 #[test]
 fn dead_times_of_random_axes() {
-    let axes = if std::env::var("AXGEN_EXHAUSTIVE").is_ok() { 400 } else { 40 };
+    let is_set = |name| std::env::var(name).is_ok();
+    let axes = match (is_set("AXGEN_EVERY_LEVEL"), is_set("AXGEN_EXHAUSTIVE")) {
+        (true, _) => 400,
+        (_, true) => 200,
+        _ => 40,
+    };
     for seed in 0..axes {
         let plant = random_axis(1000 + seed);
         let cycles = plant.command_delay + plant.actual_delay + 1;

@@ -109,7 +109,7 @@ fn proposals_for_random_axes() {
     let every_level = std::env::var("AXGEN_EVERY_LEVEL").is_ok();
     let (axes, noises) = match every_level {
         true => (0..100, &NOISE[..]),
-        false if std::env::var("AXGEN_EXHAUSTIVE").is_ok() => (0..30, &NOISE[..1]),
+        false if std::env::var("AXGEN_EXHAUSTIVE").is_ok() => (0..15, &NOISE[..1]),
         false => (8..9, &NOISE[..1]),
     };
     let mut worst_of = (String::new(), 0.0);

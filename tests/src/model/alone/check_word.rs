@@ -33,10 +33,10 @@ fn pieces(real: f64, single: bool) -> (Vec<i64>, bool) {
     ((0..count).map(piece).collect(), is_left_over)
 }
 
-/// The word of these reals in a set of that structure; `None` if something of them is left over, which no word covers.
+/// The word of these reals in a set of that structure, and whether it covers all of their digits: nothing is left over.
 /// Remainders have the sign of what is divided.
 #[must_use]
-pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) -> Option<u32> {
+pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) -> (u32, bool) {
     let structure = i64::from(structure);
     let (mut word, mut is_left_over) = ([structure % MODULUS, structure / MODULUS], false);
     for real in reals {
@@ -49,5 +49,5 @@ pub fn word(structure: u32, reals: impl IntoIterator<Item = f64>, single: bool) 
         }
     }
     let [first, second] = word.map(|value| value.rem_euclid(MODULUS));
-    (!is_left_over).then(|| u32::try_from((1 + first) * MODULUS + second).expect("32 bits"))
+    (u32::try_from((1 + first) * MODULUS + second).expect("32 bits"), !is_left_over)
 }

@@ -125,7 +125,10 @@ impl<'d> Alone<'d> {
             return 0;
         }
         if self.in_use != 0 && offered.set_id == self.in_use {
-            (self.leaves, self.checking) = (false, None);
+            // Before the fade-out, the check of another set stays where it is.
+            if std::mem::take(&mut self.leaves) {
+                self.checking = None;
+            }
             return 0;
         }
         if let Some(refused) = self.refused.as_mut().filter(|of| of.set == offered.set_id && of.left > 0) {

@@ -43,6 +43,8 @@ pub struct History<'d> {
     bad: [usize; 3],
     switches: Inputs,
     offered: Rc<Set>,
+    /// cycles until a blow
+    blow_in: usize,
 }
 
 /// A velocity that no axis has, in range: the sum is a fault.
@@ -67,7 +69,7 @@ impl<'d> History<'d> {
         }
         let switches = Inputs { mode: *rng.pick(&[0, 1, 1, 2]), ..Inputs::USUAL };
         let (motions, bad, offered) = ([Motion::Constant(0.0); 3], [0; 3], Rc::new(offered));
-        Self { of, rng, events, offers, motions, left: 0, bad, switches, offered }
+        Self { of, rng, events, offers, motions, left: 0, bad, switches, offered, blow_in: 0 }
     }
 
     /// The next cycle.
@@ -124,7 +126,8 @@ impl<'d> History<'d> {
             self.offer();
         }
         // A set in use is dropped for a blow; what was offered may be another one by then.
-        if self.rng.below(3000) < self.offers {
+        self.blow_in = self.blow_in.saturating_sub(1);
+        if self.blow_in == 1 || self.rng.below(3000) < self.offers {
             velocities = [BLOW; 3];
             if has_sets && self.rng.chance(50) {
                 self.repair();
@@ -142,7 +145,11 @@ impl<'d> History<'d> {
         let other = &sets[rng.below(sets.len())];
         match rng.below(8) {
             0..=3 => self.offered = Rc::new(whole.clone()),
-            4 | 5 => self.offered = Rc::new(damaged(whole, other, structure, rng)),
+            4 | 5 => {
+                self.offered = Rc::new(damaged(whole, other, structure, rng));
+                // Often while the refused set is not checked again.
+                self.blow_in = rng.between(0, 100);
+            }
             // While a block fades out for it.
             6 => {
                 let set_id = self.offered.set_id;

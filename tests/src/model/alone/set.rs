@@ -198,14 +198,14 @@ impl Set {
         [self.numbers[0], self.numbers[2], if of.limits > 3 { self.numbers[3] } else { 0.0 }]
     }
 
-    /// The same set with the number that belongs to its numbers.
+    /// The same set with the number that belongs to its numbers, as far as the word covers their digits.
     #[must_use]
     pub fn sealed(self, of: &Structure) -> Self {
         let cut: Vec<f64> = self.numbers.iter().enumerate().map(|(at, number)| of.cut(at, *number)).collect();
         // What is beyond the range is refused whatever the number is.
         let is_cut = cut.iter().all(|number| number.abs() <= LARGEST);
-        let word = if is_cut { word(self.structure, cut, of.single) } else { None };
-        Self { set_id: word.unwrap_or(self.set_id), ..self }
+        let set_id = if is_cut { word(self.structure, cut, of.single).0 } else { self.set_id };
+        Self { set_id, ..self }
     }
 
     /// The id for which it is refused while it does not change; 0: it is not.
@@ -271,7 +271,7 @@ impl Checking {
         self.pieces += 1;
         // What is beyond the range has no word.
         let is_cut = || self.cut.iter().all(|number| number.abs() <= LARGEST);
-        let is_its_number = || is_cut() && word(of.number, self.cut.iter().copied(), of.single) == Some(self.set);
+        let is_its_number = || is_cut() && word(of.number, self.cut.iter().copied(), of.single) == (self.set, true);
         self.is_done(of).then(|| if is_its_number() { 0 } else { 8 })
     }
 }
