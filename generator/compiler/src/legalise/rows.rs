@@ -72,7 +72,9 @@ fn pass(statement: &Statement, below: &mut Below) {
 fn bound(statement: &Statement) -> Option<(Var, usize)> {
     let Statement::If { condition: Expr::Binary(Binary::Less, left, right), .. } = statement else { return None };
     match (&**left, &**right) {
-        (Expr::Var(var), Expr::Literal(Literal::U32(bound))) => Some((*var, *bound as usize)),
+        (Expr::Var(var @ (Var::State(_) | Var::Local(_))), Expr::Literal(Literal::U32(bound))) => {
+            Some((*var, *bound as usize))
+        }
         _ => None,
     }
 }
@@ -134,7 +136,10 @@ fn question(statement: &Statement, number: usize) -> Option<(Var, &[Statement], 
         return None;
     };
     match (&**left, &**right) {
-        (Expr::Var(by), Expr::Literal(Literal::U32(asked))) if *asked as usize == number => {
+        // Another task may change an input after the condition.
+        (Expr::Var(by @ (Var::State(_) | Var::Local(_))), Expr::Literal(Literal::U32(asked)))
+            if *asked as usize == number =>
+        {
             Some((*by, otherwise, then))
         }
         _ => None,
