@@ -15,6 +15,9 @@ const LEAST: usize = 3;
 /// Variables, each with a number that it is below of.
 type Below = Vec<(Var, usize)>;
 
+/// What each statement of a branch assigns, and the part of the state that it takes in the first branch.
+type Columns = Vec<(Var, usize)>;
+
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let mut step = std::mem::take(&mut program.step);
     in_list(&mut step, Below::new(), &mut program);
@@ -83,11 +86,10 @@ fn rows(columns: &[(Var, usize)], length: usize) -> Vec<Row> {
     columns.iter().map(|(_, first)| Row { first: *first, length }).collect()
 }
 
-/// The number for which a chain asks, how often, and what each of its statements assigns, beginning with which part of the state;
-/// `None` if a statement is no such chain.
-fn table(statement: &Statement, program: &Program) -> Option<(Var, usize, Vec<(Var, usize)>)> {
+/// The number for which a chain asks, how often, and what it assigns; `None` if a statement is not such a chain.
+fn table(statement: &Statement, program: &Program) -> Option<(Var, usize, Columns)> {
     let (by, _, first) = question(statement, 0)?;
-    let columns: Vec<(Var, usize)> = first.iter().map(taken).collect::<Option<_>>()?;
+    let columns: Columns = first.iter().map(taken).collect::<Option<_>>()?;
     let (mut link, mut length) = (statement, 0);
     while let Some((same, rest, body)) = question(link, length) {
         let is_next = body.len() == columns.len()
