@@ -10,9 +10,9 @@ const root = process.env.WORKBENCH_ROOT;
 const LONGEST = 10000;
 /** A page that is not optimised gets a part of a large file: more than a message for each line needs. */
 const PART = kind === "released" ? 1 : 0.05;
-const times = (text, count) => encoded(text.repeat(count * PART));
 
 const encoded = (text) => new TextEncoder().encode(text);
+const times = (text, count) => encoded(text.repeat(count * PART));
 const files = new Map([
   ["nothing.lis", encoded("")],
   ["zeros.lis", new Uint8Array(1 << 20)],
@@ -24,7 +24,7 @@ const files = new Map([
   ["markup.lis", encoded('<img src=x onerror="document.title=1"> 5\n')],
   ["elements.xti", encoded("<a>".repeat(100000))],
   ["half.toml", new Uint8Array([0xff, 0xfe, 0x61])],
-  ["long.lis", encoded(`kopf.achs_nr ${"9".repeat(5000000)}\n`)],
+  ["long.lis", encoded(`kopf.achs_nr ${"9".repeat(5000000 * PART)}\n`)],
 ]);
 // The texts of the readers' own tests, as they are: lists, sets and their mistakes.
 for (const folder of ["generator/tests/config/messages", "generator/tests/real_files/listings", "generator/tests/real_files"]) {

@@ -17,7 +17,7 @@ function summary() {
 const MOST_SHOWN = 200;
 
 function showMessages(messages) {
-  if (isShown("messages", [messages, state.set])) return;
+  if (isShown("messages", [messages, state.set, [...state.files.keys()]])) return;
   const items = messages.slice(0, MOST_SHOWN).map((message) => {
     const place = message.line ? `${message.file}:${message.line}${message.column ? `:${message.column}` : ""}` : message.file;
     const go = message.line && state.files.has(message.file) ? button(place, () => jump(message)) : make("span", {}, place);
