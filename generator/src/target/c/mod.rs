@@ -161,11 +161,12 @@ fn init(program: &Program, printer: &Printer<'_>) -> String {
         }
         lengths.push(length);
         body += &format!("    for (uint32_t index = 0u; index < {length}u; ++index) {{\n");
-        for row in program.rows.iter().filter(|row| row.length == length) {
-            let is_first = |statement: &&Statement| matches!(statement, Statement::Assign { target: Var::State(part), .. } if *part == row.first);
-            let first: Vec<Statement> = program.init.iter().filter(is_first).cloned().collect();
-            body += &printer.body(&first, 2).replace("[0]", "[index]");
-        }
+        let start = |row: &Row| Statement::Assign {
+            target: Var::State(row.first),
+            value: Expr::Literal(program.state[row.first].start),
+        };
+        let starts: Vec<_> = program.rows.iter().filter(|row| row.length == length).map(start).collect();
+        body += &printer.body(&starts, 2).replace("[0]", "[index]");
         body += "    }\n";
     }
     body
