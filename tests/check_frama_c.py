@@ -16,7 +16,7 @@ from pathlib import Path
 
 OPTIONS = ("-c11 -machdep x86_64 -cpp-extra-args=-U__GNUC__ -warn-special-float none -no-warn-invalid-bool "
            "-eva -eva-precision 1 -eva-slevel 8 -eva-msg-key=-final-states,-initial-state").split()
-LIMIT = re.compile(r"\s*<= (-?[\w.]+(?:->[\w.]+)?(?:e-?\d+f?)?)")
+LIMIT = re.compile(r"\s*<= (-?[\w.]+(?:->[\w.]+)?(?:\[\d+\])?(?:e-?\d+f?)?)")
 DRIVER = """#include "{file}"
 volatile {name}_state any_state;
 volatile {name}_inputs any_inputs;

@@ -43,7 +43,8 @@ pub struct History<'d> {
     bad: [usize; 3],
     switches: Inputs,
     offered: Rc<Set>,
-    /// cycles until a blow
+    /// cycles until what is offered changes again, and until a blow
+    offer_in: usize,
     blow_in: usize,
 }
 
@@ -69,7 +70,7 @@ impl<'d> History<'d> {
         }
         let switches = Inputs { mode: *rng.pick(&[0, 1, 1, 2]), ..Inputs::USUAL };
         let (motions, bad, offered) = ([Motion::Constant(0.0); 3], [0; 3], Rc::new(offered));
-        Self { of, rng, events, offers, motions, left: 0, bad, switches, offered, blow_in: 0 }
+        Self { of, rng, events, offers, motions, left: 0, bad, switches, offered, offer_in: 0, blow_in: 0 }
     }
 
     /// The next cycle.
@@ -122,7 +123,8 @@ impl<'d> History<'d> {
             }
         }
         let has_sets = !self.of.sets.is_empty();
-        if has_sets && self.rng.below(1000) < self.offers {
+        self.offer_in = self.offer_in.saturating_sub(1);
+        if has_sets && (self.offer_in == 1 || self.rng.below(1000) < self.offers) {
             self.offer();
         }
         // A set in use is dropped for a blow; what was offered may be another one by then.
@@ -145,11 +147,7 @@ impl<'d> History<'d> {
         let other = &sets[rng.below(sets.len())];
         match rng.below(8) {
             0..=3 => self.offered = Rc::new(whole.clone()),
-            4 | 5 => {
-                self.offered = Rc::new(damaged(whole, other, structure, rng));
-                // Often while the refused set is not checked again.
-                self.blow_in = rng.between(0, 100);
-            }
+            4 | 5 => self.offered = Rc::new(damaged(whole, other, structure, rng)),
             // While a block fades out for it.
             6 => {
                 let set_id = self.offered.set_id;
@@ -157,6 +155,12 @@ impl<'d> History<'d> {
                 self.offered = Rc::new(Set { set_id, ..damaged(same, other, structure, rng) });
             }
             _ => self.repair(),
+        }
+        // While it is checked, while the block fades for it, while it is refused.
+        match self.rng.below(6) {
+            0 => self.offer_in = self.rng.between(2, 100),
+            1 => self.blow_in = self.rng.between(2, 100),
+            _ => {}
         }
     }
 
