@@ -126,7 +126,8 @@ fn anchors(page: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_documents_show_what_the_command_prints() {
-    assert!(pages("docs").iter().map(|page| follow(page)).sum::<usize>() >= 10);
+    let part = if crate::is_exhaustive() { 1 } else { 2 };
+    assert!(pages("docs").iter().step_by(part).map(|page| follow(page)).sum::<usize>() >= 10 / part);
     assert_eq!(follow(&Path::new(ROOT).join("README.md")), 2);
 }
 

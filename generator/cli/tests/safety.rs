@@ -175,7 +175,7 @@ fn a_run_that_is_killed_while_it_renames_leaves_whole_files() {
     let results = ["1ms.toml", "2ms.toml"].map(|set| result(folder.path(), set));
     axgen(folder.path(), &generate("1ms.toml", "out"));
     let last = |count: usize| out.join(results[0].keys().nth(count).unwrap());
-    for count in [40, 0, 8, 72, 100].into_iter().take(if is_exhaustive() { 5 } else { 2 }) {
+    for count in [40, 0, 8, 72, 100].into_iter().take(if is_exhaustive() { 3 } else { 2 }) {
         let inode = || fs::metadata(last(count)).unwrap().ino();
         let before = inode();
         let mut command = Command::new(AXGEN);
@@ -202,7 +202,7 @@ fn a_run_that_is_killed_while_it_renames_leaves_whole_files() {
 fn runs_side_by_side_end_with_the_result_of_one() {
     let folder = folder(3);
     let results = ["1ms.toml", "2ms.toml"].map(|set| result(folder.path(), set));
-    for _ in 0..if is_exhaustive() { 20 } else { 5 } {
+    for _ in 0..if is_exhaustive() { 8 } else { 5 } {
         let runs: Vec<_> = (0..8)
             .map(|number| {
                 let set = ["1ms.toml", "2ms.toml"][number % 2];

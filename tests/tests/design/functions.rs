@@ -12,7 +12,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 const LARGEST: f64 = 1.4138;
 
 fn count() -> usize {
-    by_depth(200_000, 1_000_000, 3_000_000)
+    by_depth(200_000, 500_000, 3_000_000)
 }
 
 /// A number and its neighbours.

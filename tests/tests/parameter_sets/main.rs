@@ -113,7 +113,7 @@ fn samples(bench: &Bench, length: usize) -> Samples {
 
 #[test]
 fn sets_at_any_moment_give_the_same_bits_in_every_engine() {
-    let length = RUN * by_depth(1, 3, 15);
+    let length = RUN * by_depth(1, 2, 15);
     let cases: Vec<(usize, RealKind)> =
         (0..STRUCTURES).flat_map(|structure| KINDS.map(|kind| (structure, kind))).collect();
     let cycles: usize = cases

@@ -196,7 +196,7 @@ fn compare(structure: usize, real: RealKind, count: usize) {
 
 #[test]
 fn the_set_is_that_of_the_generator() {
-    let count = by_depth(100, 2_000, 10_000);
+    let count = by_depth(100, 1_000, 10_000);
     let all = (0..STRUCTURES.len()).flat_map(|structure| KINDS.map(|real| (structure, real)));
     all.collect::<Vec<_>>().into_par_iter().for_each(|(structure, real)| compare(structure, real, count));
 }
@@ -228,7 +228,7 @@ fn every_engine_makes_the_same_sets() {
         for real in KINDS {
             let base = base(structure, real);
             let block = named_block(&base, "set_design").unwrap();
-            let inputs = samples(&base, &block, by_depth(1_000, 20_000, 1_000_000));
+            let inputs = samples(&base, &block, by_depth(1_000, 10_000, 1_000_000));
             let expected = golden::engine::run(golden::engine::Engine::Reference, &base, &block, &inputs).unwrap();
             agree(&format!("structure {structure} {real:?}"), &base, &block, &inputs, &expected);
         }

@@ -185,7 +185,7 @@ const UNDECIDED: f64 = 1e-7;
 
 #[test]
 fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
-    let count = by_depth(300, 1_000, 10_000);
+    let count = by_depth(300, 500, 10_000);
     let mut rng = Rng::new(0x5ab1);
     let (mut unstable, mut undecided) = (0, 0);
     for _ in 0..count {
@@ -207,7 +207,7 @@ fn turns_around_minus_one_are_eigenvalues_beyond_the_unit_circle() {
 
 #[test]
 fn the_largest_s_is_that_of_a_fine_grid() {
-    let count = by_depth(60, 120, 500);
+    let count = by_depth(60, 80, 500);
     let mut rng = Rng::new(0x0517);
     let (mut stable, mut worst) = (0, 0.0_f64);
     for _ in 0..count {
@@ -243,7 +243,7 @@ fn largest(holds: impl Fn(f64) -> bool) -> f64 {
 
 #[test]
 fn the_largest_weights_are_those_of_eigenvalues_and_of_a_grid() {
-    let count = by_depth(15, 40, 200);
+    let count = by_depth(15, 20, 200);
     let mut rng = Rng::new(0x3a7e);
     let mut bounded = 0;
     for _ in 0..count {

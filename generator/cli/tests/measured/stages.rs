@@ -172,6 +172,9 @@ fn a_proposal_into_the_set() {
     let left = |of: &Value| [0, 1].map(|k| number(&of["residuals"][k], "ratio"));
     let [a, b] = [left(given), left(found)];
     assert!(a.iter().zip(b).all(|(a, b)| (a / b - 1.0).abs() < 0.01), "{a:?} {b:?}");
+    if !crate::is_exhaustive() {
+        return;
+    }
     // A second time nothing changes; another proposal replaces them.
     assert_eq!(tune(&folder, &["--excited", "excited.csv", "--apply", "recommended"]).code, 0);
     assert_eq!(read(&folder, "set.toml"), set);
