@@ -55,7 +55,7 @@ const ALONE_CYCLES: usize = 1500;
 fn the_block_ipc_agrees_with_its_model_whatever_the_caller_tunes() {
     let number = |name: &str, usual: u64| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
     let seed = number("AXGEN_MODEL_SEED", SEED);
-    let count = usize::try_from(number("AXGEN_MODEL_SETS", by_depth(200, 800, 10_000))).expect("a number of axes");
+    let count = usize::try_from(number("AXGEN_MODEL_SETS", by_depth(300, 800, 10_000))).expect("a number of axes");
     let run = |index| alone::agree::axis(seed, index, ALONE_CYCLES);
     let (seen, wrong): (Vec<_>, Vec<_>) = (0..count).into_par_iter().map(run).partition(Result::is_ok);
     let first: Vec<&str> =

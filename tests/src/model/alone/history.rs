@@ -156,10 +156,12 @@ impl<'d> History<'d> {
             }
             _ => self.repair(),
         }
-        // While it is checked, while the block fades for it, while it is refused.
-        match self.rng.below(6) {
+        // While it is checked or refused; and while the block fades out for it, after its check.
+        let check = structure.names.len() * if structure.single { 3 } else { 4 };
+        match self.rng.below(4) {
             0 => self.offer_in = self.rng.between(2, 100),
-            1 => self.blow_in = self.rng.between(2, 100),
+            1 => self.offer_in = check + self.rng.between(2, 40),
+            2 => self.blow_in = self.rng.between(2, 100),
             _ => {}
         }
     }
