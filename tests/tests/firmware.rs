@@ -65,10 +65,12 @@ fn code_and_constants_are_in_the_sections_that_the_firmware_names() {
             let [usual, placed] = [usual, placed].map(|options| sections(folder.path(), &options));
             let of = |sections: &BTreeMap<String, u64>, name: &str| sections.get(name).copied().unwrap_or(0);
             let title = format!("{} {level}: {usual:?} {placed:?}", title(case));
-            // gcc keeps functions that are marked as cold apart.
-            let code = of(&usual, ".text") + of(&usual, ".text.unlikely");
+            // gcc keeps functions that are marked as cold apart. Each section ends with its own padding.
+            let cold = of(&usual, ".text.unlikely");
+            let code = of(&usual, ".text") + cold;
+            let padding = if cold > 0 { 4 } else { 0 };
             assert!(code > 0, "{title}");
-            assert_eq!(of(&placed, ".itcm"), code, "the same code, all of it: {title}");
+            assert!(of(&placed, ".itcm").abs_diff(code) <= padding, "the same code, all of it: {title}");
             let table = of(&placed, ".rodata");
             assert!(table == 0 || may_have_table, "{title}");
             assert_eq!(of(&placed, ".calibration") + table, of(&usual, ".rodata"), "{title}");

@@ -65,12 +65,12 @@ fn in_turn<T: Clone>(all: &[T], number: usize, count: usize) -> Vec<T> {
 /// The cases for what takes its time: a third in an exhaustive run, else a few.
 fn cases() -> Vec<Case> {
     let mut cases = in_both_real_types();
-    // Every sixth one next to those: the levels of optimisation see all.
+    // Every third one next to those: the levels of optimisation see all.
     let mut number = 0_usize;
     cases.retain(|case| {
         number += 1;
-        let is_sixth = environment::is_exhaustive() && number.is_multiple_of(6);
-        is_sixth || QUICK_CASES.contains(&title(case).as_str())
+        let is_third = environment::is_exhaustive() && number.is_multiple_of(3);
+        is_third || QUICK_CASES.contains(&title(case).as_str())
     });
     cases
 }
