@@ -106,7 +106,7 @@ impl Outline<'_> {
         let declared = |(index, member): (usize, Member)| match program.row_of(index) {
             None => Some(member),
             Some(row) if row.first == index => {
-                let name = member.name.trim_end_matches("[0]").to_owned();
+                let name = self.printer.array(row).to_owned();
                 let doc = self.contents(row);
                 Some(array(Member { name, doc, ..member }, row.length))
             }
@@ -126,10 +126,7 @@ impl Outline<'_> {
         let mut before = program.rows.iter().filter(|other| other.first < row.first);
         match before.find(|other| names(**other) == names(row)) {
             None => names(row).join(", "),
-            Some(same) => {
-                let name = self.printer.names().state[same.first].trim_end_matches("[0]");
-                format!("the same elements as {name}")
-            }
+            Some(same) => format!("the same elements as {}", self.printer.array(*same)),
         }
     }
 

@@ -115,7 +115,7 @@ fn axis_of<'s>(session: &'s Session, name: &str) -> Result<&'s Designed, Report>
     commands::axis(&shown_of(session)?.1.set, Some(name))
 }
 
-/// The set, if it has no errors.
+/// The set, if it is free of errors.
 fn allowed_set(session: &Session) -> Result<(&str, &Set), Report> {
     match shown_of(session)? {
         (name, shown) if shown.is_allowed => Ok((name, &shown.set)),

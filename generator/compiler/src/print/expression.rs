@@ -24,8 +24,7 @@ impl<'d> Layout<'d> {
                 return Printed { doc: self.arena.text(&self.printer.texts[*var]), level: Level::Primary };
             }
             Expr::Element(row, index) => {
-                let first = &self.printer.texts.state[row.first];
-                let array = first.strip_suffix("[0]").expect("print: the first element of an array");
+                let array = super::without_index(&self.printer.texts.state[row.first]);
                 let [open, close] = language.index;
                 let doc = self.arena.text(array).append(open).append(self.expr(index).doc).append(close);
                 return Printed { doc, level: Level::Primary };

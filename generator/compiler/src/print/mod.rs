@@ -17,7 +17,7 @@ use names::Names;
 pub use names::identifier;
 
 use crate::program::values::{self, Signal};
-use crate::program::{Constant, Expr, Origin, Program, Statement, Table, Var, Variable, part_of};
+use crate::program::{Constant, Expr, Origin, Program, Row, Statement, Table, Var, Variable, part_of};
 use language::{Declaration, Level};
 use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
 
@@ -114,6 +114,11 @@ fn parts(program: &Program, language: &Language, names: &mut Names) -> Vec<Strin
     program.state.iter().enumerate().map(name).collect()
 }
 
+/// The array of its first element.
+fn without_index(first: &str) -> &str {
+    first.strip_suffix("[0]").expect("print: the first element of an array")
+}
+
 impl<'p> Printer<'p> {
     /// Interface names are assigned first. `block` is the beginning of the block's names outside its functions.
     pub fn new(program: &'p Program, language: &'p Language, block: &'p str) -> Self {
@@ -171,6 +176,11 @@ impl<'p> Printer<'p> {
     /// The names of the variables, as they are declared.
     pub fn names(&self) -> &Scope {
         &self.names
+    }
+
+    /// The name of an array of the state, as it is declared.
+    pub fn array(&self, row: Row) -> &str {
+        without_index(&self.names.state[row.first])
     }
 
     /// The signals whose values are enumerations.

@@ -130,7 +130,8 @@ fn signals_that_an_axis_does_not_have_are_left_out() {
 /// An index that no condition keeps below the length, and one that changes after the condition.
 #[test]
 fn an_element_that_may_be_outside_is_refused() {
-    let chain = "y = 0.0\nz = 0.0\nif turn == 0u\n    s = row.a\nelse\n    if turn == 1u\n        s = row.b\n    else\n        if turn == 2u\n            s = row.c";
+    let chain = "y = 0.0\nz = 0.0\nif turn == 0u\n    s = row.a\nelse\n    if turn == 1u\n        s = row.b\n    else\n        \
+        if turn == 2u\n            s = row.c";
     let refused = |change: fn(&mut Program)| {
         let mut program = legal("indexed", program(&format!("flag = on\n{chain}"))).expect("sound");
         change(&mut program);

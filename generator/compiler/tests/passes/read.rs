@@ -1,7 +1,8 @@
 //! Small programs from text: the language in which `compiler::dump` writes them, without the kinds of variables. No pass.
 //!
 //! Inputs are `x`, `on`, `also` and `n`; outputs `y`, which starts at 7, `flag` and `z`; parts of the state `s`, `count`, `phase`,
-//! `other`, `turn` and `row.a` to `row.c`; constants are in [`program`]. A local has its number: `a%0`. `2u` is of the type U32, `2` of I32, `2.0` is real.
+//! `other`, `turn` and `row.a` to `row.c`; constants are in [`program`]. A local has its number: `a%0`. `2u` is of the type
+//! U32, `2` of I32, `2.0` is real.
 
 use compiler::program::{Constant, Expr, Local, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Binary, EnumDef, Intrinsic, Literal, RealKind, Unary, Variant, VariantDef};

@@ -1,5 +1,6 @@
 //! Known shifts of two channels; the dead time of the demonstration plant and of random axes.
 
+use crate::by_depth;
 use crate::plant::{CYCLE, Impulse, Noise, excited, random_axis};
 use identification::Complex64;
 use identification::dead_time::{self, Channels};
@@ -117,13 +118,7 @@ fn the_dead_time_of_the_demonstration_plant() {
 
 #[test]
 fn dead_times_of_random_axes() {
-    let is_set = |name| std::env::var(name).is_ok();
-    let axes = match (is_set("AXGEN_EVERY_LEVEL"), is_set("AXGEN_EXHAUSTIVE")) {
-        (true, _) => 400,
-        (_, true) => 200,
-        _ => 40,
-    };
-    for seed in 0..axes {
+    for seed in 0..by_depth(40, 200, 400) {
         let plant = random_axis(1000 + seed);
         let cycles = plant.command_delay + plant.actual_delay + 1;
         let found = dead_time::of(&exact_lines(&plant), CYCLE).unwrap_or_else(|| panic!("axis {seed}: unknown"));
