@@ -49,7 +49,7 @@ fn code_and_constants_are_in_the_sections_that_the_firmware_names() {
     if !has("arm-none-eabi-gcc", "arm-none-eabi", "gcc-arm-none-eabi") {
         return;
     }
-    let cases: Vec<Case> = all().into_iter().step_by(by_depth(4, 2, 1)).collect();
+    let cases: Vec<Case> = all().into_iter().step_by(by_depth(4, 3, 1)).collect();
     cases.par_iter().for_each(|case| {
         let (folder, files) = written(case, target::named("c").unwrap());
         std::fs::write(folder.path().join("block.c"), &files[1].text).unwrap();

@@ -52,7 +52,7 @@ fn loops(count: usize) -> [Vec<(Loop, f64, Rng)>; 2] {
 }
 
 fn count() -> usize {
-    LOOPS / 2 * by_depth(1, 2, 20)
+    LOOPS / 2 * by_depth(1, 1, 20)
 }
 
 fn watched<R: Real + Send + Sync>(all: &[(Loop, f64, Rng)], kind: RealKind, seconds: f64) -> Vec<Run>
@@ -121,7 +121,7 @@ fn unstable_loops_are_faded_out_and_stable_ones_are_not() {
 /// a force that comes at once, a burst of chatter that decays.
 #[test]
 fn what_decays_trips_no_stable_loop() {
-    let [_, stable] = loops(LOOPS / by_depth(4, 2, 1));
+    let [_, stable] = loops(LOOPS / by_depth(4, 4, 1));
     type Disturb = fn(&Loop, &mut Stimulus);
     let scenes: [(&str, Disturb); 4] = [
         ("move", |of, stimulus| stimulus.one_move(of, 0.5, 3.0)),

@@ -97,8 +97,8 @@ fn options_that_change_bits_are_refused_or_caught() {
                 println!("  {options:<70} not run: this processor has no fused multiply-add");
                 continue;
             }
-            let in_turn = ready.iter().skip(number % part).step_by(part);
-            let ready: Vec<&Ready> = in_turn.collect();
+            let in_turn = ready.iter().cycle().skip(number).step_by(part);
+            let ready: Vec<&Ready> = in_turn.take(ready.len().div_ceil(part)).collect();
             let outcomes: Vec<Outcome> = ready.par_iter().map(|ready| outcome(ready, row)).collect();
             println!("  {options:<70} {}", summary(&outcomes));
             let judged =

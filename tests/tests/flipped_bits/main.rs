@@ -76,7 +76,7 @@ fn an_overwritten_position_is_not_held() {
 fn every() -> usize {
     match (is_every_level(), is_exhaustive()) {
         (true, _) => 1,
-        (_, true) => 13,
+        (_, true) => 23,
         _ => 37,
     }
 }

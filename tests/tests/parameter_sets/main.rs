@@ -216,7 +216,7 @@ where
 
 #[test]
 fn no_corrupted_set_is_taken_over() {
-    let count = by_depth(1_000, 5_000, 40_000);
+    let count = by_depth(1_000, 2_500, 40_000);
     let counts: Vec<(usize, usize)> = (0..STRUCTURES)
         .into_par_iter()
         .flat_map_iter(|structure| [taken_over::<f64>(structure, count), taken_over::<f32>(structure, count)])
@@ -305,7 +305,7 @@ fn a_set_of_another_axis_is_refused() {
 /// Whatever overwrites the state, numbers in use included: nothing is added beyond the limit of the block.
 #[test]
 fn no_overwritten_number_leads_beyond_the_limit() {
-    let count = by_depth(300, 2_000, 20_000);
+    let count = by_depth(300, 1_000, 20_000);
     let of_each = |of| [overwritten::<f64>(of, count), overwritten::<f32>(of, count)];
     // Most leaves belong to stages that the axis does not have.
     let faults: Vec<usize> = (0..STRUCTURES).into_par_iter().flat_map_iter(of_each).collect();

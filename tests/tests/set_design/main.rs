@@ -228,7 +228,7 @@ fn every_engine_makes_the_same_sets() {
         for real in KINDS {
             let base = base(structure, real);
             let block = named_block(&base, "set_design").unwrap();
-            let inputs = samples(&base, &block, by_depth(1_000, 10_000, 1_000_000));
+            let inputs = samples(&base, &block, by_depth(1_000, 5_000, 1_000_000));
             let expected = golden::engine::run(golden::engine::Engine::Reference, &base, &block, &inputs).unwrap();
             agree(&format!("structure {structure} {real:?}"), &base, &block, &inputs, &expected);
         }

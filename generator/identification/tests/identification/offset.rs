@@ -118,7 +118,7 @@ fn the_dead_time_of_the_demonstration_plant() {
 
 #[test]
 fn dead_times_of_random_axes() {
-    for seed in 0..by_depth(40, 200, 400) {
+    for seed in 0..by_depth(40, 100, 400) {
         let plant = random_axis(1000 + seed);
         let cycles = plant.command_delay + plant.actual_delay + 1;
         let found = dead_time::of(&exact_lines(&plant), CYCLE).unwrap_or_else(|| panic!("axis {seed}: unknown"));

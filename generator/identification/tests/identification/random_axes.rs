@@ -107,7 +107,7 @@ fn left_at_load(plant: &Plant, truths: &[Truth; 3], proposal: &Proposal) -> Opti
 #[test]
 #[expect(clippy::print_stdout, reason = "the statistics are what a reader of the run wants")]
 fn proposals_for_random_axes() {
-    let (axes, noises, least) = by_depth((8..9, &NOISE[..1], 0), (0..15, &NOISE[..1], 0), (0..100, &NOISE[..], 101));
+    let (axes, noises, least) = by_depth((8..9, &NOISE[..1], 0), (0..10, &NOISE[..1], 0), (0..100, &NOISE[..], 101));
     let mut worst_of = (String::new(), 0.0);
     let mut all: Vec<Statistics> = noises.iter().map(|_| Statistics::default()).collect();
     for seed in axes {
