@@ -94,7 +94,7 @@ fn no_edition_warns() {
 /// A crate's own `cargo fmt` would change a file that bears a checksum.
 #[test]
 fn the_toolchain_leaves_modules_as_they_are() {
-    let modules: Vec<Vec<File>> = all().iter().step_by(by_depth(5, 4, 1)).map(module).collect();
+    let modules: Vec<Vec<File>> = all().iter().step_by(by_depth(8, 4, 1)).map(module).collect();
     let folder = library(&modules);
     let library = |more: &[&'static str]| [&LIBRARY[..], more].concat();
     if has_tool("rustfmt", "rustfmt") {
@@ -160,7 +160,7 @@ fn no_module_can_panic() {
         return;
     }
     // In a plain run a fifth of the cases.
-    let modules: Vec<Vec<File>> = in_both_real_types().iter().step_by(by_depth(5, 4, 1)).map(module).collect();
+    let modules: Vec<Vec<File>> = in_both_real_types().iter().step_by(by_depth(8, 4, 1)).map(module).collect();
     // optimised, and as a debugger likes it
     let mut builds = vec![vec!["-O"], vec!["-C", "debug-assertions=on"]];
     let arm = "thumbv7em-none-eabihf";

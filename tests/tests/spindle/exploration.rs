@@ -15,7 +15,7 @@ const DEPTH: u32 = 100;
 
 static FOUND: LazyLock<Vec<(Scenario, Found)>> = LazyLock::new(|| {
     let explored = |scenario: Scenario| {
-        let found = explore(&scenario, DEPTH, by_depth(16, 1, 1));
+        let found = explore(&scenario, DEPTH, by_depth(24, 1, 1));
         (scenario, found)
     };
     let is_deep = std::env::var_os("AXGEN_DEEP_EXPLORATION").is_some();
