@@ -56,7 +56,8 @@ fn every_case_shows_what_it_claims() {
 
 /// Samples of a case in an engine. Every event of a stimulus is in the first 5,000, but for one that comes again after
 /// 20,000 and one after 500,000. What needs more is a slow drift of rounding, the same in every engine: it has a million
-/// samples in the reference and in C, in an exhaustive run for one case in 20. The dialects of Structured Text differ in names and in their declarations.
+/// samples in the reference and in C, in an exhaustive run for one case in 20. The dialects of
+/// Structured Text differ in names and in their declarations.
 fn samples(engine: Engine, number: usize) -> usize {
     let is_long = is_exhaustive() && number.is_multiple_of(20);
     match engine {

@@ -159,7 +159,7 @@ fn no_module_can_panic() {
     if !has("nm", "nm", "binutils") {
         return;
     }
-    // In a plain run a fifth of the cases.
+    // In a plain run an eighth of the cases.
     let modules: Vec<Vec<File>> = in_both_real_types().iter().step_by(by_depth(8, 4, 1)).map(module).collect();
     // optimised, and as a debugger likes it
     let mut builds = vec![vec!["-O"], vec!["-C", "debug-assertions=on"]];

@@ -119,7 +119,7 @@ fn a_killed_run_leaves_a_manifest_that_names_every_file() {
     for number in 0..if is_exhaustive() { 20 } else { 10 } {
         let to = (number + 1) % 2;
         set(SETS[to]);
-        // From the begin of a run to its end, in steps of 9 in an exhaustive run.
+        // From the begin of a run to its end, in smaller steps in an exhaustive run.
         folder.happens(&format!("kill {} axes.toml", if is_exhaustive() { 27 * number } else { 54 * number }));
         let mut there = folder.content(OUT);
         let listed: BTreeSet<String> =

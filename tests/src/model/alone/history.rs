@@ -157,7 +157,7 @@ impl<'d> History<'d> {
             _ => self.repair(),
         }
         // While it is checked or refused; and while the block fades out for it, after its check.
-        let check = structure.names.len() * if structure.single { 3 } else { 4 };
+        let check = structure.check_cycles();
         match self.rng.below(4) {
             0 => self.offer_in = self.rng.between(2, 100),
             1 => self.offer_in = check + self.rng.between(2, 40),

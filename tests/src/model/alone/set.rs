@@ -119,6 +119,11 @@ impl Structure {
         Self { number, single: p.single, limit, names, sections, gains, limits }
     }
 
+    /// The cycles of a whole check: it reads one piece a cycle.
+    pub fn check_cycles(&self) -> usize {
+        self.names.len() * self.pieces()
+    }
+
     /// Pieces of a number.
     fn pieces(&self) -> usize {
         if self.single { 3 } else { 4 }
@@ -252,7 +257,7 @@ impl Checking {
     /// Whether the last piece was taken.
     #[must_use]
     pub fn is_done(&self, of: &Structure) -> bool {
-        self.pieces == of.names.len() * of.pieces()
+        self.pieces == of.check_cycles()
     }
 
     /// The next piece of these numbers. The id for which the set is refused, or 0 after the last piece. `was_checked`: only
