@@ -1,33 +1,31 @@
 //! Expressions, one to one, with the parentheses that the description of a language requires.
 
+use super::Layout;
 use super::language::{Form, Level};
-use super::{Doc, INDENTATION, Layout};
 use crate::program::{Expr, Var};
 use portable::{Binary, Unary};
-use pretty::DocAllocator;
 
-#[derive(Clone)]
-pub(super) struct Printed<'d> {
-    pub doc: Doc<'d>,
-    level: Level,
-}
-
-impl<'d> Layout<'d> {
-    pub(super) fn expr(&self, expr: &'d Expr) -> Printed<'d> {
-        let (language, program) = (self.printer.language, self.printer.program);
+impl<'p> Layout<'p> {
+    /// Writes an expression, and returns how tightly it binds.
+    pub(super) fn expr(&mut self, expr: &Expr) -> Level {
+        let super::Printer { language, program, texts, .. } = self.printer;
         let first = match expr {
             Expr::Literal(value) => {
                 let (text, level) = (language.operand)(*value);
-                return Printed { doc: self.arena.text(text), level };
+                self.lines.text(&text);
+                return level;
             }
             Expr::Var(var) => {
-                return Printed { doc: self.arena.text(&self.printer.texts[*var]), level: Level::Primary };
+                self.lines.text(&texts[*var]);
+                return Level::Primary;
             }
             Expr::Element(row, index) => {
-                let array = super::without_index(&self.printer.texts.state[row.first]);
                 let [open, close] = language.index;
-                let doc = self.arena.text(array).append(open).append(self.expr(index).doc).append(close);
-                return Printed { doc, level: Level::Primary };
+                self.lines.text(super::without_index(&texts.state[row.first]));
+                self.lines.text(open);
+                self.expr(index);
+                self.lines.text(close);
+                return Level::Primary;
             }
             _ => expr.operands().next().expect("print: an operation has operands"),
         };
@@ -38,7 +36,7 @@ impl<'d> Layout<'d> {
         }
     }
 
-    fn infix(&self, operator: Binary, left: &'d Expr, right: &'d Expr) -> Printed<'d> {
+    fn infix(&mut self, operator: Binary, left: &Expr, right: &Expr) -> Level {
         let language = self.printer.language;
         let (level, [mut left_least, mut right_least]) = match operator {
             Binary::Add | Binary::Subtract => (Level::Sum, [Level::Sum, Level::Product]),
@@ -62,57 +60,64 @@ impl<'d> Layout<'d> {
         if matches!(right, Expr::Literal(_)) {
             right_least = Level::Primary;
         }
-        let right = self.arena.text(language.symbols[operator as usize]).append(" ").append(self.bound(
-            self.expr(right),
-            right_least,
-            INDENTATION,
-        ));
-        let left = self.bound(self.expr(left), left_least, INDENTATION);
-        let doc = if is_logic || level == Level::Sum {
-            left.append(self.line_before(right))
-        } else {
-            left.append(" ").append(right)
+        self.bound(left, left_least, 1);
+        let right = |layout: &mut Self| {
+            layout.lines.text(language.symbols[operator as usize]);
+            layout.lines.text(" ");
+            layout.bound(right, right_least, 1);
         };
-        Printed { doc, level }
+        if is_logic || level == Level::Sum {
+            self.part(right);
+        } else {
+            self.lines.text(" ");
+            right(self);
+        }
+        level
     }
 
-    fn spelled(&self, form: &Form, expr: &'d Expr) -> Printed<'d> {
-        let operands: Vec<Printed<'d>> = expr.operands().map(|operand| self.expr(operand)).collect();
-        let line = |text: &'static str| {
-            let mut pieces = text.split('{');
-            let mut before = pieces.next().unwrap_or_default();
-            let mut doc = self.arena.text(before);
-            for piece in pieces {
-                let (what, text) = piece.split_once('}').expect("print: a form's operand ends");
-                let index = usize::from(what == "1");
-                doc = match self.negated(expr.operands().nth(index)).filter(|_| before.ends_with('-')) {
-                    _ if what == "block" => doc.append(self.printer.block),
-                    Some(negated) => doc.append(negated),
-                    None => doc.append(self.bound(operands[index].clone(), form.least[index], 0)),
-                };
-                doc = doc.append(text);
-                before = text;
+    fn spelled(&mut self, form: &Form, expr: &Expr) -> Level {
+        match form.text.split_once('\n') {
+            Some((first, second)) => {
+                self.pieces(first, form, expr);
+                self.part(|layout| layout.pieces(second, form, expr));
             }
-            doc
-        };
-        let doc = match form.text.split_once('\n') {
-            Some((first, second)) => line(first).append(self.line_before(line(second))),
-            None => line(form.text),
-        };
-        Printed { doc, level: form.level }
+            None => self.pieces(form.text, form, expr),
+        }
+        form.level
+    }
+
+    /// A line of the text of an operation.
+    fn pieces(&mut self, text: &str, form: &Form, expr: &Expr) {
+        let mut pieces = text.split('{');
+        let mut before = pieces.next().unwrap_or_default();
+        self.lines.text(before);
+        for piece in pieces {
+            let (what, text) = piece.split_once('}').expect("print: a form's operand ends");
+            let index = usize::from(what == "1");
+            let operand = || expr.operands().nth(index).expect("print: a form has as many operands as its operation");
+            match what {
+                "block" => self.lines.text(self.printer.block),
+                _ => match self.negated(operand()).filter(|_| before.ends_with('-')) {
+                    Some(negated) => self.lines.text(negated),
+                    None => self.bound(operand(), form.least[index], 0),
+                },
+            }
+            self.lines.text(text);
+            before = text;
+        }
     }
 
     /// The text of an operand after a sign, if that differs.
-    fn negated(&self, operand: Option<&Expr>) -> Option<&'d str> {
-        let Some(Expr::Var(Var::Constant(index))) = operand else { return None };
+    fn negated(&self, operand: &Expr) -> Option<&'p str> {
+        let Expr::Var(Var::Constant(index)) = operand else { return None };
         self.printer.negated[*index].as_deref()
     }
 
-    /// An operand: in parentheses unless it binds at least as tightly as required. Line breaks inside are indented.
-    fn bound(&self, operand: Printed<'d>, least: Level, indentation: isize) -> Doc<'d> {
-        if operand.level >= least {
-            return operand.doc;
+    /// An operand: in parentheses unless it binds at least as tightly as required. Lines that begin in them are indented.
+    fn bound(&mut self, operand: &Expr, least: Level, levels: usize) {
+        let place = self.lines.place();
+        if self.expr(operand) < least {
+            self.lines.enclose(&place, levels);
         }
-        self.arena.text("(").append(operand.doc.nest(indentation)).append(")")
     }
 }

@@ -6,6 +6,7 @@ mod choice;
 pub mod comment;
 mod expression;
 mod language;
+mod lines;
 mod names;
 mod number;
 pub mod rust;
@@ -19,16 +20,10 @@ pub use names::identifier;
 use crate::program::values::{self, Signal};
 use crate::program::{Constant, Expr, Origin, Program, Row, Statement, Table, Var, Variable, part_of};
 use language::{Declaration, Level};
-use pretty::{Arena, DocAllocator, DocBuilder, RefDoc};
+use lines::Lines;
 
-/// Characters in a line of code, where it can be broken.
-const WIDTH: usize = 120;
 /// Characters in a line of a comment among the statements.
 const NOTE_WIDTH: usize = 100;
-/// Blanks before inner statements.
-const INDENTATION: isize = 4;
-
-type Doc<'d> = DocBuilder<'d, Arena<'d>>;
 
 /// A program with the names of its variables in a language.
 pub struct Printer<'p> {
@@ -197,106 +192,129 @@ impl<'p> Printer<'p> {
     ///
     /// # Panics
     /// If the program is not verified.
-    pub fn body(&self, statements: &[Statement], level: isize) -> String {
-        let arena = Arena::new();
-        let (line, hardline) = (arena.line().into_doc(), arena.hardline().into_doc());
-        let layout = Layout { printer: self, arena: &arena, line, hardline };
-        let doc = layout.list(statements, &mut vec![false; self.program.locals.len()]).nest(level * INDENTATION);
-        let mut text = String::new();
-        doc.render_fmt(WIDTH, &mut text).expect("print: a string takes all text");
-        // Each line so far begins with its line break; now it ends with one.
-        text.drain(..text.len().min(1));
-        text.push_str(if text.is_empty() { "" } else { "\n" });
-        text
+    pub fn body(&self, statements: &[Statement], level: usize) -> String {
+        let mut layout = Layout { printer: self, lines: Lines::default() };
+        layout.lines.level = level;
+        layout.list(statements, &mut vec![false; self.program.locals.len()]);
+        layout.lines.into_text()
     }
 }
 
 /// The layout of one body.
-struct Layout<'d> {
-    printer: &'d Printer<'d>,
-    arena: &'d Arena<'d>,
-    /// a blank, or a line break if the line is too long
-    line: RefDoc<'d>,
-    hardline: RefDoc<'d>,
+struct Layout<'p> {
+    printer: &'p Printer<'p>,
+    lines: Lines,
 }
 
-impl<'d> Layout<'d> {
-    /// Statements, each after a line break. `declared` contains the locals that an outer list declares.
-    fn list(&self, list: &'d [Statement], declared: &mut [bool]) -> Doc<'d> {
+impl Layout<'_> {
+    /// Statements. `declared` contains the locals that an outer list declares.
+    fn list(&mut self, list: &[Statement], declared: &mut [bool]) {
         let Printer { program, language, names, .. } = self.printer;
-        let mut doc = self.arena.nil();
         let Some([with_value, without]) = language.locals else {
-            return list.iter().fold(doc, |doc, it| doc.append(self.hardline).append(self.statement(it, declared)));
+            return list.iter().for_each(|statement| self.statement(statement, declared));
         };
         let declared_as = |form: Declaration, local: usize| {
             let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
-            self.arena.text(form(&names.locals[local], language.ty(ty, program.real)))
+            form(&names.locals[local], language.ty(ty, program.real))
         };
         for (statement, locals) in list.iter().zip(scope::declarations(list, declared)) {
-            doc = doc.append(self.hardline);
             if let Statement::Assign { target: Var::Local(local), value } = statement
                 && locals.contains(local)
             {
-                doc = doc.append(self.assignment(declared_as(with_value, *local), value));
+                self.assignment(&declared_as(with_value, *local), value);
                 continue;
             }
-            for local in locals {
-                doc = doc.append(declared_as(without, local)).append(self.hardline);
-            }
-            doc = doc.append(self.statement(statement, declared));
+            locals.into_iter().for_each(|local| self.line(&declared_as(without, local)));
+            self.statement(statement, declared);
         }
-        doc
     }
 
-    fn statement(&self, statement: &'d Statement, declared: &mut [bool]) -> Doc<'d> {
+    fn statement(&mut self, statement: &Statement, declared: &mut [bool]) {
+        let Printer { language, texts, block, .. } = self.printer;
         match statement {
-            Statement::Note(note) => {
-                let [open, next, close] = self.printer.language.comment;
-                let lines = comment::wrapped(&[note], NOTE_WIDTH, "\n");
-                let between = self.arena.hardline().append(next);
-                let lines = self.arena.intersperse(lines.split('\n').map(str::to_owned), between);
-                self.arena.text(open).append(lines).append(close)
-            }
-            Statement::Assign { target, value } => {
-                self.assignment(self.arena.text(&self.printer.texts[*target]), value)
-            }
-            Statement::Apart(_) => self.arena.text(self.printer.language.call.replace("{block}", self.printer.block)),
+            Statement::Note(note) => self.note(note),
+            Statement::Assign { target, value } => self.assignment(&texts[*target], value),
+            Statement::Apart(_) => self.line(&language.call.replace("{block}", block)),
             Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {
-                let [first, next, after, last, end] = self.printer.language.choice;
-                let mut inner = |list| self.list(list, declared).nest(INDENTATION);
-                let asked = |text: &'static str, condition| {
-                    let condition = self.expr(condition).doc.group().nest(2 * INDENTATION);
-                    self.arena.text(text).append(condition).append(after)
-                };
-                let mut doc = asked(first, condition).append(inner(then));
+                let [first, next, _, last, end] = language.choice;
+                self.asked(first, condition);
+                self.inner(then, declared);
                 let (mut rest, mut is_chain) = (otherwise, false);
                 // A single `if` in the other branch continues the chain.
                 while let [Statement::If { condition, then, otherwise }] = rest.as_slice() {
-                    doc = doc.append(self.hardline).append(asked(next, condition)).append(inner(then));
+                    self.asked(next, condition);
+                    self.inner(then, declared);
                     (rest, is_chain) = (otherwise, true);
                 }
-                let nothing = self.printer.language.nothing_else.filter(|_| is_chain);
+                let nothing = language.nothing_else.filter(|_| is_chain);
                 if !rest.is_empty() {
-                    doc = doc.append(self.hardline).append(last).append(inner(rest));
+                    self.line(last);
+                    self.inner(rest, declared);
                 } else if let Some(nothing) = nothing {
-                    let comment = DocBuilder(self.arena, self.hardline.into()).append(nothing).nest(INDENTATION);
-                    doc = doc.append(self.hardline).append(last).append(comment);
+                    self.line(last);
+                    self.indented(1, |layout| layout.line(nothing));
                 }
-                doc.append(self.hardline).append(end)
+                self.line(end);
             }
         }
     }
 
-    /// An assignment; if it is too long, it is broken after its target first.
-    fn assignment(&self, target: Doc<'d>, value: &'d Expr) -> Doc<'d> {
-        let value = self.expr(value).doc.nest(INDENTATION).append(";");
-        let value = self.line_before(value).nest(INDENTATION);
-        target.append(self.printer.language.assign).append(value)
+    fn note(&mut self, note: &str) {
+        let [open, next, close] = self.printer.language.comment;
+        self.lines.text(open);
+        for (index, line) in comment::wrapped(&[note], NOTE_WIDTH, "\n").split('\n').enumerate() {
+            if index > 0 {
+                self.lines.end();
+                self.lines.text(next);
+            }
+            self.lines.text(line);
+        }
+        self.line(close);
     }
 
-    /// A blank if the rest fits into the line, else a line break.
-    fn line_before(&self, doc: Doc<'d>) -> Doc<'d> {
-        DocBuilder(self.arena, self.line.into()).append(doc).group()
+    /// The line with a condition; if it is broken, it is indented more than the statements after it.
+    fn asked(&mut self, before: &str, condition: &Expr) {
+        self.lines.text(before);
+        self.indented(2, |layout| _ = layout.expr(condition));
+        self.line(self.printer.language.choice[2]);
+    }
+
+    /// An assignment; if it is too long, it is broken after its target first.
+    fn assignment(&mut self, target: &str, value: &Expr) {
+        self.lines.text(target);
+        self.lines.text(self.printer.language.assign);
+        self.indented(1, |layout| {
+            layout.part(|layout| {
+                layout.indented(1, |layout| _ = layout.expr(value));
+                layout.lines.text(";");
+            });
+        });
+        self.lines.end();
+    }
+
+    /// Statements inside another one.
+    fn inner(&mut self, list: &[Statement], declared: &mut [bool]) {
+        self.indented(1, |layout| layout.list(list, declared));
+    }
+
+    /// Writes with more levels before the lines that begin.
+    fn indented(&mut self, levels: usize, write: impl FnOnce(&mut Self)) {
+        self.lines.level += levels;
+        write(self);
+        self.lines.level -= levels;
+    }
+
+    /// Writes after a blank if all fits into the line, else into a new line.
+    fn part(&mut self, write: impl FnOnce(&mut Self)) {
+        let part = self.lines.begin_part();
+        write(self);
+        self.lines.end_part(part);
+    }
+
+    /// The end of a line.
+    fn line(&mut self, text: &str) {
+        self.lines.text(text);
+        self.lines.end();
     }
 }

@@ -1,13 +1,12 @@
 //! Unique identifiers from paths. The reserved words are in the description of a language.
 
 use super::language::Language;
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 /// The identifier of a path: `stage[0].filter[1].y` becomes `stage0_filter1_y`.
 pub fn identifier(path: &str) -> String {
-    let mut name = String::with_capacity(path.len());
-    let kept = path.chars().filter(|character| !matches!(character, '[' | ']'));
-    name.extend(kept.map(|character| if character == '.' { '_' } else { character }));
+    let mut name = path.replace('.', "_");
+    name.retain(|character| !matches!(character, '[' | ']'));
     name
 }
 
@@ -16,16 +15,16 @@ pub fn identifier(path: &str) -> String {
 pub(super) struct Names {
     is_reserved: fn(&str) -> bool,
     significant: usize,
-    taken: HashSet<String>,
+    taken: BTreeSet<String>,
     /// names of signals, memory and constants, in the scope of the intermediate values
-    fixed: HashSet<String>,
+    fixed: BTreeSet<String>,
 }
 
 impl Names {
     /// An empty scope, in a language with reserved words.
     pub(super) fn new(language: &Language) -> Self {
         let significant = language.significant.unwrap_or(usize::MAX);
-        Self { is_reserved: language.is_reserved, significant, taken: HashSet::new(), fixed: HashSet::new() }
+        Self { is_reserved: language.is_reserved, significant, taken: BTreeSet::new(), fixed: BTreeSet::new() }
     }
 
     /// From now on a name is that of an intermediate value, of this cycle.
