@@ -61,6 +61,9 @@ fn inside(statement: &Statement, branch: usize, below: &Below) -> Below {
 
 /// What is known after a statement: nothing about what it assigns, unless it only copies.
 fn pass(statement: &Statement, below: &mut Below) {
+    if below.is_empty() {
+        return;
+    }
     let copied = match statement {
         Statement::Assign { target, value: Expr::Var(source) } => {
             below.iter().find(|(var, _)| var == source).map(|(_, bound)| (*target, *bound))

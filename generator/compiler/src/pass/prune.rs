@@ -17,25 +17,26 @@ fn live_variables(program: &Program) -> Table<bool> {
     live.outputs.fill(true);
     let mut grows = true;
     while std::mem::take(&mut grows) {
-        for statement in program.statements().rev() {
-            mark(statement, &mut live, &mut grows);
-        }
+        mark(&program.init, &mut live, &mut grows);
+        mark(&program.step, &mut live, &mut grows);
     }
     live
 }
 
-/// Marks the variables that the live part of a statement reads; returns whether there is such a part.
-fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool {
-    let is_target_live = matches!(statement, Statement::Assign { target, .. } if live[*target]);
-    let alive =
-        statement.branches().flat_map(|list| list.iter().rev()).filter(|inner| mark(inner, live, grows)).count();
-    if !is_target_live && alive == 0 {
-        return false;
+/// Marks the variables that the live statements of a list read; returns whether there are such statements.
+fn mark(list: &[Statement], live: &mut Table<bool>, grows: &mut bool) -> bool {
+    let mut is_any_live = false;
+    for statement in list.iter().rev() {
+        let is_live = match statement {
+            Statement::Assign { target, .. } => live[*target],
+            outer => outer.branches().fold(false, |is_live, list| mark(list, live, grows) || is_live),
+        };
+        if is_live && let Some(reads) = statement.expr() {
+            reads.variables(&mut |var| *grows |= !std::mem::replace(&mut live[var], true));
+        }
+        is_any_live |= is_live;
     }
-    if let Some(reads) = statement.expr() {
-        reads.variables(&mut |var| *grows |= !std::mem::replace(&mut live[var], true));
-    }
-    true
+    is_any_live
 }
 
 fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {

@@ -93,10 +93,16 @@ fn reaching(program: &Program) -> Table<Values> {
     for index in 0..program.constants.len() {
         reaching[Var::Constant(index)] = Values { constants: [index].into(), ..Values::default() };
     }
-    for (index, variable) in program.state.iter().enumerate() {
-        if !program.init.iter().any(|statement| statement.writes(Var::State(index))) {
-            reaching[Var::State(index)] = Values { literals: vec![variable.start], ..Values::default() };
-        }
+    let mut is_set = vec![false; program.state.len()];
+    for statement in &program.init {
+        statement.assignments(&mut |target, _| {
+            if let Var::State(index) = target {
+                is_set[index] = true;
+            }
+        });
+    }
+    for (index, variable) in program.state.iter().enumerate().filter(|(index, _)| !is_set[*index]) {
+        reaching.state[index] = Values { literals: vec![variable.start], ..Values::default() };
     }
     let mut grows = true;
     while std::mem::take(&mut grows) {

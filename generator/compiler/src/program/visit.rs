@@ -48,22 +48,29 @@ impl Statement {
 
     /// Calls `visit` for each time that this statement or one inside it reads or writes a variable.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
-        self.assignments(&mut |target, _| visit(target));
-        self.reads(visit);
+        self.walk(&mut |statement| {
+            if let Self::Assign { target, .. } = statement {
+                visit(*target);
+            }
+            statement.expr().into_iter().for_each(|expr| expr.variables(visit));
+        });
     }
 
     /// Whether this statement or one inside it writes the variable.
     pub(crate) fn writes(&self, var: Var) -> bool {
-        let mut found = false;
-        self.assignments(&mut |target, _| found |= target == var);
-        found
+        match self {
+            Self::Assign { target, .. } => *target == var,
+            outer => outer.branches().any(|list| list.iter().any(|inner| inner.writes(var))),
+        }
     }
 
     /// Whether this statement or one inside it reads or writes the variable.
     pub fn mentions(&self, var: Var) -> bool {
-        let is_target = matches!(self, Self::Assign { target, .. } if *target == var);
-        let inside = || self.branches().flatten().any(|inner| inner.mentions(var));
-        is_target || self.expr().is_some_and(|expr| expr.mentions(var)) || inside()
+        let is_asked = || self.expr().is_some_and(|expr| expr.mentions(var));
+        match self {
+            Self::Assign { target, .. } => *target == var || is_asked(),
+            outer => is_asked() || outer.branches().any(|list| list.iter().any(|inner| inner.mentions(var))),
+        }
     }
 
     /// The lists of an `if` or of a choice, or the separate one.
@@ -137,9 +144,14 @@ impl Expr {
 
     /// Whether the expression reads the variable.
     pub(crate) fn mentions(&self, var: Var) -> bool {
-        let mut found = false;
-        self.variables(&mut |read| found |= read == var);
-        found
+        match self {
+            Self::Literal(_) => false,
+            Self::Var(read) => *read == var,
+            Self::Element(row, index) => index.mentions(var) || row.elements().any(|element| element == var),
+            Self::Unary(_, operand) => operand.mentions(var),
+            Self::Binary(_, left, right) => left.mentions(var) || right.mentions(var),
+            Self::Intrinsic(_, operands) => operands.iter().any(|operand| operand.mentions(var)),
+        }
     }
 
     /// Calls `change` for every part of the expression, inner parts first, and finally for the expression.
