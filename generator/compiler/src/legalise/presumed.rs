@@ -33,7 +33,7 @@ fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
             });
             list.push(Statement::Assign { target: Var::Local(local), value });
         }
-        rest.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| in_list(inner, done));
+        rest.iter_mut().for_each(|statement| statement.change_branches(|inner| in_list(inner, done)));
         list.append(&mut rest);
     }
 }
@@ -93,7 +93,7 @@ fn always(statement: &Statement, local: Var) -> bool {
 /// Removes these assignments from a list and its inner lists. A branch with a comment keeps a statement: Structured Text does
 /// not permit a branch of comments only.
 pub(super) fn leave_out(list: &mut Vec<Statement>, is_it: &dyn Fn(&Statement) -> bool) {
-    list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| leave_out(inner, is_it));
+    list.iter_mut().for_each(|statement| statement.change_branches(|inner| leave_out(inner, is_it)));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
     if list.iter().any(is_it) && (list.len() == 1 || others(list) > 1) {
         list.retain(|statement| !is_it(statement));

@@ -29,7 +29,7 @@ fn in_list(list: &mut Vec<Statement>, known: &mut Vec<(Var, Expr)>) {
             }
             return true;
         }
-        statement.branches_mut().for_each(|branch| in_list(branch, &mut known.clone()));
+        statement.change_branches(|branch| in_list(branch, &mut known.clone()));
         statement.assignments(&mut |target, _| forget(known, target));
         true
     });

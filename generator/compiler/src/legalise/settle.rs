@@ -66,7 +66,7 @@ fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
     }
     let writer = list.iter().position(|statement| statement.writes(output));
     if let Some(statement) = writer.map(|writer| &mut list[writer]) {
-        statement.branches_mut().for_each(|list| in_list(list, output, program));
+        statement.change_branches(|list| in_list(list, output, program));
         if let Some(value) = either(statement, output) {
             *statement = Statement::Assign { target: output, value };
         }
@@ -95,7 +95,7 @@ fn first_two(list: &[Statement], output: Var) -> Option<(usize, usize)> {
 /// is inserted.
 fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
     let assign = || Statement::Assign { target: output, value: value.clone() };
-    statement.branches_mut().for_each(|list| list.insert(0, assign()));
+    statement.change_branches(|list| list.insert(0, assign()));
 }
 
 /// Replaces the output by a local in the first of two statements that write it, and assigns the local to the output after
@@ -110,7 +110,7 @@ fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, p
     program.locals.push(Local { path: format!("{}_{end}", variable.path), ty: Some(variable.ty) });
     // Paths that do not write it have the start value: it is overwritten there, or never read.
     go_before(&mut list[first], output, &Expr::Literal(start));
-    list[first].branches_mut().for_each(|list| in_list(list, output, program));
+    list[first].change_branches(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });
     // Until the next write, the local replaces the output.
     rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });

@@ -17,9 +17,7 @@ fn coalesce(list: &mut Vec<Statement>, everywhere: &mut [usize]) {
     if list.iter().any(|statement| copy(statement).is_some()) {
         coalesce_here(list, everywhere);
     }
-    for list in list.iter_mut().flat_map(Statement::branches_mut) {
-        coalesce(list, everywhere);
-    }
+    list.iter_mut().for_each(|statement| statement.change_branches(|inner| coalesce(inner, everywhere)));
 }
 
 /// Removes each copy from a local that is used only in this list to a local that is not mentioned before it in this list: the

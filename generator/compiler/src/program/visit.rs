@@ -84,15 +84,17 @@ impl Statement {
         first.into_iter().chain(second).chain(arms.iter().map(|arm| &arm.body))
     }
 
-    /// The lists of an `if` or of a choice, or the separate one, mutable.
-    pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
-        let (first, second, arms): (_, _, &mut [Arm]) = match self {
-            Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &mut []),
-            Self::Choose { arms, .. } => (None, None, arms),
-            Self::Apart(body) => (Some(body), None, &mut []),
-            Self::Note(_) | Self::Assign { .. } => (None, None, &mut []),
-        };
-        first.into_iter().chain(second).chain(arms.iter_mut().map(|arm| &mut arm.body))
+    /// Calls `change` for each list of an `if` or of a choice, or for the separate one.
+    pub(crate) fn change_branches(&mut self, mut change: impl FnMut(&mut Vec<Self>)) {
+        match self {
+            Self::Note(_) | Self::Assign { .. } => {}
+            Self::If { then, otherwise, .. } => {
+                change(then);
+                change(otherwise);
+            }
+            Self::Choose { arms, .. } => arms.iter_mut().for_each(|arm| change(&mut arm.body)),
+            Self::Apart(body) => change(body),
+        }
     }
 }
 
@@ -156,7 +158,15 @@ impl Expr {
 
     /// Calls `change` for every part of the expression, inner parts first, and finally for the expression.
     pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
-        self.operands_mut().for_each(|operand| operand.change(change));
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) | Self::Element(_, operand) => operand.change(change),
+            Self::Binary(_, left, right) => {
+                left.change(change);
+                right.change(change);
+            }
+            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(|operand| operand.change(change)),
+        }
         change(self);
     }
 }
@@ -174,7 +184,7 @@ fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option
             Statement::Assign { target, value } => change(value, Some(target)),
             Statement::If { condition: expr, .. } | Statement::Choose { by: expr, .. } => change(expr, None),
         }
-        statement.branches_mut().for_each(|list| change_each(list, change));
+        statement.change_branches(|list| change_each(list, change));
     }
 }
 
@@ -197,7 +207,7 @@ pub(crate) fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Stateme
     let old = std::mem::take(list);
     list.reserve(old.len());
     for mut statement in old {
-        statement.branches_mut().for_each(|list| rewrite(list, change));
+        statement.change_branches(|list| rewrite(list, change));
         change(statement, list);
     }
 }
