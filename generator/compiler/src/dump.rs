@@ -181,7 +181,7 @@ impl<'p> Dump<'p> {
         self.put([kind, self.program.path(var)]);
         if let Var::Local(index) = var {
             // Two locals may have the same path: the number distinguishes them.
-            let _ = write!(self.text, "%{index}");
+            self.put(["%", &index.to_string()]);
         }
     }
 

@@ -24,8 +24,8 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 
 /// Checks that every output is written once on each path.
 pub(super) fn verify(program: &Program) -> Result<(), Defect> {
-    let is_once = |index: usize| times(&program.step, Var::Output(index)) == Some(1);
-    match (0..program.outputs.len()).find(|index| !is_once(*index)) {
+    let times = times(&program.step, program.outputs.len());
+    match times.iter().position(|times| *times != Some(1)) {
         None => Ok(()),
         Some(index) => {
             let message = format!("the output {} is not written once on each way", program.outputs[index].path);
@@ -34,19 +34,22 @@ pub(super) fn verify(program: &Program) -> Result<(), Defect> {
     }
 }
 
-/// The number of writes of the output on every path through a list; `None` if it differs between paths.
-fn times(list: &[Statement], output: Var) -> Option<usize> {
-    list.iter()
-        .map(|statement| match statement {
-            Statement::Note(_) => Some(0),
-            Statement::Assign { target, .. } => Some(usize::from(*target == output)),
-            Statement::If { .. } | Statement::Choose { .. } | Statement::Apart(_) => {
-                let mut counts = statement.branches().map(|list| times(list, output));
-                let first = counts.next().unwrap_or(Some(0));
-                first.filter(|count| counts.all(|other| other == Some(*count)))
-            }
-        })
-        .sum()
+/// The number of writes of each output on every path through a list; `None` if it differs between paths.
+fn times(list: &[Statement], outputs: usize) -> Vec<Option<usize>> {
+    let mut all = vec![Some(0); outputs];
+    for statement in list {
+        if let Statement::Assign { target: Var::Output(output), .. } = statement {
+            all[*output] = all[*output].map(|times| times + 1);
+        }
+        let same = |one: Option<usize>, other| one.filter(|_| one == other);
+        let in_each = statement.branches().map(|list| times(list, outputs));
+        let inside =
+            in_each.reduce(|one, other| one.into_iter().zip(other).map(|(one, other)| same(one, other)).collect());
+        for (times, more) in all.iter_mut().zip(inside.into_iter().flatten()) {
+            *times = times.zip(more).map(|(times, more)| times + more);
+        }
+    }
+    all
 }
 
 /// Leaves only one statement that writes the output, in a list and in every inner list.

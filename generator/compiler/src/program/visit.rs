@@ -137,11 +137,20 @@ impl Expr {
 
     /// Calls `visit` for every variable that the expression reads.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
-        self.parts(&mut |part| match part {
+        match self {
+            Self::Literal(_) => {}
             Self::Var(var) => visit(*var),
-            Self::Element(row, _) => row.elements().for_each(&mut *visit),
-            _ => {}
-        });
+            Self::Element(row, index) => {
+                row.elements().for_each(&mut *visit);
+                index.variables(visit);
+            }
+            Self::Unary(_, operand) => operand.variables(visit),
+            Self::Binary(_, left, right) => {
+                left.variables(visit);
+                right.variables(visit);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.variables(visit)),
+        }
     }
 
     /// Whether the expression reads the variable.
