@@ -13,7 +13,7 @@ pub(crate) struct Answer {
     pub(crate) sample: usize,
     /// whether it is turned off
     pub(crate) is_off: bool,
-    /// whether it has to be called on after it was turned off
+    /// whether it is turned off and has to be called on
     pub(crate) is_busy: bool,
     /// all outputs; the sign of a zero is not compared
     pub(crate) outputs: Vec<Literal>,
@@ -46,10 +46,11 @@ fn record(trial: &Trial, run: &mut dyn Run, works: Works) -> Vec<Answer> {
                 let differs = before.is_none_or(|before| before.outputs[at] != *value);
                 differs.then(|| literal(*value))
             };
+            let is_off = trial.holding(sample).any(|turn| turn.is_off);
             answers.push(Answer {
                 sample,
-                is_off: trial.holding(sample).any(|turn| turn.is_off),
-                is_busy: works.shows(run, &outputs),
+                is_off,
+                is_busy: is_off && works.shows(run, &outputs),
                 changes: outputs.iter().enumerate().map(change).collect(),
                 outputs,
             });

@@ -24,6 +24,7 @@ use compiler::print::{self, Language, Printer};
 use compiler::program::{Constant, Origin, Program};
 use portable::{Literal, RealKind};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::collections::BTreeSet;
 
 /// The tool's version, which every generated file names.
@@ -119,7 +120,7 @@ impl Target {
     /// # Errors
     /// A defect of a legalising pass.
     pub fn block<'b>(&self, block: &'b Block) -> Result<TargetBlock<'b>, Defect> {
-        Ok(TargetBlock { program: self.program(block)?, block })
+        Ok(TargetBlock { program: self.program(block)?, block, in_codesys: OnceCell::new() })
     }
 
     /// The names of the passes that change the program of a block: targets with the same passes have the same program.
@@ -205,6 +206,8 @@ pub struct BlockIdentity {
 pub struct TargetBlock<'b> {
     block: &'b Block,
     program: Cow<'b, Program>,
+    /// the block and its self-test in the notation of TwinCAT and CODESYS, once one of them prints it
+    in_codesys: OnceCell<[st::Listing; 2]>,
 }
 
 impl TargetBlock<'_> {

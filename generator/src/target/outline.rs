@@ -16,6 +16,7 @@ const LONGEST: usize = 140;
 const BETWEEN: usize = 34;
 
 /// A variable with its first value, or a named number.
+#[derive(Clone, Debug)]
 pub(super) struct Member {
     pub(super) ty: Cow<'static, str>,
     pub(super) name: String,
@@ -37,6 +38,7 @@ impl Member {
 }
 
 /// A group of constants.
+#[derive(Clone, Debug)]
 pub(super) struct Group {
     /// its common meaning; empty if already explained
     pub(super) note: String,

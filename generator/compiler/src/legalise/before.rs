@@ -1,6 +1,6 @@
 //! Moves parts of expressions into new locals, which are assigned before the statement. The calling pass selects the parts.
 
-use crate::program::{Expr, Local, Program, Statement, Type, Var, rewrite};
+use crate::program::{Expr, Local, Program, Statement, Type, Var};
 
 /// Assignments before a statement.
 pub(super) struct Before<'p> {
@@ -11,15 +11,24 @@ pub(super) struct Before<'p> {
 /// Calls `change` for every expression of a cycle; its assignments are inserted before the statement of the expression.
 pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut Before<'_>)) -> Program {
     let mut step = std::mem::take(&mut program.step);
-    rewrite(&mut step, &mut |mut statement, list| {
-        let mut before = Before { program: &mut program, statements: Vec::new() };
-        if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = &mut statement {
-            change(expr, &mut before);
-        }
-        list.append(&mut before.statements);
-        list.push(statement);
-    });
+    let mut before = Before { program: &mut program, statements: Vec::new() };
+    in_list(&mut step, &mut before, &mut change);
     Program { step, ..program }
+}
+
+fn in_list(list: &mut Vec<Statement>, before: &mut Before<'_>, change: &mut impl FnMut(&mut Expr, &mut Before<'_>)) {
+    let mut at = 0;
+    while at < list.len() {
+        list[at].change_branches(|inner| in_list(inner, before, change));
+        if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = &mut list[at] {
+            change(expr, before);
+        }
+        let next = at + before.statements.len() + 1;
+        if !before.statements.is_empty() {
+            list.splice(at..at, before.statements.drain(..));
+        }
+        at = next;
+    }
 }
 
 impl Before<'_> {

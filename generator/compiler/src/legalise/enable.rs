@@ -21,7 +21,7 @@ pub const NOTICES: [&str; 6] = [
 pub const ONLY_NOTICES: [&str; 3] = ["error_tuning", "error_unstable", "error_reversal"];
 
 /// The data for the signals of a cycle, for callers that know the block's own outputs.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cycle {
     pub fault: bool,
     pub error_id: u32,

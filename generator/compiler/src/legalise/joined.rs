@@ -17,16 +17,19 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 fn in_list(list: &mut Vec<Statement>) {
-    for mut statement in std::mem::take(list) {
+    let mut at = 0;
+    while at < list.len() {
         let mut branches = Vec::new();
-        branches_of(&mut statement, &mut branches);
+        branches_of(&mut list[at], &mut branches);
         branches.iter_mut().for_each(|branch| in_list(branch));
         let joined = joined(&mut branches);
-        let does_nothing = !joined.is_empty() && branches.iter().all(|branch| branch.is_empty());
-        if !does_nothing {
-            list.push(statement);
+        let does_nothing = branches.iter().all(|branch| branch.is_empty());
+        at += 1;
+        if !joined.is_empty() {
+            let next = at + joined.len() - usize::from(does_nothing);
+            list.splice(at - usize::from(does_nothing)..at, joined);
+            at = next;
         }
-        list.extend(joined);
     }
 }
 
@@ -46,16 +49,16 @@ fn joined(branches: &mut [&mut Vec<Statement>]) -> Vec<Statement> {
     let mut joined = Vec::new();
     let last = branches.first().map_or(0, |first| first.len());
     for at in (0..last).rev() {
-        let wanted = branches[0][at].clone();
-        let place = |branch: &&mut Vec<Statement>| {
-            (0..branch.len()).rev().find(|at| branch[*at] == wanted).filter(|at| can_go(branch, *at))
-        };
+        let wanted @ Statement::Assign { .. } = &branches[0][at] else { continue };
+        let place = |branch: &&mut Vec<Statement>| branch.iter().rposition(|inner| inner == wanted);
         let Some(places) = branches.iter().map(place).collect::<Option<Vec<usize>>>() else { continue };
+        if !branches.iter().zip(&places).all(|(branch, at)| can_go(branch, *at)) {
+            continue;
+        }
         let (ends, others) = (branches.iter().filter(|branch| branch.len() == 1).count(), branches.len() - 1);
         // A condition without a statement has to become another one: only the last branch may end, or all of them.
         if ends == 0 || ends > others || ends == 1 && branches[others].len() == 1 {
-            branches.iter_mut().zip(places).for_each(|(branch, at)| _ = branch.remove(at));
-            joined.push(wanted);
+            joined.extend(branches.iter_mut().zip(places).map(|(branch, at)| branch.remove(at)).last());
         }
     }
     joined.reverse();

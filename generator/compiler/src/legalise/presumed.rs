@@ -21,25 +21,24 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
-    let old = std::mem::take(list);
-    for statement in old {
-        let presumed = presumed(&statement, done);
-        let mut rest = vec![statement];
-        for (local, value) in presumed {
-            done[local] = true;
-            leave_out(&mut rest, &|statement| match statement {
-                Statement::Assign { target, value: other } => *target == Var::Local(local) && *other == value,
-                _ => false,
-            });
-            list.push(Statement::Assign { target: Var::Local(local), value });
+    let mut at = 0;
+    while at < list.len() {
+        let before = presumed(&list[at], done);
+        let does_something = before.iter().all(|known| leave_out_inside(&mut list[at], &|inner| inner == known));
+        if does_something {
+            list[at].change_branches(|inner| in_list(inner, done));
         }
-        rest.iter_mut().for_each(|statement| statement.change_branches(|inner| in_list(inner, done)));
-        list.append(&mut rest);
+        let next = at + before.len() + usize::from(does_something);
+        if !before.is_empty() {
+            list.splice(at..at + usize::from(!does_something), before);
+        }
+        at = next;
     }
 }
 
-/// The locals that every path through a statement assigns, with the value that at least two of its branches leave in them.
-fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
+/// The assignments to the locals that every path through a statement assigns, with the value that at least two of its branches
+/// leave in them.
+fn presumed(statement: &Statement, done: &mut [bool]) -> Vec<Statement> {
     if !matches!(statement, Statement::If { .. }) {
         return Vec::new();
     }
@@ -68,7 +67,8 @@ fn presumed(statement: &Statement, done: &[bool]) -> Vec<(usize, Expr)> {
         if let Some((value, _)) = most
             && always(statement, Var::Local(local))
         {
-            chosen.push((local, (*value).clone()));
+            done[local] = true;
+            chosen.push(Statement::Assign { target: Var::Local(local), value: (*value).clone() });
         }
     }
     chosen
@@ -93,25 +93,27 @@ fn always(statement: &Statement, local: Var) -> bool {
 /// Removes these assignments from a list and its inner lists. A branch with a comment keeps a statement: Structured Text does
 /// not permit a branch of comments only.
 pub(super) fn leave_out(list: &mut Vec<Statement>, is_it: &dyn Fn(&Statement) -> bool) {
-    list.iter_mut().for_each(|statement| statement.change_branches(|inner| leave_out(inner, is_it)));
     let others = |list: &[Statement]| list.iter().filter(|inner| !matches!(inner, Statement::Note(_))).count();
-    if list.iter().any(is_it) && (list.len() == 1 || others(list) > 1) {
-        list.retain(|statement| !is_it(statement));
-    }
-    let old = std::mem::take(list);
-    list.extend(old.into_iter().filter_map(without_nothing));
+    let removes = list.iter().any(is_it) && (list.len() == 1 || others(list) > 1);
+    list.retain_mut(|statement| !(removes && is_it(statement)) && leave_out_inside(statement, is_it));
 }
 
-/// A statement in which no empty branch precedes one that is not empty; `None` if both are empty.
-fn without_nothing(statement: Statement) -> Option<Statement> {
-    let Statement::If { condition, then, otherwise } = statement else { return Some(statement) };
+/// Removes these assignments from the branches of a statement. No empty branch then precedes one that is not empty. Returns
+/// whether the statement still does something.
+fn leave_out_inside(statement: &mut Statement, is_it: &dyn Fn(&Statement) -> bool) -> bool {
+    statement.change_branches(|inner| leave_out(inner, is_it));
+    let Statement::If { condition, then, otherwise } = statement else { return true };
     let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
-    match (is_nothing(&then), is_nothing(&otherwise)) {
-        (true, true) => None,
-        (true, false) => Some(Statement::If { condition: opposite(condition), then: otherwise, otherwise: Vec::new() }),
-        (false, true) => Some(Statement::If { condition, then, otherwise: Vec::new() }),
-        (false, false) => Some(Statement::If { condition, then, otherwise }),
+    match (is_nothing(then), is_nothing(otherwise)) {
+        (true, true) => return false,
+        (true, false) => {
+            *condition = opposite(std::mem::replace(condition, Expr::bool(true)));
+            *then = std::mem::take(otherwise);
+        }
+        (false, true) => otherwise.clear(),
+        (false, false) => {}
     }
+    true
 }
 
 /// The negation of a condition; an equality or a negation is inverted.

@@ -24,7 +24,8 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
 
 /// Checks that every output is written once on each path.
 pub(super) fn verify(program: &Program) -> Result<(), Defect> {
-    let times = times(&program.step, program.outputs.len());
+    let mut times = vec![Some(0); program.outputs.len()];
+    count(&program.step, &mut times);
     match times.iter().position(|times| *times != Some(1)) {
         None => Ok(()),
         Some(index) => {
@@ -34,45 +35,53 @@ pub(super) fn verify(program: &Program) -> Result<(), Defect> {
     }
 }
 
-/// The number of writes of each output on every path through a list; `None` if it differs between paths.
-fn times(list: &[Statement], outputs: usize) -> Vec<Option<usize>> {
-    let mut all = vec![Some(0); outputs];
+/// Adds the number of writes of each output on every path through a list; `None` if it differs between paths.
+fn count(list: &[Statement], times: &mut Vec<Option<usize>>) {
     for statement in list {
         if let Statement::Assign { target: Var::Output(output), .. } = statement {
-            all[*output] = all[*output].map(|times| times + 1);
+            times[*output] = times[*output].map(|times| times + 1);
         }
-        let same = |one: Option<usize>, other| one.filter(|_| one == other);
-        let in_each = statement.branches().map(|list| times(list, outputs));
-        let inside =
-            in_each.reduce(|one, other| one.into_iter().zip(other).map(|(one, other)| same(one, other)).collect());
-        for (times, more) in all.iter_mut().zip(inside.into_iter().flatten()) {
-            *times = times.zip(more).map(|(times, more)| times + more);
+        let branches = statement.branches().map(|branch| {
+            let mut times = times.clone();
+            count(branch, &mut times);
+            times
+        });
+        let both = |one: Vec<Option<usize>>, other| {
+            one.into_iter().zip(other).map(|(one, other)| one.filter(|_| one == other)).collect()
+        };
+        if let Some(after) = branches.reduce(both) {
+            *times = after;
         }
     }
-    all
 }
 
 /// Leaves only one statement that writes the output, in a list and in every inner list.
 fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
-    while let Some((first, next)) = first_two(list, output) {
-        if let Statement::Assign { value, .. } = &list[first]
+    let writers: Vec<usize> = (0..list.len()).filter(|at| list[*at].writes(output)).collect();
+    let Some((first, others)) = writers.split_first() else { return };
+    let (mut first, mut removed) = (*first, 0);
+    for next in others {
+        let mut next = next - removed;
+        let value = if let Statement::Assign { value, .. } = &list[first]
             && is_fixed(value)
             && !list[first + 1..next].iter().any(|statement| reads(statement, output))
             && !asks(&list[next], output)
         {
             let value = value.clone();
             list.remove(first);
-            go_before(&mut list[next - 1], output, &value);
+            removed += 1;
+            next -= 1;
+            value
         } else {
-            hold(list, (first, next), output, program);
-        }
+            Expr::Var(hold(list, (first, next), output, program))
+        };
+        go_before(&mut list[next], output, &value);
+        first = next;
     }
-    let writer = list.iter().position(|statement| statement.writes(output));
-    if let Some(statement) = writer.map(|writer| &mut list[writer]) {
-        statement.change_branches(|list| in_list(list, output, program));
-        if let Some(value) = either(statement, output) {
-            *statement = Statement::Assign { target: output, value };
-        }
+    let statement = &mut list[first];
+    statement.change_branches(|list| in_list(list, output, program));
+    if let Some(value) = either(statement, output) {
+        *statement = Statement::Assign { target: output, value };
     }
 }
 
@@ -88,12 +97,6 @@ fn either(statement: &Statement, output: Var) -> Option<Expr> {
     is_it.then(|| Expr::logic(Binary::Or, condition.clone(), no.clone()))
 }
 
-/// The first two statements of a list that write the output.
-fn first_two(list: &[Statement], output: Var) -> Option<(usize, usize)> {
-    let mut writers = (0..list.len()).filter(|at| list[*at].writes(output));
-    Some((writers.next()?, writers.next()?))
-}
-
 /// Inserts a value before the writes of a statement: into both branches of an `if`. An assignment overwrites it, so nothing
 /// is inserted.
 fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
@@ -101,16 +104,16 @@ fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
     statement.change_branches(|list| list.insert(0, assign()));
 }
 
-/// Replaces the output by a local in the first of two statements that write it, and assigns the local to the output after
-/// that statement.
-fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, program: &mut Program) {
+/// Replaces the output by a local, which it returns, from the first of two statements that write it until the second one.
+fn hold(list: &mut [Statement], (first, next): (usize, usize), output: Var, program: &mut Program) -> Var {
     let local = Var::Local(program.locals.len());
     let Var::Output(index) = output else { panic!("settle: {output:?} is no output") };
     let variable = &program.outputs[index];
     let start = variable.start;
-    let known = |end: &&&str| program.locals.iter().any(|local| local.path == format!("{}_{end}", variable.path));
-    let end = HELD.iter().find(|end| !known(end)).unwrap_or(&HELD[0]);
-    program.locals.push(Local { path: format!("{}_{end}", variable.path), ty: Some(variable.ty) });
+    let path = |end: &&str| format!("{}_{end}", variable.path);
+    let is_free = |path: &String| program.locals.iter().all(|local| local.path != *path);
+    let path = HELD.iter().map(path).find(is_free).unwrap_or_else(|| path(&HELD[0]));
+    program.locals.push(Local { path, ty: Some(variable.ty) });
     // Paths that do not write it have the start value: it is overwritten there, or never read.
     go_before(&mut list[first], output, &Expr::Literal(start));
     list[first].change_branches(|list| in_list(list, output, program));
@@ -118,7 +121,7 @@ fn hold(list: &mut Vec<Statement>, (first, next): (usize, usize), output: Var, p
     // Until the next write, the local replaces the output.
     rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });
     read_instead(&mut list[next], output, local);
-    list.insert(first + 1, Statement::Assign { target: output, value: Expr::Var(local) });
+    local
 }
 
 /// Replaces the output by the local in the expressions that a statement reads before it writes anything. Its branches get

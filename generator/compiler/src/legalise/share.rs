@@ -142,6 +142,9 @@ pub(super) fn drop_unused(program: &mut Program) {
             }
         });
     });
+    if is_used.iter().all(|is_used| *is_used) {
+        return;
+    }
     let mut places = vec![usize::MAX; is_used.len()];
     retain(&mut program.locals, &is_used, &mut places, |_| Origin::Function);
     let renamed = |var| match var {

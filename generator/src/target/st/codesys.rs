@@ -1,28 +1,19 @@
 //! The target `codesys`: PLCopen XML (tc6_0200) for each block and for its self-test, and a file with their common parts.
 
-use super::dialect::Dialect;
+use super::dialect::CODESYS;
 use super::enumeration::{Enumeration, enumerations};
 use super::listing::{self, Listing, Origin};
 use super::twincat::in_range;
-use super::{TcInRange, block_names, both, real_types};
+use super::{TcInRange, block_names, both, in_codesys, real_types};
 use crate::target::{BlockIdentity, File, TargetBlock, Unit, rendered, with_self_test};
 use askama::Template;
-use compiler::print::st;
-
-static CODESYS: Dialect = Dialect {
-    language: &st::CODESYS,
-    prefix: "FB_",
-    quote: "",
-    mark: "",
-    arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns", "cycle_counter"],
-};
 
 #[derive(Template)]
 #[template(path = "codesys/file.xml")]
 struct CodesysFile<'a> {
     origin: Origin<'a>,
     name: &'a str,
-    block: Listing,
+    block: &'a Listing,
 }
 
 /// The file that all axes share.
@@ -45,9 +36,8 @@ pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
 }
 
 pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
-    both(axis, block, &CODESYS, "xml", |origin, block| {
-        let name = &block.name.clone();
-        rendered(origin.file, "", &CodesysFile { origin, name, block })
+    both(axis, block, in_codesys(axis, block), &CODESYS, "xml", |origin, block| {
+        rendered(origin.file, "", &CodesysFile { origin, name: &block.name, block })
     })
 }
 

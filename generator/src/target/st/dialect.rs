@@ -1,7 +1,6 @@
 //! The differences between the dialects of Structured Text in their files; differences in statements are in `print/st`.
 
-use compiler::print::Language;
-use compiler::print::st::{PLAIN, SCL};
+use compiler::print::{Language, st};
 
 /// The notation of a dialect around the statements.
 pub(super) struct Dialect {
@@ -17,15 +16,30 @@ pub(super) struct Dialect {
 }
 
 pub(super) static ST: Dialect = Dialect {
-    language: &PLAIN,
+    language: &st::PLAIN,
     prefix: "",
     quote: "",
     mark: "",
     arguments: ["mode", "task_cycle_ns", "cycle_counter"],
 };
 
+pub(super) static CODESYS: Dialect = Dialect {
+    language: &st::CODESYS,
+    prefix: "FB_",
+    quote: "",
+    mark: "",
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns", "cycle_counter"],
+};
+
+/// Only the call differs.
+pub(super) static TWINCAT: Dialect = Dialect {
+    // The block reads the counter of its task if 0 is passed.
+    arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime", "0"],
+    ..CODESYS
+};
+
 pub(super) static SIEMENS: Dialect = Dialect {
-    language: &SCL,
+    language: &st::SCL,
     prefix: "FB_",
     quote: "\"",
     mark: "#",

@@ -32,7 +32,8 @@ pub(super) struct Origin<'a> {
 }
 
 /// A block: declarations, numbers, statements.
-pub(super) struct Listing {
+#[derive(Clone, Debug)]
+pub(in crate::target) struct Listing {
     pub(super) name: String,
     /// quotes around the names of types that the language does not define
     pub(super) quote: &'static str,
@@ -52,7 +53,8 @@ pub(super) struct Listing {
 }
 
 /// The structure of a parameter set.
-pub(super) struct SetType {
+#[derive(Clone, Debug)]
+pub(in crate::target) struct SetType {
     pub(super) name: String,
     pub(super) parts: Vec<Member>,
 }

@@ -12,23 +12,24 @@ pub(super) mod twincat;
 
 use super::{BlockIdentity, File, TargetBlock, Unit, block_name, rendered, with_self_test};
 use askama::Template;
-use dialect::{Dialect, SIEMENS, ST};
+use dialect::{CODESYS, Dialect, SIEMENS, ST};
 use enumeration::{Enumeration, enumerations};
-use listing::{Listing, Origin, listing, origin};
+pub(super) use listing::Listing;
+use listing::{Origin, listing, origin};
 use portable::RealKind;
 
 #[derive(Template)]
 #[template(path = "st/file.st")]
 struct PlainFile<'a> {
     origin: Origin<'a>,
-    block: Listing,
+    block: &'a Listing,
 }
 
 #[derive(Template)]
 #[template(path = "scl/file.scl")]
 struct SclFile<'a> {
     origin: Origin<'a>,
-    block: Listing,
+    block: &'a Listing,
 }
 
 /// The named values of a signal.
@@ -59,7 +60,9 @@ struct TcInRange<'a> {
 
 /// The files of a block for any compiler of the standard's second edition.
 pub(super) fn plain(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
-    both(axis, block, &ST, "st", |origin, block| rendered(origin.file, "", &PlainFile { origin, block }))
+    both(axis, block, &listings(axis, block, &ST), &ST, "st", |origin, block| {
+        rendered(origin.file, "", &PlainFile { origin, block })
+    })
 }
 
 /// A block and its self-test in this target.
@@ -74,7 +77,9 @@ pub(super) fn scl_called(axis: &str, block: &str, _: Option<&str>) -> [String; 2
 
 /// The files of a block for Siemens S7-1200 and S7-1500: external sources.
 pub(super) fn scl(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
-    both(axis, block, &SIEMENS, "scl", |origin, block| rendered(origin.file, "", &SclFile { origin, block }))
+    both(axis, block, &listings(axis, block, &SIEMENS), &SIEMENS, "scl", |origin, block| {
+        rendered(origin.file, "", &SclFile { origin, block })
+    })
 }
 
 /// The file that all axes share.
@@ -88,20 +93,31 @@ pub(super) fn scl_shared(units: &[Unit<'_>]) -> Vec<File> {
     files
 }
 
+/// A block and its self-test.
+fn listings(axis: &BlockIdentity, block: &TargetBlock<'_>, dialect: &Dialect) -> [Listing; 2] {
+    [listing(axis, block, dialect), self_test::listing(axis, block, dialect)]
+}
+
+/// A block and its self-test in TwinCAT and in CODESYS, made once.
+fn in_codesys<'b>(axis: &BlockIdentity, block: &'b TargetBlock<'_>) -> &'b [Listing; 2] {
+    block.in_codesys.get_or_init(|| listings(axis, block, &CODESYS))
+}
+
 /// The file of a block, and that of its self-test.
 fn both(
     axis: &BlockIdentity,
     block: &TargetBlock<'_>,
+    [listing, test]: &[Listing; 2],
     dialect: &Dialect,
     extension: &str,
-    file: impl Fn(Origin<'_>, Listing) -> File,
+    file: impl Fn(Origin<'_>, &Listing) -> File,
 ) -> Vec<File> {
     let name = block_name(&axis.name, block.program.block);
     let of_block = format!("{name}.{extension}");
     let of_test = format!("{}.{extension}", self_test::name(&name));
     vec![
-        file(origin(axis, &of_block, block, dialect).with_call(block, dialect), listing(axis, block, dialect)),
-        file(origin(axis, &of_test, block, dialect), self_test::listing(axis, block, dialect)),
+        file(origin(axis, &of_block, block, dialect).with_call(block, dialect), listing),
+        file(origin(axis, &of_test, block, dialect), test),
     ]
 }
 

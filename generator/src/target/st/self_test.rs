@@ -210,22 +210,26 @@ fn steps<'n>(block: &'n TargetBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
         is_enabled: !answer.is_off,
         works: answer.is_busy,
     };
-    let mut before: Option<&Answer> = None;
-    let mut steps = Vec::new();
+    let (mut before, mut steps) = (None, Vec::new());
     for answer in block.block.answers.iter() {
-        let cycles = [before.map(cycle), Some(cycle(answer))];
-        let mut step = Vec::new();
-        for ((output, place), name) in places.iter().zip(names) {
-            let change = match cycles.map(|cycle| cycle?.value(&output.path)) {
-                [before, Some(now)] => (before != Some(now)).then(|| Cow::Owned(st::literal(now))),
-                [_, None] => place.and_then(|at| answer.changes[at].as_deref()).map(Cow::Borrowed),
+        let now = cycle(answer);
+        let change = |((output, place), name): (&(&Variable, Option<usize>), &'n String)| {
+            let text = match place {
+                Some(at) => Cow::Borrowed(answer.changes[*at].as_deref()?),
+                None if before == Some(now) => return None,
+                None => {
+                    let value = now.value(&output.path)?;
+                    let differs = before.and_then(|before: Cycle| before.value(&output.path)) != Some(value);
+                    Cow::Owned(differs.then(|| st::literal(value))?)
+                }
             };
-            step.extend(change.map(|text| (name.as_str(), text)));
-        }
+            Some((name.as_str(), text))
+        };
+        let step: Vec<_> = places.iter().zip(names).filter_map(change).collect();
         if !step.is_empty() {
             steps.push((answer.sample, step));
         }
-        before = Some(answer);
+        before = Some(now);
     }
     steps
 }

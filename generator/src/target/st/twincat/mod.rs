@@ -5,9 +5,9 @@ mod suite;
 
 pub(crate) use project::shared;
 
-use super::dialect::Dialect;
-use super::listing::{self, Listing, Origin, SetType, listing, origin};
-use super::{TcInRange, self_test};
+use super::dialect::TWINCAT;
+use super::listing::{self, Listing, Origin, SetType, origin};
+use super::{TcInRange, in_codesys};
 use crate::target::{self, BlockIdentity, File, TargetBlock, with_self_test};
 use askama::Template;
 use askama::filters::Escaper;
@@ -26,15 +26,6 @@ const DUTS: &str = "DUTs";
 /// The folder of the objects that only tests need.
 const TESTS: &str = "Tests";
 
-static TWINCAT: Dialect = Dialect {
-    language: &CODESYS,
-    prefix: "FB_",
-    quote: "",
-    mark: "",
-    // The block reads the counter of its task if 0 is passed.
-    arguments: ["E_axgen_mode.MODE_DRYRUN", "100 * _TaskInfo[GETCURTASKINDEXEX()].CycleTime", "0"],
-};
-
 /// TwinCAT's files begin with a byte order mark.
 const BYTE_ORDER_MARK: &str = "\u{feff}";
 
@@ -48,7 +39,7 @@ const NAMESPACE: Uuid = uuid!("4af64489-b926-5bad-acb2-20dca8f42d6a");
 struct TcPou<'a> {
     origin: Origin<'a>,
     id: String,
-    block: Listing,
+    block: &'a Listing,
 }
 
 /// The type of the parameter sets of a block.
@@ -63,19 +54,18 @@ struct TcParams<'a> {
 /// The files of a block: the function block, its self-test, a suite that runs that, and the type of its parameter
 /// sets, if it takes any.
 pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> {
-    let pou = |folder: &str, listing: Listing, is_test: bool| {
+    let pou = |folder: &str, listing: &Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
         let origin = origin(axis, &file, block, &TWINCAT);
         let origin = if is_test { origin } else { origin.with_call(block, &TWINCAT) };
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
-    let listing = listing(axis, block, &TWINCAT);
+    let [listing, test] = in_codesys(axis, block);
     let set = listing.set.as_ref().map(|set| {
         let file = format!("{}.TcDUT", set.name);
         let template = TcParams { origin: origin(axis, &file, block, &TWINCAT), id: guid("DUT", &set.name), set };
         rendered(DUTS, &file, &template)
     });
-    let test = self_test::listing(axis, block, &TWINCAT);
     let files = [pou(POUS, listing, false), pou(TESTS, test, true), suite::file(axis, block)];
     files.into_iter().chain(set).collect()
 }

@@ -1,6 +1,7 @@
 //! A TcUnit suite for each block, which runs its self-test to the end.
 
-use super::{TESTS, TWINCAT, block_name, guid, rendered};
+use super::{TESTS, block_name, guid, rendered};
+use crate::target::st::dialect::TWINCAT;
 use crate::target::st::listing::{Origin, origin};
 use crate::target::st::self_test;
 use crate::target::{BlockIdentity, File, TargetBlock};
