@@ -1,6 +1,6 @@
 //! A program as text, for readers who inspect the pipeline. Nothing reads it back.
 
-use crate::program::{Expr, Origin, Program, Statement, Var, Variable};
+use crate::program::{Expr, Origin, Program, Statement, Type, Var, Variable};
 use portable::{Intrinsic, Literal, Unary};
 use std::fmt::{Display, Formatter, Result, Write};
 
@@ -23,21 +23,6 @@ pub(crate) struct Dump<'p> {
     with_notes: bool,
 }
 
-/// The next piece to write.
-pub(crate) enum Piece<'a> {
-    Text(&'a str),
-    Value(Literal),
-    Name(Var),
-    Expr(&'a Expr),
-    /// in parentheses, unless it is simple
-    Operand(&'a Expr),
-    Listed(&'a [Expr]),
-    /// a statement without the statements inside it
-    Head(&'a Statement),
-}
-
-use Piece::{Head, Listed, Name, Operand, Text, Value};
-
 impl<'p> Dump<'p> {
     pub(crate) fn of(program: &'p Program) -> Self {
         Self { program, text: String::new(), decided: |value| value, with_notes: true }
@@ -48,9 +33,15 @@ impl<'p> Dump<'p> {
         Self { program, text, decided, with_notes: false }
     }
 
-    /// One piece alone.
-    pub(crate) fn alone(mut self, piece: Piece<'_>) -> String {
-        self.put([piece]);
+    /// An expression alone.
+    pub(crate) fn expression(mut self, expr: &Expr) -> String {
+        self.expr(expr);
+        self.text
+    }
+
+    /// A statement alone, without the statements inside it.
+    pub(crate) fn statement(mut self, statement: &Statement) -> String {
+        self.head(statement);
         self.text
     }
 
@@ -58,24 +49,24 @@ impl<'p> Dump<'p> {
         let program = self.program;
         for (kind, list) in [("input ", &program.inputs), ("output", &program.outputs), ("state ", &program.state)] {
             for Variable { path, ty, start, .. } in list {
-                let _ = write!(self.text, "{kind}   {path}: {ty:?} = ");
-                self.put([Value((self.decided)(*start)), Text("\n")]);
+                self.put([kind, "   ", path, ": ", word(*ty), " = "]);
+                self.literal((self.decided)(*start));
+                self.put(["\n"]);
             }
         }
         for constant in &program.constants {
             let is_decided = matches!(constant.origin, Origin::Coefficient(_));
-            let value = if is_decided { (self.decided)(constant.value) } else { constant.value };
-            self.put([Text("constant "), Text(&constant.path), Text(" = "), Value(value), Text("\n")]);
+            self.put(["constant ", &constant.path, " = "]);
+            self.literal(if is_decided { (self.decided)(constant.value) } else { constant.value });
+            self.put(["\n"]);
         }
         for (index, local) in program.locals.iter().enumerate() {
-            self.put([Text("local    "), Name(Var::Local(index))]);
-            match local.ty {
-                Some(ty) => drop(writeln!(self.text, ": {ty:?}")),
-                None => self.text.push_str(": ?\n"),
-            }
+            self.put(["local    "]);
+            self.name(Var::Local(index));
+            self.put([": ", local.ty.map_or("?", word), "\n"]);
         }
         for (name, list) in [("init\n", &program.init), ("step\n", &program.step)] {
-            self.text.push_str(name);
+            self.put([name]);
             self.statements(list, 1);
         }
         self.text
@@ -86,13 +77,19 @@ impl<'p> Dump<'p> {
         for statement in list {
             match statement {
                 Statement::Note(_) if !self.with_notes => continue,
-                statement => self.put([Text(indent), Head(statement), Text("\n")]),
+                statement => {
+                    self.put([indent]);
+                    self.head(statement);
+                    self.put(["\n"]);
+                }
             }
             for (index, list) in statement.branches().enumerate() {
                 match statement {
-                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([Text(indent), Text("else\n")]),
+                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([indent, "else\n"]),
                     Statement::Choose { arms, .. } => {
-                        self.put([Text(indent), Listed(&arms[index].labels), Text(":\n")]);
+                        self.put([indent]);
+                        self.listed(&arms[index].labels);
+                        self.put([":\n"]);
                     }
                     _ => {}
                 }
@@ -101,28 +98,46 @@ impl<'p> Dump<'p> {
         }
     }
 
-    fn put<const N: usize>(&mut self, pieces: [Piece<'_>; N]) {
-        for piece in pieces {
-            match piece {
-                Text(text) => self.text.push_str(text),
-                Value(value) => self.literal(value),
-                Name(var) => self.name(var),
-                Piece::Expr(expr) => self.expr(expr),
-                Operand(expr @ (Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..))) => self.expr(expr),
-                Operand(expr) => self.put([Text("("), Piece::Expr(expr), Text(")")]),
-                Listed(parts) => {
-                    for (index, part) in parts.iter().enumerate() {
-                        self.put([Text(if index == 0 { "" } else { ", " }), Piece::Expr(part)]);
-                    }
-                }
-                Head(Statement::Note(note)) => self.put([Text("# "), Text(note)]),
-                Head(Statement::Assign { target, value }) => {
-                    self.put([Name(*target), Text(" = "), Piece::Expr(value)]);
-                }
-                Head(Statement::If { condition, .. }) => self.put([Text("if "), Piece::Expr(condition)]),
-                Head(Statement::Choose { by, .. }) => self.put([Text("choose by "), Piece::Expr(by)]),
-                Head(Statement::Apart(_)) => self.text.push_str("apart"),
+    fn put<const N: usize>(&mut self, pieces: [&str; N]) {
+        pieces.into_iter().for_each(|piece| self.text.push_str(piece));
+    }
+
+    /// A statement without the statements inside it.
+    fn head(&mut self, statement: &Statement) {
+        match statement {
+            Statement::Note(note) => self.put(["# ", note]),
+            Statement::Assign { target, value } => {
+                self.name(*target);
+                self.put([" = "]);
+                self.expr(value);
             }
+            Statement::If { condition, .. } => {
+                self.put(["if "]);
+                self.expr(condition);
+            }
+            Statement::Choose { by, .. } => {
+                self.put(["choose by "]);
+                self.expr(by);
+            }
+            Statement::Apart(_) => self.put(["apart"]),
+        }
+    }
+
+    fn listed(&mut self, parts: &[Expr]) {
+        for (index, part) in parts.iter().enumerate() {
+            self.put([if index == 0 { "" } else { ", " }]);
+            self.expr(part);
+        }
+    }
+
+    /// An expression, in parentheses unless it is simple.
+    fn operand(&mut self, expr: &Expr) {
+        if matches!(expr, Expr::Literal(_) | Expr::Var(_) | Expr::Intrinsic(..)) {
+            self.expr(expr);
+        } else {
+            self.put(["("]);
+            self.expr(expr);
+            self.put([")"]);
         }
     }
 
@@ -130,40 +145,43 @@ impl<'p> Dump<'p> {
         match value {
             Expr::Literal(value) => self.literal(*value),
             Expr::Var(var) => self.name(*var),
-            Expr::Unary(Unary::Negate, operand) => self.put([Text("-"), Operand(operand)]),
-            Expr::Unary(Unary::Not, operand) => self.put([Text("not "), Operand(operand)]),
+            Expr::Unary(operator, operand) => {
+                self.put([if *operator == Unary::Negate { "-" } else { "not " }]);
+                self.operand(operand);
+            }
             Expr::Binary(operator, left, right) => {
-                let symbol = SYMBOLS[*operator as usize];
-                self.put([Operand(left), Text(" "), Text(symbol), Text(" "), Operand(right)]);
+                self.operand(left);
+                self.put([" ", SYMBOLS[*operator as usize], " "]);
+                self.operand(right);
             }
             Expr::Intrinsic(intrinsic, operands) => {
                 let name = match intrinsic {
                     Intrinsic::FromU32 | Intrinsic::FromI32 => "real",
-                    Intrinsic::Unsigned => "unsigned",
-                    Intrinsic::Narrow => "narrow",
                     other => &format!("{other:?}").to_lowercase(),
                 };
-                self.put([Text(name), Text("("), Listed(operands), Text(")")]);
+                self.put([name, "("]);
+                self.listed(operands);
+                self.put([")"]);
             }
             Expr::Element(row, index) => {
-                let path = self.program.path_of_row(*row).unwrap_or_default();
-                self.put([Text("state."), Text(path), Text("["), Piece::Expr(index), Text("]")]);
+                self.put(["state.", self.program.path_of_row(*row).unwrap_or_default(), "["]);
+                self.expr(index);
+                self.put(["]"]);
             }
         }
     }
 
     fn name(&mut self, var: Var) {
-        let path = Text(self.program.path(var));
-        match var {
-            Var::Input(_) => self.put([Text("inputs."), path]),
-            Var::Output(_) => self.put([Text("outputs."), path]),
-            Var::State(_) => self.put([Text("state."), path]),
-            Var::Constant(_) => self.put([path]),
-            Var::Local(index) => {
-                self.put([path]);
-                // Two locals may have the same path: the number distinguishes them.
-                let _ = write!(self.text, "%{index}");
-            }
+        let kind = match var {
+            Var::Input(_) => "inputs.",
+            Var::Output(_) => "outputs.",
+            Var::State(_) => "state.",
+            Var::Constant(_) | Var::Local(_) => "",
+        };
+        self.put([kind, self.program.path(var)]);
+        if let Var::Local(index) = var {
+            // Two locals may have the same path: the number distinguishes them.
+            self.put(["%", &index.to_string()]);
         }
     }
 
@@ -176,5 +194,14 @@ impl<'p> Dump<'p> {
             Literal::F32(value) => write!(self.text, "{value:?}"),
             other => write!(self.text, "{other:?}"),
         };
+    }
+}
+
+fn word(ty: Type) -> &'static str {
+    match ty {
+        Type::Bool => "Bool",
+        Type::I32 => "I32",
+        Type::U32 => "U32",
+        Type::Real => "Real",
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::{binary, intrinsic, unary};
 use crate::program::{Expr, Program, Statement, Var};
-use portable::Literal;
+use portable::{Binary, Literal};
 
 /// A block in operation: the values of its variables.
 pub struct Machine<'p> {
@@ -104,7 +104,10 @@ impl<'p> Machine<'p> {
                 Var::Local(index) => self.locals[index].expect("interp: a local is read after it was assigned"),
             },
             Expr::Unary(operator, operand) => unary(*operator, self.value(operand)),
-            // Without side effects, evaluating both sides has the same result as short-circuiting.
+            Expr::Binary(operator @ (Binary::And | Binary::Or), left, right) => {
+                let decides = Literal::Bool(*operator == Binary::Or);
+                if self.value(left) == decides { decides } else { self.value(right) }
+            }
             Expr::Binary(operator, left, right) => binary(*operator, self.value(left), self.value(right)),
             Expr::Intrinsic(called, operands) => match operands.as_slice() {
                 [a] => intrinsic(*called, &[self.value(a)], self.program.real),

@@ -69,12 +69,15 @@ pub fn analyze(designed: &Designed, model: &DriveModel) -> Analysis {
 
 fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
     let closed = Loop::new(points, drive.drive());
-    let stage = |design: &StageDesign| OfStage {
-        stage: design.index,
-        weight: design.stage.weight(),
-        phase_at_f0_deg: closed.phase(design.index, design.stage.f0()),
-        largest_stable_weight: closed.largest_stable_weight(design.index),
-        largest_weight: closed.largest_weight(design.index),
+    let stage = |design: &StageDesign| {
+        let [largest_stable_weight, largest_weight] = closed.largest_weights(design.index);
+        OfStage {
+            stage: design.index,
+            weight: design.stage.weight(),
+            phase_at_f0_deg: closed.phase(design.index, design.stage.f0()),
+            largest_stable_weight,
+            largest_weight,
+        }
     };
     let stages = closed_loop::stages(designed).map(stage).collect();
     let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));

@@ -128,9 +128,9 @@ fn program<R: Real, B: Design + Reference<R>>(
 
 /// Specialises one block and records its run.
 fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect> {
-    let coeffs = || coefficients::<R, B>(designed);
+    let coeffs = coefficients::<R, B>(designed);
     let notes = kind.notes(designed).into_iter().collect();
-    let specialised = specialise::block::<R, B>(&coeffs(), &notes);
+    let specialised = specialise::block::<R, B>(&coeffs, &notes);
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
@@ -142,10 +142,10 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
         drill: kind.drill(designed),
         cycle_time_ns: designed.axis.cycle_time_ns,
     };
-    let exercise = Arc::new(Exercise::of::<R, B>(&coeffs(), (&program, &for_axis), &state_paths, &wanted));
-    let self_test = SelfTest::record(&exercise, &mut Running::<R, B>::start(coeffs()));
+    let exercise = Arc::new(Exercise::of::<R, B>(&coeffs, (&program, &for_axis), &state_paths, &wanted));
+    let self_test = SelfTest::record(&exercise, &mut Running::<R, B>::start(coeffs));
     let trial = Trial::of(&exercise);
-    let numbers = coeffs();
+    let numbers = coefficients::<R, B>(designed);
     let start = || Box::new(Running::<R, B>::start(numbers)) as Box<dyn Run>;
     let answers = exercise::recording(trial.clone(), &program, &state_paths, start);
     let shown = shown(kind, designed, &program);

@@ -53,9 +53,10 @@ static OURS: [(usize, Letters<'_>, usize); 3] = [
 
 /// Whether a path lies in one of axgen's structures, or nearly.
 pub(crate) fn is_ours(path: &str) -> bool {
-    let Some(dot) = memchr::memchr(b'.', path.as_bytes()) else { return false };
+    let end = |text: &str| text.bytes().position(|byte| byte == b'.');
+    let Some(dot) = end(path) else { return false };
     let (first, rest) = (&path[..dot], &path[dot + 1..]);
-    let parts = [first, memchr::memchr(b'.', rest.as_bytes()).map_or(rest, |dot| &rest[..dot])];
+    let parts = [first, &rest[..end(rest).unwrap_or(rest.len())]];
     OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
         // Most paths of a real list are recognised by their lengths, or by their first letters.

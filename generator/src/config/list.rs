@@ -1,6 +1,6 @@
 //! Reads the lines of an axis list. No default, no range, no rule, no file access; `lines.rs` splits the lines.
 
-use super::lines::{self, Content, Statement};
+use super::lines::{self, Content, Lines, Statement};
 use super::other_functions::OtherFunctions;
 use super::path::{self, Path};
 use super::project::AxisList;
@@ -38,10 +38,9 @@ pub(crate) fn read(list: &AxisList) -> List {
         is_taken: false,
     };
     let mut unreadable = 0;
-    let mut lines = lines::split(list.bytes()).1.peekable();
+    let mut lines = lines::split(list.bytes()).1;
     while let Some(line) = lines.next() {
-        let below = lines.peek().map(|line| line.content);
-        unreadable += usize::from(!reading.line(list.range.start + line.at, line.content, below));
+        unreadable += usize::from(!reading.line(list.range.start + line.at, line.content, &lines));
         if unreadable == UNREADABLE_LINES {
             let found = format!("{UNREADABLE_LINES} lines that no axis list has; the rest is not read");
             let said = Diagnostic::error(codes::NO_LIST, list.source.whole(), found);
@@ -64,8 +63,8 @@ struct Reading<'s> {
 }
 
 impl Reading<'_> {
-    /// Reads a line with the line below it; false if it is not a line of a list.
-    fn line(&mut self, at: usize, content: Content<'_>, below: Option<Content<'_>>) -> bool {
+    /// Reads a line with the lines below it; false if it is not a line of a list.
+    fn line(&mut self, at: usize, content: Content<'_>, below: &Lines<'_>) -> bool {
         if std::mem::take(&mut self.is_taken) {
             return true;
         }
@@ -115,10 +114,11 @@ impl Reading<'_> {
     }
 
     /// A line with a path.
-    fn statement(&mut self, at: usize, statement: &Statement<'_>, below: Option<Content<'_>>) -> bool {
+    fn statement(&mut self, at: usize, statement: &Statement<'_>, below: &Lines<'_>) -> bool {
         let place = || self.source.place(at + statement.path_at());
+        let path = path::find(statement.path);
         if self.is_after_end {
-            if matches!(path::find(statement.path), Path::Known { .. }) {
+            if matches!(path, Path::Known { .. }) {
                 let found = format!("`{}` comes after `Ende`, where the list ends", statement.path);
                 let said = Diagnostic::error(codes::BEHIND_END, place(), found);
                 self.list.report.push(said.instead("the line before `Ende`"));
@@ -138,15 +138,14 @@ impl Reading<'_> {
             self.is_taken = true;
             return true;
         }
-        self.take(at, statement)
+        self.take(at, statement, path)
     }
 
     /// Takes the contents of a line; false if it is not a line of a list.
-    fn take(&mut self, start: usize, statement: &Statement<'_>) -> bool {
+    fn take(&mut self, start: usize, statement: &Statement<'_>, path: Path) -> bool {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
         let error = |code, found: String| Diagnostic::error(code, place(), found);
-        let path = path::find(written);
         let said = match path {
             Path::Known { name, index, .. } if name.parameter().scope != Scope::List => {
                 let found = format!("`{written}` is a key of an axis set; no axis list has it");
@@ -189,7 +188,8 @@ impl Reading<'_> {
             // The usual case, tested first, because comparing letters is slow.
             None if !closest::is_ours(written) => {
                 self.list.foreign.pass_over(statement, source, start);
-                if written.contains('.') || !statement.value.contains(' ') || statement.value.starts_with('=') {
+                // The value is the shorter text.
+                if !statement.value.contains(' ') || statement.value.starts_with('=') || written.contains('.') {
                     return None;
                 }
                 let found = "words without the sign of a comment: no parameter has such a path".to_owned();

@@ -1,7 +1,7 @@
 //! Classifies a line without a parameter: text without a comment sign, a word of an NC program, a value alone, a path with
 //! blanks. No message is made here.
 
-use super::lines::{Content, Statement};
+use super::lines::{Content, Lines, Statement};
 use super::path::{self, Path};
 use super::{closest, value};
 use crate::parameters::Name;
@@ -18,11 +18,13 @@ pub(super) fn is_of_another_function(before: &[u8]) -> bool {
 
 /// Whether an indented line is text rather than a parameter: it has no path with a point, no index and no value sign.
 pub(super) fn is_prose(line: &Statement<'_>) -> bool {
+    if line.indent.is_empty() {
+        return false;
+    }
     let word = line.path.trim_end_matches('.');
     let has_path = word.split_once('.').is_some_and(|(first, _)| first.contains(|c: char| c.is_ascii_alphabetic()));
     let is_value = line.value.is_empty() && value::is_number(line.path);
-    !line.indent.is_empty()
-        && !is_value
+    !is_value
         && !has_path
         && !line.path.contains(['[', ']', '='])
         && !line.value.starts_with('=')
@@ -40,12 +42,11 @@ pub(super) fn text_after(comment: &[u8]) -> Option<usize> {
 
 /// The input that corresponds to a word of an NC program: `G135`, `S[G136=80]`.
 pub(super) fn nc_word(path: &str) -> Option<&'static str> {
-    // Hardly any path begins with these letters.
-    if !path.starts_with(['G', 'g', 'S', 's']) {
-        return None;
-    }
-    let word =
-        path.split_once('[').filter(|(spindle, _)| spindle.starts_with(['S', 's'])).map_or(path, |(_, rest)| rest);
+    let word = match path.as_bytes() {
+        [b'G' | b'g', ..] => path,
+        [b'S' | b's', ..] => path.split_once('[')?.1,
+        _ => return None,
+    };
     let ends = |word: &str| !word.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.');
     let is = |name: &str| word.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(name)) && ends(&word[4..]);
     match () {
@@ -110,8 +111,12 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
 }
 
 /// A path whose value is alone in the next line, as in text from a printed page: what was found, and both in one line.
-pub(super) fn value_below(line: &Statement<'_>, below: Option<Content<'_>>) -> Option<(String, String)> {
-    let Some(Content::Statement(below)) = below else { return None };
+pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(String, String)> {
+    // The usual case: a value, which is no word of a path.
+    if !line.value.is_empty() && !is_word(line.value) {
+        return None;
+    }
+    let Content::Statement(below) = below.clone().next()?.content else { return None };
     // The next line usually is a path.
     if below.path.contains('.') && below.path.starts_with(|c: char| c.is_ascii_alphabetic()) {
         return None;

@@ -16,7 +16,20 @@ struct Spelling {
     name: Name,
     template: &'static str,
     misprint: bool,
-    plain: String,
+    /// the pieces between the numbers of its indices
+    pieces: Vec<String>,
+}
+
+impl Spelling {
+    /// Whether a well-formed path, which is as long without the numbers of its indices, is this one.
+    fn is(&self, path: &str) -> bool {
+        let mut rest = path;
+        for piece in &self.pieces {
+            let Some(after) = rest.strip_prefix(piece.as_str()) else { return false };
+            rest = after.trim_start_matches(|letter: char| letter.is_ascii_digit());
+        }
+        true
+    }
 }
 
 /// Every spelling of every parameter, by its path with `[]` for an index.
@@ -27,7 +40,8 @@ static SPELLINGS: LazyLock<Vec<Vec<Spelling>>> = LazyLock::new(|| {
         let misprints = parameter.misprints.iter().map(|template| (template, true));
         proper.chain(misprints).map(move |(template, misprint)| {
             let plain = without_indices(template);
-            (drawer(plain.len(), &plain), Spelling { name, template, misprint, plain })
+            let pieces = plain.split_inclusive('[').map(str::to_owned).collect();
+            (drawer(plain.len(), &plain), Spelling { name, template, misprint, pieces })
         })
     });
     in_drawers(spellings)
@@ -53,9 +67,10 @@ static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
     }))
 });
 
-/// The slot of a name: length and last letter, in any case, distinguish most names.
+/// The slot of a name: length, first and last letter, in any case, distinguish most names.
 fn drawer(length: usize, name: &str) -> usize {
-    length * 32 + (look(char::from(*name.as_bytes().last().unwrap_or(&0))) as usize & 31)
+    let ends = [name.as_bytes().first(), name.as_bytes().last()].map(|letter| look(char::from(*letter.unwrap_or(&0))));
+    length * 32 + ((ends[0] as usize + ends[1] as usize) & 31)
 }
 
 /// One letter for those that look alike: small and capital, `I`, `1` and `l`, `0` and `O`.
@@ -100,8 +115,9 @@ pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
 
 /// The last part of a path without its index.
 fn last_name(path: &str) -> &str {
-    let last = memchr::memrchr(b'.', path.as_bytes()).map_or(path, |dot| &path[dot + 1..]);
-    memchr::memchr(b'[', last.as_bytes()).map_or(last, |bracket| &last[..bracket])
+    // Names are short: a search that is made for long texts would take longer.
+    let last = path.bytes().rposition(|byte| byte == b'.').map_or(path, |dot| &path[dot + 1..]);
+    last.bytes().position(|byte| byte == b'[').map_or(last, |bracket| &last[..bracket])
 }
 
 /// The letters of a path without its indices, with or without their brackets.
@@ -118,9 +134,7 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
 pub(crate) fn find(path: &str) -> Path {
     let Some((index, length)) = indices(path.as_bytes()) else { return Path::Malformed };
     let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
-    let Some(&Spelling { name, template, misprint, .. }) =
-        alike.find(|spelling| letters(path, true).eq(spelling.plain.chars()))
-    else {
+    let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| spelling.is(path)) else {
         return Path::Foreign;
     };
     let within = name.parameter().indices.iter().zip(index).all(|(size, index)| index < *size);
@@ -137,11 +151,10 @@ fn indices(path: &[u8]) -> Option<([u32; 2], usize)> {
     let mut length = path.len();
     let (mut at, mut before) = (0, b'.');
     loop {
-        let start = at;
-        while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
-            at += 1;
-        }
-        before = if at > start { b'_' } else { before };
+        let rest = &path[at..];
+        let name = rest.iter().position(|byte| !OF_NAME[usize::from(*byte)]).unwrap_or(rest.len());
+        at += name;
+        before = if name > 0 { b'_' } else { before };
         let Some(sign) = path.get(at) else { break };
         at += 1;
         match sign {

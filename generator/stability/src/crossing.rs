@@ -45,9 +45,14 @@ const STEPS: u32 = 200;
 const PRECISION: f64 = 1e-9;
 
 impl Line {
+    /// 1 + L with a weight.
+    pub(crate) fn at(&self, weight: f64) -> Complex64 {
+        self.rest + self.part * weight
+    }
+
     /// The least distance of the loop from -1 with a weight.
     pub(crate) fn distance(&self, weight: f64) -> f64 {
-        let distance = self.rest + self.part * weight;
+        let distance = self.at(weight);
         magnitude(distance) - self.uncertainty * magnitude(distance - 1.0)
     }
 

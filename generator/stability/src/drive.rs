@@ -48,7 +48,7 @@ impl Drive<'_> {
                 }
                 Value { response, uncertainty: 0.0 }
             }
-            Self::Measured(response) => response.at(controller.hz(point)),
+            Self::Measured(response) => response.at(controller.hz(point.half)),
         }
     }
 }

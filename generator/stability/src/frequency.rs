@@ -123,9 +123,9 @@ impl Controller<'_> {
         self.at((a.t * b.t).sqrt())
     }
 
-    /// The frequency [Hz] of a point.
-    pub(crate) fn hz(&self, point: &Point) -> f64 {
-        point.half / (PI * self.cycle_time)
+    /// The frequency [Hz] of pi f T.
+    pub(crate) fn hz(&self, half: f64) -> f64 {
+        half / (PI * self.cycle_time)
     }
 
     /// Inserts the necessary points between two points.

@@ -19,15 +19,19 @@
 //! frequency  points of the frequency axis, and a controller there
 //! response   a measured response between its lines
 //! drive      the model of the drive: P
+//! driven     a controller with P at its points
 //! crossing   the largest weight at a frequency
-//! margins    turns, Ms, gain and phase margin, largest weights
+//! part       a loop with a growing part: turns, crossings, the least distance
+//! margins    Ms, gain and phase margin, largest weights
 //! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 
 mod crossing;
 mod drive;
+mod driven;
 mod frequency;
 mod margins;
+mod part;
 mod response;
 mod search;
 

@@ -19,7 +19,7 @@ pub(super) fn run(mut program: Program, mut change: impl FnMut(&mut Expr, &mut B
 fn in_list(list: &mut Vec<Statement>, before: &mut Before<'_>, change: &mut impl FnMut(&mut Expr, &mut Before<'_>)) {
     let mut at = 0;
     while at < list.len() {
-        list[at].branches_mut().for_each(|inner| in_list(inner, before, change));
+        list[at].change_branches(|inner| in_list(inner, before, change));
         if let Statement::Assign { value: expr, .. } | Statement::If { condition: expr, .. } = &mut list[at] {
             change(expr, before);
         }

@@ -33,7 +33,7 @@ fn in_list(list: &mut [Statement], within: Option<(Var, &[Expr])>, constants: &m
                 in_list(body, is_fixed.then_some((*by, &**labels)), constants);
             }
         } else {
-            statement.branches_mut().for_each(|list| in_list(list, within, constants));
+            statement.change_branches(|list| in_list(list, within, constants));
         }
     }
 }

@@ -34,7 +34,7 @@ fn in_list(list: &mut Vec<Statement>, writes: &[usize]) {
             _ => at += 1,
         }
     }
-    list.iter_mut().flat_map(Statement::branches_mut).for_each(|inner| in_list(inner, writes));
+    list.iter_mut().for_each(|statement| statement.change_branches(|inner| in_list(inner, writes)));
 }
 
 /// The local and its source, if a statement only copies and nothing else assigns the local.

@@ -21,7 +21,7 @@ fn in_list(list: &mut Vec<Statement>) {
             list.insert(place, statement);
         }
     }
-    list.iter_mut().for_each(|statement| statement.branches_mut().for_each(in_list));
+    list.iter_mut().for_each(|statement| statement.change_branches(in_list));
 }
 
 /// The earliest place to which a statement may move; `None` if it must stay.

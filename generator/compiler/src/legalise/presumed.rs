@@ -26,7 +26,7 @@ fn in_list(list: &mut Vec<Statement>, done: &mut [bool]) {
         let before = presumed(&list[at], done);
         let does_something = before.iter().all(|known| leave_out_inside(&mut list[at], &|inner| inner == known));
         if does_something {
-            list[at].branches_mut().for_each(|inner| in_list(inner, done));
+            list[at].change_branches(|inner| in_list(inner, done));
         }
         let next = at + before.len() + usize::from(does_something);
         if !before.is_empty() {
@@ -101,7 +101,7 @@ pub(super) fn leave_out(list: &mut Vec<Statement>, is_it: &dyn Fn(&Statement) ->
 /// Removes these assignments from the branches of a statement. No empty branch then precedes one that is not empty. Returns
 /// whether the statement still does something.
 fn leave_out_inside(statement: &mut Statement, is_it: &dyn Fn(&Statement) -> bool) -> bool {
-    statement.branches_mut().for_each(|inner| leave_out(inner, is_it));
+    statement.change_branches(|inner| leave_out(inner, is_it));
     let Statement::If { condition, then, otherwise } = statement else { return true };
     let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
     match (is_nothing(then), is_nothing(otherwise)) {

@@ -46,7 +46,7 @@ fn in_list(list: &mut Vec<Statement>, known: &mut Vec<usize>, again: &[(Var, Exp
             known.extend(place);
             return true;
         }
-        statement.branches_mut().for_each(|branch| in_list(branch, &mut known.clone(), again));
+        statement.change_branches(|branch| in_list(branch, &mut known.clone(), again));
         statement.assignments(&mut |target, _| forget(known, target, again));
         true
     });

@@ -45,18 +45,16 @@ fn in_list(list: &mut Vec<Statement>, mut below: Below, program: &mut Program) {
                 list[at] = Statement::If { condition, then: then.collect(), otherwise };
             }
         }
-        for branch in 0..list[at].branches().count() {
-            let inside = inside(&list[at], branch, &below);
-            in_list(list[at].branches_mut().nth(branch).expect("rows: counted"), inside, program);
-        }
+        let mut bound = bound(&list[at]);
+        list[at].change_branches(|branch| in_list(branch, inside(&below, bound.take()), program));
         pass(&list[at], &mut below);
         at += 1;
     }
 }
 
-/// What is known in a branch of a statement.
-fn inside(statement: &Statement, branch: usize, below: &Below) -> Below {
-    below.iter().copied().chain(bound(statement).filter(|_| branch == 0)).collect()
+/// What is known in a branch, with the bound of the condition in the first one.
+fn inside(below: &Below, bound: Option<(Var, usize)>) -> Below {
+    below.iter().copied().chain(bound).collect()
 }
 
 /// What is known after a statement: nothing about what it assigns, unless it only copies.
@@ -191,8 +189,9 @@ fn verify_list(list: &[Statement], mut below: Below) -> Result<(), Defect> {
         if let Some(message) = outside {
             return Err(Defect { pass: "indexed", message });
         }
-        for (branch, list) in statement.branches().enumerate() {
-            verify_list(list, inside(statement, branch, &below))?;
+        let mut bound = bound(statement);
+        for list in statement.branches() {
+            verify_list(list, inside(&below, bound.take()))?;
         }
         pass(statement, &mut below);
     }

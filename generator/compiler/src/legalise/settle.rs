@@ -79,7 +79,7 @@ fn in_list(list: &mut Vec<Statement>, output: Var, program: &mut Program) {
         first = next;
     }
     let statement = &mut list[first];
-    statement.branches_mut().for_each(|list| in_list(list, output, program));
+    statement.change_branches(|list| in_list(list, output, program));
     if let Some(value) = either(statement, output) {
         *statement = Statement::Assign { target: output, value };
     }
@@ -101,7 +101,7 @@ fn either(statement: &Statement, output: Var) -> Option<Expr> {
 /// is inserted.
 fn go_before(statement: &mut Statement, output: Var, value: &Expr) {
     let assign = || Statement::Assign { target: output, value: value.clone() };
-    statement.branches_mut().for_each(|list| list.insert(0, assign()));
+    statement.change_branches(|list| list.insert(0, assign()));
 }
 
 /// Replaces the output by a local, which it returns, from the first of two statements that write it until the second one.
@@ -116,7 +116,7 @@ fn hold(list: &mut [Statement], (first, next): (usize, usize), output: Var, prog
     program.locals.push(Local { path, ty: Some(variable.ty) });
     // Paths that do not write it have the start value: it is overwritten there, or never read.
     go_before(&mut list[first], output, &Expr::Literal(start));
-    list[first].branches_mut().for_each(|list| in_list(list, output, program));
+    list[first].change_branches(|list| in_list(list, output, program));
     rename(&mut list[first..=first], &|var| if var == output { local } else { var });
     // Until the next write, the local replaces the output.
     rename(&mut list[first + 1..next], &|var| if var == output { local } else { var });

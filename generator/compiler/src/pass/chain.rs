@@ -21,7 +21,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 fn in_list(list: &mut Vec<Statement>, conditions: &Conditions<'_>) {
-    list.iter_mut().flat_map(Statement::branches_mut).for_each(|list| in_list(list, conditions));
+    list.iter_mut().for_each(|statement| statement.change_branches(|list| in_list(list, conditions)));
     let mut done: Vec<Statement> = Vec::new();
     // From the end, so that the rest of a chain is already one statement.
     for statement in std::mem::take(list).into_iter().rev() {

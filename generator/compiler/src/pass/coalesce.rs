@@ -1,50 +1,70 @@
 //! Removes copies left by joining two branches: `a` is computed, then `b := a`. Afterwards `b` is computed directly.
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Table, Var, rename};
+use crate::program::{Expr, Program, Statement, Var, rename};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
-    let nothing = Table::filled(&program, 0);
-    let mut everywhere = nothing.clone();
-    program.statements().for_each(|statement| statement.variables(&mut |var| everywhere[var] += 1));
-    coalesce(&mut program.init, &mut everywhere, &nothing);
-    coalesce(&mut program.step, &mut everywhere, &nothing);
+    let mut everywhere = vec![0; program.locals.len()];
+    program.statements().for_each(|statement| locals(statement, &mut |local| everywhere[local] += 1));
+    coalesce(&mut program.init, &mut everywhere);
+    coalesce(&mut program.step, &mut everywhere);
     Ok(program)
 }
 
-/// Coalesces a list of statements, inner lists last: a copy after a branch can become one inside it.
-fn coalesce(list: &mut Vec<Statement>, everywhere: &mut Table<usize>, nothing: &Table<usize>) {
+/// Coalesces a list of statements, inner lists last: a copy after a branch can become one inside it. `everywhere`: how often
+/// each local is mentioned.
+fn coalesce(list: &mut Vec<Statement>, everywhere: &mut [usize]) {
     if list.iter().any(|statement| copy(statement).is_some()) {
-        let mut here = nothing.clone();
-        list.iter().for_each(|statement| statement.variables(&mut |var| here[var] += 1));
-        while let Some((position, from, to)) = find(list, everywhere, &here) {
-            list.remove(position);
-            for mentions in [&mut *everywhere, &mut here] {
-                mentions[to] += mentions[from] - 2; // the copy mentioned each of them once
-                mentions[from] = 0;
-            }
-            rename(list, &|var| if var == from { to } else { var });
-        }
+        coalesce_here(list, everywhere);
     }
-    for list in list.iter_mut().flat_map(Statement::branches_mut) {
-        coalesce(list, everywhere, nothing);
+    list.iter_mut().for_each(|statement| statement.change_branches(|inner| coalesce(inner, everywhere)));
+}
+
+/// Removes each copy from a local that is used only in this list to a local that is not mentioned before it in this list: the
+/// target can take the value as soon as it is computed.
+fn coalesce_here(list: &mut Vec<Statement>, everywhere: &mut [usize]) {
+    let (mut here, mut first) = (vec![0; everywhere.len()], vec![usize::MAX; everywhere.len()]);
+    for (position, statement) in list.iter().enumerate() {
+        locals(statement, &mut |local| {
+            here[local] += 1;
+            first[local] = first[local].min(position);
+        });
+    }
+    let mut name: Vec<usize> = (0..everywhere.len()).collect();
+    let mut position = 0;
+    list.retain(|statement| {
+        let at = position;
+        position += 1;
+        let Some((from, to)) = copy(statement).map(|(from, to)| (name[from], name[to])) else { return true };
+        if here[from] != everywhere[from] || first[to] != at {
+            return true;
+        }
+        for mentions in [&mut *everywhere, &mut here] {
+            mentions[to] += mentions[from] - 2; // the copy mentioned each of them once
+            mentions[from] = 0;
+        }
+        first[to] = first[from];
+        name.iter_mut().filter(|name| **name == from).for_each(|name| *name = to);
+        false
+    });
+    if list.len() < position {
+        rename(list, &|var| if let Var::Local(local) = var { Var::Local(name[local]) } else { var });
     }
 }
 
-/// A copy from a local that is used only in this list to a local that is not mentioned before it in this list: the target
-/// can take the value as soon as it is computed.
-fn find(list: &[Statement], everywhere: &Table<usize>, here: &Table<usize>) -> Option<(usize, Var, Var)> {
-    list.iter().enumerate().find_map(|(position, statement)| {
-        let (from, to) = copy(statement)?;
-        let is_target_free = || !list[..position].iter().any(|earlier| earlier.mentions(to));
-        (here[from] == everywhere[from] && is_target_free()).then_some((position, from, to))
-    })
+/// Calls `visit` for each time that a statement mentions a local.
+fn locals(statement: &Statement, visit: &mut impl FnMut(usize)) {
+    statement.variables(&mut |var| {
+        if let Var::Local(local) = var {
+            visit(local);
+        }
+    });
 }
 
 /// Source and target of a statement that copies a local.
-fn copy(statement: &Statement) -> Option<(Var, Var)> {
+fn copy(statement: &Statement) -> Option<(usize, usize)> {
     match statement {
-        Statement::Assign { target: to @ Var::Local(_), value: Expr::Var(from @ Var::Local(_)) } => Some((*from, *to)),
+        Statement::Assign { target: Var::Local(to), value: Expr::Var(Var::Local(from)) } => Some((*from, *to)),
         _ => None,
     }
 }

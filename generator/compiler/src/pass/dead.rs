@@ -2,31 +2,32 @@
 //! value.
 
 use super::Defect;
-use crate::program::{Program, Statement, Table, Var};
+use crate::program::{Expr, Program, Statement, Var};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
-    let nothing = Table::filled(&program, false);
-    live(&mut program.init, &mut nothing.clone());
-    live(&mut program.step, &mut nothing.clone());
+    live(&mut program.init, &mut vec![false; program.locals.len()]);
+    live(&mut program.step, &mut vec![false; program.locals.len()]);
     Ok(program)
 }
 
-/// Keeps the assignments of a list that are read later. `read`: the variables read after the list; on return, those read before
+/// Keeps the assignments of a list that are read later. `read`: the locals read after the list; on return, those read before
 /// it.
-fn live(list: &mut Vec<Statement>, read: &mut Table<bool>) {
+fn live(list: &mut Vec<Statement>, read: &mut Vec<bool>) {
     let mut kept: Vec<Statement> = std::mem::take(list).into_iter().rev().filter_map(|it| keep(it, read)).collect();
     kept.reverse();
     *list = kept;
 }
 
-fn keep(mut statement: Statement, read: &mut Table<bool>) -> Option<Statement> {
+fn keep(mut statement: Statement, read: &mut Vec<bool>) -> Option<Statement> {
     match &mut statement {
         Statement::Note(_) => {}
         Statement::Assign { target, value } => {
-            if matches!(target, Var::Local(_)) && !std::mem::take(&mut read[*target]) {
+            if let Var::Local(local) = target
+                && !std::mem::take(&mut read[*local])
+            {
                 return None;
             }
-            value.variables(&mut |var| read[var] = true);
+            mark(value, read);
         }
         Statement::If { condition, then, otherwise } => {
             let mut other = read.clone();
@@ -35,10 +36,19 @@ fn keep(mut statement: Statement, read: &mut Table<bool>) -> Option<Statement> {
             if then.is_empty() && otherwise.is_empty() {
                 return None;
             }
-            read.locals.iter_mut().zip(other.locals).for_each(|(read, other)| *read |= other);
-            condition.variables(&mut |var| read[var] = true);
+            read.iter_mut().zip(other).for_each(|(read, other)| *read |= other);
+            mark(condition, read);
         }
         Statement::Choose { .. } | Statement::Apart(_) => panic!("live: nothing has been legalised yet"),
     }
     Some(statement)
+}
+
+/// Marks the locals that an expression reads.
+fn mark(expr: &Expr, read: &mut [bool]) {
+    expr.variables(&mut |var| {
+        if let Var::Local(local) = var {
+            read[local] = true;
+        }
+    });
 }

@@ -12,36 +12,51 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 }
 
 /// The variables that an output depends on, in this cycle or a later one.
-fn live_variables(program: &Program) -> Table<bool> {
-    let mut live = Table::filled(program, false);
-    live.outputs.fill(true);
+fn live_variables(program: &Program) -> Table<Life> {
+    let mut live = Table::filled(program, Life::Unread);
+    live.outputs.fill(Life::Live);
     let mut grows = true;
     while std::mem::take(&mut grows) {
-        for statement in program.statements().rev() {
-            mark(statement, &mut live, &mut grows);
-        }
+        mark(&program.init, &mut live, &mut grows);
+        mark(&program.step, &mut live, &mut grows);
     }
     live
 }
 
-/// Marks the variables that the live part of a statement reads; returns whether there is such a part.
-fn mark(statement: &Statement, live: &mut Table<bool>, grows: &mut bool) -> bool {
-    let is_target_live = matches!(statement, Statement::Assign { target, .. } if live[*target]);
-    let alive =
-        statement.branches().flat_map(|list| list.iter().rev()).filter(|inner| mark(inner, live, grows)).count();
-    if !is_target_live && alive == 0 {
-        return false;
-    }
-    if let Some(reads) = statement.expr() {
-        reads.variables(&mut |var| *grows |= !std::mem::replace(&mut live[var], true));
-    }
-    true
+/// The present knowledge about a variable.
+#[derive(Clone, Copy, PartialEq)]
+enum Life {
+    Unread,
+    /// unread where its assignment was last examined
+    Dead,
+    Live,
 }
 
-fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {
+/// Marks the variables that the live statements of a list read, from its end; returns whether there are such statements.
+/// `grows`: an assignment that was dead when it was examined is live now.
+fn mark(list: &[Statement], live: &mut Table<Life>, grows: &mut bool) -> bool {
+    let mut is_any_live = false;
+    for statement in list.iter().rev() {
+        let is_live = match statement {
+            Statement::Assign { target, .. } if live[*target] == Life::Live => true,
+            Statement::Assign { target, .. } => {
+                live[*target] = Life::Dead;
+                false
+            }
+            outer => outer.branches().fold(false, |is_live, list| mark(list, live, grows) || is_live),
+        };
+        if is_live && let Some(reads) = statement.expr() {
+            reads.variables(&mut |var| *grows |= std::mem::replace(&mut live[var], Life::Live) == Life::Dead);
+        }
+        is_any_live |= is_live;
+    }
+    is_any_live
+}
+
+fn keep(list: &mut Vec<Statement>, live: &Table<Life>) {
     let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
     rewrite(list, &mut |statement, list| match statement {
-        Statement::Assign { target, .. } if !live[target] => {}
+        Statement::Assign { target, .. } if live[target] != Life::Live => {}
         Statement::If { condition, then, otherwise } => match (only_notes(&then), only_notes(&otherwise)) {
             (true, true) => {}
             (true, false) => {

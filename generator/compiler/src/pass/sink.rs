@@ -36,9 +36,7 @@ struct Way {
 }
 
 fn in_list(list: &mut Vec<Statement>, reads: &Table<usize>, writes: &Table<usize>) {
-    for list in list.iter_mut().flat_map(Statement::branches_mut) {
-        in_list(list, reads, writes);
-    }
+    list.iter_mut().for_each(|statement| statement.change_branches(|inner| in_list(inner, reads, writes)));
     let mut position = 0;
     while position < list.len() {
         match asked(&list[position]).filter(|way| can_go(*way, &list[..position], reads, writes)) {

@@ -17,7 +17,7 @@ pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
 fn in_list(list: Vec<Statement>) -> Vec<Statement> {
     let mut done: Vec<Statement> = Vec::new();
     for mut statement in list {
-        statement.branches_mut().for_each(|list| *list = in_list(std::mem::take(list)));
+        statement.change_branches(|list| *list = in_list(std::mem::take(list)));
         match statement {
             Statement::If { condition: Expr::Var(flag @ Var::Local(_)), then, otherwise }
                 if otherwise.is_empty() && places(&done, flag, &then) == Some(1) && !is_set(&then) =>

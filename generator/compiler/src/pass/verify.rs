@@ -2,7 +2,7 @@
 
 use super::{Defect, typing};
 use crate::arithmetic;
-use crate::program::{Expr, Program, Statement, Table, Var};
+use crate::program::{Expr, Program, Statement, Var};
 
 /// Checks that types fit, that every local is assigned once on each path before it is read, that every output is written on
 /// each path, that inputs and constants are never written, and that every number is finite.
@@ -25,7 +25,8 @@ fn check(program: Program, again: bool) -> Result<Program, Defect> {
         }
     }
     let program = typing::run(program)?;
-    let mut written = Table::filled(&program, false);
+    let mut written =
+        Written { locals: vec![false; program.locals.len()], outputs: vec![false; program.outputs.len()] };
     statements(&program.init, &mut written.clone(), &program, again)?;
     statements(&program.step, &mut written, &program, again)?;
     match program.outputs.iter().zip(&written.outputs).find(|(_, written)| !**written) {
@@ -34,8 +35,15 @@ fn check(program: Program, again: bool) -> Result<Program, Defect> {
     }
 }
 
-/// Checks a list of statements; `written` contains the variables with a value on every path to the present point.
-fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, again: bool) -> Result<(), Defect> {
+/// The variables with a value on every path to the present point.
+#[derive(Clone)]
+struct Written {
+    locals: Vec<bool>,
+    outputs: Vec<bool>,
+}
+
+/// Checks a list of statements.
+fn statements(list: &[Statement], written: &mut Written, program: &Program, again: bool) -> Result<(), Defect> {
     for statement in list {
         match statement {
             Statement::Note(_) => {}
@@ -44,8 +52,12 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, 
             }
             Statement::Assign { target, value } => {
                 readable(value, written, program)?;
-                if std::mem::replace(&mut written[*target], true) && matches!(target, Var::Local(_)) && !again {
-                    return Err(defect(format!("{target:?} is assigned twice on one way")));
+                match *target {
+                    Var::Local(local) if std::mem::replace(&mut written.locals[local], true) && !again => {
+                        return Err(defect(format!("{target:?} is assigned twice on one way")));
+                    }
+                    Var::Output(output) => written.outputs[output] = true,
+                    _ => {}
                 }
             }
             Statement::Apart(body) => statements(body, written, program, again)?,
@@ -64,18 +76,18 @@ fn statements(list: &[Statement], written: &mut Table<bool>, program: &Program, 
 }
 
 /// The variables that are written on both paths.
-fn both(mut one: Table<bool>, other: &Table<bool>) -> Table<bool> {
+fn both(mut one: Written, other: &Written) -> Written {
     for (one, other) in [(&mut one.locals, &other.locals), (&mut one.outputs, &other.outputs)] {
         one.iter_mut().zip(other).for_each(|(one, other)| *one &= other);
     }
     one
 }
 
-fn readable(expr: &Expr, written: &Table<bool>, program: &Program) -> Result<(), Defect> {
+fn readable(expr: &Expr, written: &Written, program: &Program) -> Result<(), Defect> {
     let mut result = Ok(());
     expr.variables(&mut |var| {
         if let Var::Local(index) = var
-            && !written[var]
+            && !written.locals[index]
         {
             let path = &program.locals[index].path;
             result = Err(defect(format!("`{path}` is read where it may have no value")));

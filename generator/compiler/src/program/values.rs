@@ -64,17 +64,26 @@ impl Values {
         Self { others: true, ..Self::default() }
     }
 
-    /// Adds values; returns whether anything was new.
-    fn extend(&mut self, more: &Self) -> bool {
+    /// Adds the values of an expression; returns whether anything was new.
+    fn extend(&mut self, expr: &Expr, reaching: &Table<Self>) -> bool {
         let before = (self.constants.len(), self.literals.len(), self.others);
-        self.constants.extend(&more.constants);
-        for literal in &more.literals {
-            if !self.literals.contains(literal) {
-                self.literals.push(*literal);
+        match expr {
+            Expr::Literal(literal) => self.literal(*literal),
+            Expr::Var(var) => {
+                let more = &reaching[*var];
+                self.constants.extend(&more.constants);
+                more.literals.iter().for_each(|literal| self.literal(*literal));
+                self.others |= more.others;
             }
+            Expr::Unary(..) | Expr::Binary(..) | Expr::Intrinsic(..) | Expr::Element(..) => self.others = true,
         }
-        self.others |= more.others;
         before != (self.constants.len(), self.literals.len(), self.others)
+    }
+
+    fn literal(&mut self, literal: Literal) {
+        if !self.literals.contains(&literal) {
+            self.literals.push(literal);
+        }
     }
 
     /// The constants, if each value is that of one of them.
@@ -87,37 +96,34 @@ impl Values {
 /// The values that every integer can have, in this cycle or another one.
 fn reaching(program: &Program) -> Table<Values> {
     let mut reaching = Table::filled(program, Values::default());
-    for index in 0..program.inputs.len() {
-        reaching[Var::Input(index)] = Values::others();
+    reaching.inputs.fill(Values::others());
+    for index in (0..program.constants.len()).filter(|index| is_integer(program, Var::Constant(*index))) {
+        reaching.constants[index].constants.insert(index);
     }
-    for index in 0..program.constants.len() {
-        reaching[Var::Constant(index)] = Values { constants: [index].into(), ..Values::default() };
+    let mut is_set = vec![false; program.state.len()];
+    for statement in &program.init {
+        statement.assignments(&mut |target, _| {
+            if let Var::State(index) = target {
+                is_set[index] = true;
+            }
+        });
     }
-    for (index, variable) in program.state.iter().enumerate() {
-        if !program.init.iter().any(|statement| statement.writes(Var::State(index))) {
-            reaching[Var::State(index)] = Values { literals: vec![variable.start], ..Values::default() };
-        }
+    for (index, variable) in program.state.iter().enumerate().filter(|(index, _)| !is_set[*index]) {
+        reaching.state[index] = Values { literals: vec![variable.start], ..Values::default() };
     }
     let mut grows = true;
     while std::mem::take(&mut grows) {
         for statement in program.statements() {
             statement.assignments(&mut |target, value| {
                 if is_integer(program, target) && !reaching[target].others {
-                    let values = of_expression(value, &reaching);
-                    grows |= reaching[target].extend(&values);
+                    let mut values = std::mem::take(&mut reaching[target]);
+                    grows |= values.extend(value, &reaching);
+                    reaching[target] = values;
                 }
             });
         }
     }
     reaching
-}
-
-fn of_expression(expr: &Expr, reaching: &Table<Values>) -> Values {
-    match expr {
-        Expr::Literal(literal) => Values { literals: vec![*literal], ..Values::default() },
-        Expr::Var(var) => reaching[*var].clone(),
-        Expr::Unary(..) | Expr::Binary(..) | Expr::Intrinsic(..) | Expr::Element(..) => Values::others(),
-    }
 }
 
 /// The values with which each input is compared, if it is not used otherwise. The comparison may be with a local that copies
@@ -152,7 +158,7 @@ fn compared_inputs(program: &Program, reaching: &Table<Values>) -> Vec<Values> {
                 for (one, other) in [(left, right), (right, left)] {
                     if let Some(input) = input(one) {
                         asked[input] += 1;
-                        values[input].extend(&of_expression(other, reaching));
+                        values[input].extend(other, reaching);
                     }
                 }
             });

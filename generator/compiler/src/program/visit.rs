@@ -48,22 +48,29 @@ impl Statement {
 
     /// Calls `visit` for each time that this statement or one inside it reads or writes a variable.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
-        self.assignments(&mut |target, _| visit(target));
-        self.reads(visit);
+        self.walk(&mut |statement| {
+            if let Self::Assign { target, .. } = statement {
+                visit(*target);
+            }
+            statement.expr().into_iter().for_each(|expr| expr.variables(visit));
+        });
     }
 
     /// Whether this statement or one inside it writes the variable.
     pub(crate) fn writes(&self, var: Var) -> bool {
-        let mut found = false;
-        self.assignments(&mut |target, _| found |= target == var);
-        found
+        match self {
+            Self::Assign { target, .. } => *target == var,
+            outer => outer.branches().any(|list| list.iter().any(|inner| inner.writes(var))),
+        }
     }
 
     /// Whether this statement or one inside it reads or writes the variable.
     pub fn mentions(&self, var: Var) -> bool {
-        let is_target = matches!(self, Self::Assign { target, .. } if *target == var);
-        let inside = || self.branches().flatten().any(|inner| inner.mentions(var));
-        is_target || self.expr().is_some_and(|expr| expr.mentions(var)) || inside()
+        let is_asked = || self.expr().is_some_and(|expr| expr.mentions(var));
+        match self {
+            Self::Assign { target, .. } => *target == var || is_asked(),
+            outer => is_asked() || outer.branches().any(|list| list.iter().any(|inner| inner.mentions(var))),
+        }
     }
 
     /// The lists of an `if` or of a choice, or the separate one.
@@ -77,15 +84,17 @@ impl Statement {
         first.into_iter().chain(second).chain(arms.iter().map(|arm| &arm.body))
     }
 
-    /// The lists of an `if` or of a choice, or the separate one, mutable.
-    pub(crate) fn branches_mut(&mut self) -> impl Iterator<Item = &mut Vec<Self>> {
-        let (first, second, arms): (_, _, &mut [Arm]) = match self {
-            Self::If { then, otherwise, .. } => (Some(then), Some(otherwise), &mut []),
-            Self::Choose { arms, .. } => (None, None, arms),
-            Self::Apart(body) => (Some(body), None, &mut []),
-            Self::Note(_) | Self::Assign { .. } => (None, None, &mut []),
-        };
-        first.into_iter().chain(second).chain(arms.iter_mut().map(|arm| &mut arm.body))
+    /// Calls `change` for each list of an `if` or of a choice, or for the separate one.
+    pub(crate) fn change_branches(&mut self, mut change: impl FnMut(&mut Vec<Self>)) {
+        match self {
+            Self::Note(_) | Self::Assign { .. } => {}
+            Self::If { then, otherwise, .. } => {
+                change(then);
+                change(otherwise);
+            }
+            Self::Choose { arms, .. } => arms.iter_mut().for_each(|arm| change(&mut arm.body)),
+            Self::Apart(body) => change(body),
+        }
     }
 }
 
@@ -128,23 +137,45 @@ impl Expr {
 
     /// Calls `visit` for every variable that the expression reads.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
-        self.parts(&mut |part| match part {
+        match self {
+            Self::Literal(_) => {}
             Self::Var(var) => visit(*var),
-            Self::Element(row, _) => row.elements().for_each(&mut *visit),
-            _ => {}
-        });
+            Self::Element(row, index) => {
+                row.elements().for_each(&mut *visit);
+                index.variables(visit);
+            }
+            Self::Unary(_, operand) => operand.variables(visit),
+            Self::Binary(_, left, right) => {
+                left.variables(visit);
+                right.variables(visit);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.variables(visit)),
+        }
     }
 
     /// Whether the expression reads the variable.
     pub(crate) fn mentions(&self, var: Var) -> bool {
-        let mut found = false;
-        self.variables(&mut |read| found |= read == var);
-        found
+        match self {
+            Self::Literal(_) => false,
+            Self::Var(read) => *read == var,
+            Self::Element(row, index) => index.mentions(var) || row.elements().any(|element| element == var),
+            Self::Unary(_, operand) => operand.mentions(var),
+            Self::Binary(_, left, right) => left.mentions(var) || right.mentions(var),
+            Self::Intrinsic(_, operands) => operands.iter().any(|operand| operand.mentions(var)),
+        }
     }
 
     /// Calls `change` for every part of the expression, inner parts first, and finally for the expression.
     pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
-        self.operands_mut().for_each(|operand| operand.change(change));
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) | Self::Element(_, operand) => operand.change(change),
+            Self::Binary(_, left, right) => {
+                left.change(change);
+                right.change(change);
+            }
+            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(|operand| operand.change(change)),
+        }
         change(self);
     }
 }
@@ -162,7 +193,7 @@ fn change_each(list: &mut [Statement], change: &mut impl FnMut(&mut Expr, Option
             Statement::Assign { target, value } => change(value, Some(target)),
             Statement::If { condition: expr, .. } | Statement::Choose { by: expr, .. } => change(expr, None),
         }
-        statement.branches_mut().for_each(|list| change_each(list, change));
+        statement.change_branches(|list| change_each(list, change));
     }
 }
 
@@ -185,7 +216,7 @@ pub(crate) fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Stateme
     let old = std::mem::take(list);
     list.reserve(old.len());
     for mut statement in old {
-        statement.branches_mut().for_each(|list| rewrite(list, change));
+        statement.change_branches(|list| rewrite(list, change));
         change(statement, list);
     }
 }

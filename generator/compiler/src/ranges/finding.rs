@@ -3,7 +3,7 @@
 use super::real::Interval;
 use super::value::Value;
 use super::whole::Whole;
-use crate::dump::{Dump, Piece};
+use crate::dump::Dump;
 use crate::program::{Expr, Program, Statement};
 use std::fmt;
 
@@ -27,8 +27,8 @@ pub(super) enum Kind {
 
 impl Finding {
     pub(super) fn of(program: &Program, kind: Kind, part: &Expr, statement: Option<&Statement>) -> Self {
-        let part = Dump::of(program).alone(Piece::Expr(part));
-        let place = statement.map_or_else(String::new, |statement| Dump::of(program).alone(Piece::Head(statement)));
+        let part = Dump::of(program).expression(part);
+        let place = statement.map_or_else(String::new, |statement| Dump::of(program).statement(statement));
         let (code, found) = match kind {
             Kind::Conversion(x) => ("conversion", format!("`{part}`: its operand is {}", words(Value::Real(x)))),
             Kind::Overflow(of) => ("overflow", format!("`{part}` is {}", words(Value::Whole(of)))),

@@ -145,11 +145,21 @@ impl Known {
 
     fn join(&mut self, one: &Changes, other: &Changes) {
         let Self { entries, assignments, names, .. } = self;
-        let (mut one, mut other) = (one.iter().peekable(), other.iter().peekable());
-        let mut joined: Vec<Joined<'_>> = Vec::new();
-        while let Some(place) = [one.peek(), other.peek()].into_iter().flatten().map(|(place, _)| *place).min() {
-            let both = [&mut one, &mut other]
-                .map(|changes| changes.next_if(|(at, _)| *at == place).map_or(&entries[place], |(_, entry)| entry));
+        let mut joined: Vec<Joined<'_>> = Vec::with_capacity(one.len() + other.len());
+        let mut rest = [&one[..], &other[..]];
+        loop {
+            let place = match rest.map(<[_]>::first) {
+                [None, None] => break,
+                [Some((place, _)), None] | [None, Some((place, _))] => *place,
+                [Some((one, _)), Some((other, _))] => *one.min(other),
+            };
+            let both = rest.each_mut().map(|changes| match changes.split_first() {
+                Some(((at, entry), later)) if *at == place => {
+                    *changes = later;
+                    entry
+                }
+                _ => &entries[place],
+            });
             let value = both[0].value.join(both[1].value, names);
             let (mut written, mut copy_of) = (both[0].written, both[0].copy_of);
             if both[0].written != both[1].written {

@@ -123,9 +123,10 @@ impl Specialiser<'_> {
 
     /// Enters inputs, outputs or state: every leaf is a variable.
     fn variables(&mut self, ty: Ty, starts: &[Literal], var: fn(usize) -> Var) -> Part {
-        let variables = starts.iter().enumerate().map(|(position, start)| {
-            let leaf = Leaf::at(ty, position);
-            Variable { ty: scalar_type(&leaf), doc: leaf.doc(), path: leaf.path, start: start.at_run_time() }
+        let mut variables = Vec::with_capacity(starts.len());
+        Leaf::each(ty, &mut |leaf| {
+            let start = starts[variables.len()].at_run_time();
+            variables.push(Variable { ty: scalar_type(leaf), doc: leaf.doc(), path: leaf.path.clone(), start });
         });
         let (list, cell): (_, fn(Var) -> Cell) = match var(0) {
             Var::Output(_) => (&mut self.program.outputs, Cell::Memory),

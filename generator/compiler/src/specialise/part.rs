@@ -2,6 +2,7 @@
 
 use crate::program::Var;
 use portable::{Literal, Ty};
+use std::fmt::Write;
 use std::rc::Rc;
 
 /// A local or a parameter.
@@ -104,6 +105,36 @@ impl Leaf {
                 _ => return leaf,
             }
         }
+    }
+
+    /// Calls `visit` for every leaf of a type.
+    pub(super) fn each(ty: Ty, visit: &mut impl FnMut(&Self)) {
+        Self { ty, path: String::with_capacity(64), field: None }.inside(visit);
+    }
+
+    fn inside(&mut self, visit: &mut impl FnMut(&Self)) {
+        let (ty, length, field) = (self.ty, self.path.len(), self.field);
+        match ty {
+            Ty::Struct { def } => {
+                for field in def.fields {
+                    self.path.push_str(if length == 0 { "" } else { "." });
+                    self.path.push_str(field.name);
+                    (self.ty, self.field) = (field.ty, Some((field.name, field.doc)));
+                    self.inside(visit);
+                    self.path.truncate(length);
+                }
+            }
+            Ty::Array { element, len } => {
+                for index in 0..len {
+                    let _ = write!(self.path, "[{index}]");
+                    self.ty = *element;
+                    self.inside(visit);
+                    self.path.truncate(length);
+                }
+            }
+            _ => visit(self),
+        }
+        (self.ty, self.field) = (ty, field);
     }
 
     pub(super) fn doc(&self) -> &'static str {

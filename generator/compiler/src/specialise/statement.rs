@@ -4,6 +4,7 @@ use super::Specialiser;
 use super::part::{Cell, Leaf, Named, Part};
 use crate::program::{Expr, Statement, Var};
 use portable::{Arm, Binary, CodeBlock, Literal};
+use std::borrow::Cow;
 
 impl Specialiser<'_> {
     /// Runs a block; returns its value. The names that it declares end with it.
@@ -249,7 +250,7 @@ impl Specialiser<'_> {
     }
 
     /// The Rust name of a cell, from the innermost function; for a cell of a struct the name of the field.
-    fn name_of(&self, cell: usize) -> String {
+    fn name_of(&self, cell: usize) -> Cow<'static, str> {
         let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
         let (root, name) = names.find_map(|named| Some((named.name, named.name_of(cell)?))).unwrap_or(("", "value"));
         self.distinct(root, name)
@@ -257,7 +258,7 @@ impl Specialiser<'_> {
 
     /// The name of a local that is a field of a struct: with the name of the struct, if the field has the name of a signal or
     /// of a part of the state.
-    fn distinct(&self, root: &str, field: &str) -> String {
+    fn distinct<'f>(&self, root: &str, field: &'f str) -> Cow<'f, str> {
         let context = &*self.frame().context;
         let is_signal = || self.program.inputs.iter().chain(&self.program.outputs).any(|signal| signal.path == field);
         let is_kept = || {
@@ -271,7 +272,7 @@ impl Specialiser<'_> {
             "state" => false,
             _ => is_kept(),
         };
-        if is_taken { format!("{root}_{field}") } else { field.to_owned() }
+        if is_taken { Cow::Owned(format!("{root}_{field}")) } else { Cow::Borrowed(field) }
     }
 }
 

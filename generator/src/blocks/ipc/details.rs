@@ -88,7 +88,7 @@ fn active(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
 }
 
 fn with_drive(design: &StageDesign, (drive, closed): &(String, Loop<'_>)) -> WithDrive {
-    let [calm, stable] = [closed.largest_weight(design.index), closed.largest_stable_weight(design.index)];
+    let [stable, calm] = closed.largest_weights(design.index);
     let reserve = Reserve::of(design.stage.weight(), [calm, stable]);
     WithDrive { drive: drive.clone(), calm_up_to: calm, stable_up_to: stable, reserve }
 }

@@ -49,7 +49,7 @@ fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str
     let [_, calm_part] = closed.largest_parts();
     for design in stages(designed) {
         let (i, weight) = (design.index, design.stage.weight());
-        let [stable, calm] = [closed.largest_stable_weight(i), closed.largest_weight(i)];
+        let [stable, calm] = closed.largest_weights(i);
         let asked = significant(weight, 4);
         let down = |value: f64| down_to(value, 3);
         let (found, instead) = if stable <= 0.0 {

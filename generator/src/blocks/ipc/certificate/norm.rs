@@ -138,7 +138,6 @@ impl Sums {
 /// largest of its states: an error of at most e = 32 u max(|s1|, |s2|) in both states. Each error evolves like a state of
 /// its own. With N = [`Free::sum_of_any`], all of them together add at most e N to the states; with the errors that these
 /// cause in turn, the factor is 1 / (1 - 32 u N). If 32 u N is not small, no bound is proven.
-/// that they cause in turn included 1 / (1 - 32 u N). Where that is not small, nothing is certain.
 fn rounding(sections: &[Sums], real: RealKind) -> f64 {
     let unit = if real == RealKind::F64 { f64::EPSILON } else { f32::EPSILON.into() } / 2.0;
     let factor = |sums: &Sums| {
