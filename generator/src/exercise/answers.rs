@@ -17,8 +17,8 @@ pub(crate) struct Answer {
     pub(crate) is_busy: bool,
     /// all outputs; the sign of a zero is not compared
     pub(crate) outputs: Vec<Literal>,
-    /// the outputs that differ from the previous answer, as Structured Text
-    pub(crate) changes: Vec<Option<String>>,
+    /// the positions of the outputs that differ from the previous answer, with their values as Structured Text
+    pub(crate) changes: Vec<(usize, String)>,
 }
 
 /// The answers, recorded where they are first looked at: not every target prints them.
@@ -44,14 +44,14 @@ fn record(trial: &Trial, run: &mut dyn Run, works: Works) -> Vec<Answer> {
             let before = answers.last();
             let change = |(at, value): (usize, &Literal)| {
                 let differs = before.is_none_or(|before| before.outputs[at] != *value);
-                differs.then(|| literal(*value))
+                differs.then(|| (at, literal(*value)))
             };
             let is_off = trial.holding(sample).any(|turn| turn.is_off);
             answers.push(Answer {
                 sample,
                 is_off,
                 is_busy: is_off && works.shows(run, &outputs),
-                changes: outputs.iter().enumerate().map(change).collect(),
+                changes: outputs.iter().enumerate().filter_map(change).collect(),
                 outputs,
             });
         }

@@ -198,12 +198,15 @@ fn switch<'n>(block: &TargetBlock<'n>, dialect: &Dialect, input: &Variable, name
     }
 }
 
-/// What is expected, where it changes.
+/// What is expected, where it changes: signals that a legalising pass has added, which come first, and the block's outputs.
 fn steps<'n>(block: &'n TargetBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
-    let all = &block.block.program.outputs;
+    let (all, outputs) = (&block.block.program.outputs, &block.program.outputs);
     let place = |path: &str| all.iter().position(|known| known.path == path);
     let [fault, error_id] = ["fault", "error_id"].map(place);
-    let places: Vec<_> = block.program.outputs.iter().map(|output| (output, place(&output.path))).collect();
+    let name = |known: &Variable| Some(&names[outputs.iter().position(|output| output.path == known.path)?]);
+    let own: Vec<Option<&String>> = all.iter().map(name).collect();
+    let named = outputs.iter().zip(names);
+    let added: Vec<_> = named.filter(|(output, _)| place(&output.path).is_none()).collect();
     let cycle = |answer: &Answer| Cycle {
         fault: fault.is_some_and(|at| answer.outputs[at] == Literal::Bool(true)),
         error_id: if let Some(Literal::U32(id)) = error_id.map(|at| answer.outputs[at]) { id } else { 0 },
@@ -212,24 +215,18 @@ fn steps<'n>(block: &'n TargetBlock<'_>, names: &'n [String]) -> Vec<Step<'n>> {
     };
     let (mut before, mut steps) = (None, Vec::new());
     for answer in block.block.answers.iter() {
-        let now = cycle(answer);
-        let change = |((output, place), name): (&(&Variable, Option<usize>), &'n String)| {
-            let text = match place {
-                Some(at) => Cow::Borrowed(answer.changes[*at].as_deref()?),
-                None if before == Some(now) => return None,
-                None => {
-                    let value = now.value(&output.path)?;
-                    let differs = before.and_then(|before: Cycle| before.value(&output.path)) != Some(value);
-                    Cow::Owned(differs.then(|| st::literal(value))?)
-                }
-            };
-            Some((name.as_str(), text))
+        let now = Some(cycle(answer));
+        let changed = |(output, name): &(&Variable, &'n String)| {
+            let [before, value] = [before, now].map(|cycle: Option<Cycle>| cycle?.value(&output.path));
+            value.filter(|_| before != value).map(|value| (name.as_str(), Cow::Owned(st::literal(value))))
         };
-        let step: Vec<_> = places.iter().zip(names).filter_map(change).collect();
+        let mut step: Vec<_> = if before == now { Vec::new() } else { added.iter().filter_map(changed).collect() };
+        let own = answer.changes.iter().filter_map(|(at, text)| Some((own[*at]?.as_str(), Cow::Borrowed(&**text))));
+        step.extend(own);
         if !step.is_empty() {
             steps.push((answer.sample, step));
         }
-        before = Some(now);
+        before = now;
     }
     steps
 }
