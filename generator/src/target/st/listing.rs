@@ -5,7 +5,7 @@ use crate::blocks::IPC;
 use crate::target::outline::{COMMENT_WIDTH, Group, Member, Outline};
 use crate::target::{BlockIdentity, TargetBlock, block_name};
 use askama::Template;
-use compiler::print::{Appearance, Printer, comment, signals};
+use compiler::print::{Appearance, Printer, comment};
 use compiler::program::Type;
 
 /// The input that is a parameter set.
@@ -148,20 +148,17 @@ pub(super) fn origin<'a>(
 
 impl Origin<'_> {
     /// Adds the comment of the file that holds the block itself: its purpose, its guaranteed range, and how to call it.
-    pub(super) fn with_call(self, block: &TargetBlock<'_>, dialect: &Dialect) -> Self {
+    pub(super) fn with_call(self, block: &TargetBlock<'_>, listing: &Listing, dialect: &Dialect) -> Self {
         let [mode, cycle, counter] = dialect.arguments;
-        let [inputs, _] = signals(&block.program, dialect.language);
-        let argument = |input: &String| match input.as_str() {
+        let argument = |input: &str| match input {
             "Enable" => format!("{input} := TRUE"),
             "mode" => format!("{input} := {mode}"),
             "task_cycle_ns" => format!("{input} := {cycle}"),
             "cycle_counter" => format!("{input} := {counter}"),
-            // The parts of the set are passed together.
-            part if part.contains('.') => format!("{0} := {1}{0}{1}", SET, dialect.quote),
             other => format!("{input} := {}{other}", dialect.mark),
         };
-        let mut arguments: Vec<String> = inputs.iter().map(argument).collect();
-        arguments.dedup();
+        let mut arguments: Vec<String> = listing.inputs.iter().map(|input| argument(&input.name)).collect();
+        arguments.extend(listing.set.is_some().then(|| format!("{0} := {1}{0}{1}", SET, dialect.quote)));
         let instance = format!("{}_{}", self.axis.name.to_ascii_lowercase(), self.block);
         let ty = format!("{0}{1}{0}", dialect.quote, name(&self.axis.name, self.block, dialect));
         // In SCL the set is a data block, to which `params-of` writes.

@@ -116,7 +116,7 @@ fn both(
     let of_block = format!("{name}.{extension}");
     let of_test = format!("{}.{extension}", self_test::name(&name));
     vec![
-        file(origin(axis, &of_block, block, dialect).with_call(block, dialect), listing),
+        file(origin(axis, &of_block, block, dialect).with_call(block, listing, dialect), listing),
         file(origin(axis, &of_test, block, dialect), test),
     ]
 }

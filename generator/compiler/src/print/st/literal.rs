@@ -75,10 +75,10 @@ fn single(value: f32) -> String {
 
 /// The shortest digits that read back to the same bits, in the notation of the standard: `0.1`, `1.0E-30`.
 fn digits(value: Literal) -> String {
-    let text = decimal(value);
-    match text.split_once('e') {
-        Some((mantissa, exponent)) if exponent.starts_with('-') => format!("{mantissa}E{exponent}"),
-        Some((mantissa, exponent)) => format!("{mantissa}E+{exponent}"),
-        None => text,
+    let mut text = decimal(value);
+    if let Some(exponent) = text.find('e') {
+        let mark = if text[exponent..].starts_with("e-") { "E" } else { "E+" };
+        text.replace_range(exponent..=exponent, mark);
     }
+    text
 }

@@ -57,7 +57,7 @@ pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
     let pou = |folder: &str, listing: &Listing, is_test: bool| {
         let file = format!("{}.TcPOU", listing.name);
         let origin = origin(axis, &file, block, &TWINCAT);
-        let origin = if is_test { origin } else { origin.with_call(block, &TWINCAT) };
+        let origin = if is_test { origin } else { origin.with_call(block, listing, &TWINCAT) };
         rendered(folder, &file, &TcPou { origin, id: guid("POU", &listing.name), block: listing })
     };
     let [listing, test] = in_codesys(axis, block);
@@ -114,6 +114,10 @@ pub(crate) struct Cdata;
 
 impl Escaper for Cdata {
     fn write_escaped_str<W: Write>(&self, mut to: W, text: &str) -> std::fmt::Result {
+        // Most texts have no bracket, and this is found out sooner.
+        if !text.contains(']') {
+            return to.write_str(text);
+        }
         let mut pieces = text.split("]]>");
         to.write_str(pieces.next().unwrap_or_default())?;
         pieces.try_for_each(|piece| {
