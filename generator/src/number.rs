@@ -12,9 +12,13 @@ const ZEROS: &str = "00000000000";
 
 /// A number with N significant digits, no trailing zeros.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
-    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    // If the shortest digits are not more, they are these digits; most numbers are short, and the shortest are found sooner.
+    let shortest = format!("{value:e}");
+    let is_short = shortest.bytes().take_while(|byte| *byte != b'e').filter(u8::is_ascii_digit).count() <= digits;
+    let text = if is_short { shortest } else { format!("{value:.*e}", digits.saturating_sub(1)) };
     let Some((mantissa, exponent)) = text.split_once('e') else { return text };
-    let mantissa = if digits > 1 { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let has_zeros = !is_short && digits > 1;
+    let mantissa = if has_zeros { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
     let power: i32 = exponent.parse().expect("number: an exponent is a number");
     if !(-4..12).contains(&power) {
         return [mantissa, "e", exponent].concat();
