@@ -19,7 +19,11 @@ fn significant_digits_are_those_of_the_rounded_decimal() {
         for digits in 1..=17 {
             let text = significant(number, digits);
             let rounded = format!("{number:.*e}", digits - 1);
-            assert_eq!(text.parse::<f64>(), rounded.parse::<f64>(), "{number:e} with {digits} digits: {text}, {rounded}");
+            assert_eq!(
+                text.parse::<f64>(),
+                rounded.parse::<f64>(),
+                "{number:e} with {digits} digits: {text}, {rounded}"
+            );
             let mantissa = text.split('e').next().unwrap_or_default();
             assert!(!mantissa.contains('.') || !mantissa.ends_with(['0', '.']), "{text} ends with a zero");
             let all: String = mantissa.chars().filter(char::is_ascii_digit).collect();
