@@ -7,24 +7,29 @@ pub(crate) fn pair(old: f64, new: f64, digits: usize) -> String {
     apart.join(" -> ")
 }
 
+/// As many zeros as a number without exponent may have.
+const ZEROS: &str = "00000000000";
+
 /// A number with N significant digits, no trailing zeros.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
-    let text = format!("{value:.*e}", digits.saturating_sub(1));
+    // If the shortest digits are not more, they are these digits; most numbers are short, and the shortest are found sooner.
+    let shortest = format!("{value:e}");
+    let is_short = shortest.bytes().take_while(|byte| *byte != b'e').filter(u8::is_ascii_digit).count() <= digits;
+    let text = if is_short { shortest } else { format!("{value:.*e}", digits.saturating_sub(1)) };
     let Some((mantissa, exponent)) = text.split_once('e') else { return text };
-    let mantissa = if digits > 1 { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
-    let exponent: i32 = exponent.parse().expect("number: an exponent is a number");
-    if !(-4..12).contains(&exponent) {
-        return format!("{mantissa}e{exponent}");
+    let has_zeros = !is_short && digits > 1;
+    let mantissa = if has_zeros { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let power: i32 = exponent.parse().expect("number: an exponent is a number");
+    if !(-4..12).contains(&power) {
+        return [mantissa, "e", exponent].concat();
     }
     let (sign, mantissa) = mantissa.split_at(usize::from(value.is_sign_negative()));
-    let (first, rest) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let whole_digits = usize::try_from(exponent);
-    match whole_digits {
-        Ok(whole_digits) if whole_digits < rest.len() => {
-            format!("{sign}{first}{}.{}", &rest[..whole_digits], &rest[whole_digits..])
-        }
-        Ok(whole_digits) => format!("{sign}{first}{rest}{}", "0".repeat(whole_digits - rest.len())),
-        Err(_) => format!("{sign}0.{}{first}{rest}", "0".repeat(usize::try_from(-exponent - 1).unwrap_or(0))),
+    let (first, rest) = mantissa.split_at(1);
+    let rest = rest.strip_prefix('.').unwrap_or(rest);
+    match usize::try_from(power) {
+        Ok(whole) if whole < rest.len() => [sign, first, &rest[..whole], ".", &rest[whole..]].concat(),
+        Ok(whole) => [sign, first, rest, &ZEROS[..whole - rest.len()]].concat(),
+        Err(_) => [sign, "0.", &ZEROS[..power.unsigned_abs() as usize - 1], first, rest].concat(),
     }
 }
 

@@ -61,7 +61,12 @@ impl Ipc {
 
     /// Largest |v_add|, in the unit of v_max (P-AXIS-00757, P-AXIS-00212).
     pub fn limit(&self) -> f64 {
-        limit::limit(self.v_add_max_fact, self.v_max)
+        self.limit_with(self.v_add_max_fact)
+    }
+
+    /// The same with another part of v_max [0.1 %].
+    pub(crate) fn limit_with(&self, v_add_max_fact: u32) -> f64 {
+        limit::limit(v_add_max_fact, self.v_max)
     }
 
     /// Time of the whole fade [s]: the key `fade`, at least one period of the key `lowest_f0`, or else of the lowest f0 of all

@@ -8,6 +8,11 @@ use stability::MAX_MS;
 /// The steps, as parts of the designed value [%]: small ones first, because they already show mistakes.
 pub(super) const PARTS: [u32; 6] = [10, 20, 40, 60, 80, 100];
 
+/// A step as a factor.
+pub(super) fn part(percent: u32) -> f64 {
+    f64::from(percent) / 100.0
+}
+
 /// The largest numerator and denominator of a weight (P-AXIS-00754/00755).
 const LARGEST: u64 = 4_294_967_294;
 
@@ -44,13 +49,11 @@ pub(super) struct Limit {
     pub(super) v_add_max_fact: u32,
 }
 
-/// The steps of a weight. `step`: the effect of a part of it with an ideal drive, `None` if the loop oscillates; such a row
-/// is left out.
-pub(super) fn rows(stage: &Stage, step: impl Fn(f64) -> Option<Step>) -> Vec<Row> {
-    let row = |percent: u32| {
-        let part = f64::from(percent) / 100.0;
+/// The steps of a weight, each with its effect with an ideal drive, `None` if the loop oscillates; such a row is left out.
+pub(super) fn rows(stage: &Stage, steps: [Option<Step>; PARTS.len()]) -> Vec<Row> {
+    let row = |(percent, step): (u32, Option<Step>)| {
         let [num, denom] = weight(stage, percent);
-        let Step { left, ms } = step(part)?;
+        let (part, Step { left, ms }) = (part(percent), step?);
         let ms = match ms {
             Some(ms) if ms > MAX_MS => format!("{}, little reserve", decimals(ms, 1)),
             Some(ms) => decimals(ms, 1),
@@ -65,7 +68,7 @@ pub(super) fn rows(stage: &Stage, step: impl Fn(f64) -> Option<Step>) -> Vec<Row
             ms,
         })
     };
-    PARTS.into_iter().filter_map(row).collect()
+    PARTS.into_iter().zip(steps).filter_map(row).collect()
 }
 
 /// A part [%] of a weight as numerator and denominator, with the denominator of the parameters if possible.
@@ -96,10 +99,10 @@ fn gcd(a: u64, b: u64) -> u64 {
 pub(super) fn limits(ipc: &Ipc) -> Vec<Limit> {
     let row = |percent: u32| {
         let v_add_max_fact = (ipc.v_add_max_fact * percent).div_ceil(100);
-        let part = f64::from(percent) / 100.0;
+        let part = part(percent);
         let limit = match ipc.tuning() {
             Some(_) => ipc.limit() * part,
-            None => Ipc { v_add_max_fact, ..ipc.clone() }.limit(),
+            None => ipc.limit_with(v_add_max_fact),
         };
         Limit { part: digits(part), limit: digits(limit), v_add_max_fact }
     };

@@ -1,7 +1,7 @@
 //! The part of the commissioning page about a stage: where its vibration is visible, the length of a record, its steps. No
 //! design.
 
-use super::rows::{Row, Step, rows};
+use super::rows::{PARTS, Row, Step, part, rows};
 use crate::axis::{DirectSource, Filter, Mode};
 use crate::blocks::ipc::filter as kinds;
 use crate::blocks::ipc::stage::StageDesign;
@@ -65,7 +65,7 @@ impl Stage {
             f0: digits(stage.f0()),
             edges: edges.map(|edge| significant(edge, 4)),
             weight: significant(stage.weight(), 4),
-            rows: rows(stage, |part| step(design, closed, part)),
+            rows: rows(stage, steps(design, closed)),
             seconds,
             quiet: quiet(design),
             f0_path: path(Name::FilterF0),
@@ -89,26 +89,23 @@ fn seen_in(mode: Mode) -> String {
     }
 }
 
-/// The effect of a part of the weight with an ideal drive; `None` if its loop oscillates. The stages before it have their
+/// The effect of each part of the weight with an ideal drive; `None` if its loop oscillates. The stages before it have their
 /// full weights, those after it 0.
 ///
 /// A stage in the loop leaves the ratio of |S| with it to |S| without it at f0. A stage that filters the command leaves |1 +
 /// H|; one with the velocity of the load leaves 1 / (1 + |H|) if nothing changes the phase of its counter-motion.
-fn step(design: &StageDesign, closed: Option<&Loop<'_>>, part: f64) -> Option<Step> {
-    let (stage, index) = (&design.stage, design.index);
-    let h = || response::of_stage(&design.coeffs, warped(stage.f0(), design.cycle_time)) * part;
+fn steps(design: &StageDesign, closed: Option<&Loop<'_>>) -> [Option<Step>; PARTS.len()] {
+    let stage = &design.stage;
+    let parts = PARTS.map(part);
+    let h = || response::of_stage(&design.coeffs, warped(stage.f0(), design.cycle_time));
     let outside = |left: f64| Some(Step { left, ms: None });
     match stage.mode {
-        Mode::SetPoint { .. } => outside(magnitude(h() + 1.0)),
-        Mode::Direct { source: DirectSource::Direct } => outside(1.0 / (1.0 + magnitude(h()))),
+        Mode::SetPoint { .. } => parts.map(|part| outside(magnitude(h() * part + 1.0))),
+        Mode::Direct { source: DirectSource::Direct } => parts.map(|part| outside(1.0 / (1.0 + magnitude(h() * part)))),
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
-            let closed = closed?;
-            let mut weight = closed.weights();
-            weight[index] *= part;
-            weight[index + 1..].fill(0.0);
-            let closed = closed.with(weight);
-            let [ms, _] = closed.ms()?;
-            Some(Step { left: closed.left(index, stage.f0()), ms: Some(ms) })
+            let weights = parts.map(|part| stage.weight() * part);
+            let effects = closed.map(|closed| closed.effects(design.index, stage.f0(), weights));
+            effects.unwrap_or_default().map(|effect| effect.map(|[left, ms]| Step { left, ms: Some(ms) }))
         }
     }
 }

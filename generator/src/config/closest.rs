@@ -51,12 +51,8 @@ static OURS: [(usize, Letters<'_>, usize); 3] = [
     (1, Letters::new("sai_op_mode_change"), 3),
 ];
 
-/// Whether a path lies in one of axgen's structures, or nearly.
-pub(crate) fn is_ours(path: &str) -> bool {
-    let end = |text: &str| text.bytes().position(|byte| byte == b'.');
-    let Some(dot) = end(path) else { return false };
-    let (first, rest) = (&path[..dot], &path[dot + 1..]);
-    let parts = [first, &rest[..end(rest).unwrap_or(rest.len())]];
+/// Whether a path with these first parts lies in one of axgen's structures, or nearly.
+pub(crate) fn is_ours(parts: [&str; 2]) -> bool {
     OURS.iter().any(|&(part, name, most)| {
         let written = parts[part];
         // Most paths of a real list are recognised by their lengths, or by their first letters.

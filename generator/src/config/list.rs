@@ -142,7 +142,7 @@ impl Reading<'_> {
     }
 
     /// Takes the contents of a line; false if it is not a line of a list.
-    fn take(&mut self, start: usize, statement: &Statement<'_>, path: Path) -> bool {
+    fn take(&mut self, start: usize, statement: &Statement<'_>, path: Path<'_>) -> bool {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
         let error = |code, found: String| Diagnostic::error(code, place(), found);
@@ -156,7 +156,7 @@ impl Reading<'_> {
                 return true;
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
-            Path::Foreign => match self.foreign(start, statement) {
+            Path::Foreign { structure, last } => match self.foreign(start, statement, (structure, last)) {
                 Some(said) => said,
                 None => return true,
             },
@@ -173,23 +173,27 @@ impl Reading<'_> {
     }
 
     /// The message about a path that is not in the table; `None` for a parameter of another function.
-    fn foreign(&mut self, start: usize, statement: &Statement<'_>) -> Option<Diagnostic> {
+    fn foreign(
+        &mut self,
+        start: usize,
+        statement: &Statement<'_>,
+        (structure, last): (Option<[&str; 2]>, &str),
+    ) -> Option<Diagnostic> {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
         let unknown = |what: &str, instead| {
             let found = format!("{} is {what}", value::shown(written));
             Some(Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) })
         };
-        match path::with_other_indices(written) {
+        match path::ending_with(last, written) {
             _ if let Some(instead) = odd_line::with_underscores(statement) => {
                 unknown("not known: its name has `_` where the line has blanks", Some(instead))
             }
             Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
             // The usual case, tested first, because comparing letters is slow.
-            None if !closest::is_ours(written) => {
+            None if !structure.is_some_and(closest::is_ours) => {
                 self.list.foreign.pass_over(statement, source, start);
-                // The value is the shorter text.
-                if !statement.value.contains(' ') || statement.value.starts_with('=') || written.contains('.') {
+                if structure.is_some() || !statement.value.contains(' ') || statement.value.starts_with('=') {
                     return None;
                 }
                 let found = "words without the sign of a comment: no parameter has such a path".to_owned();

@@ -11,8 +11,11 @@ pub(super) fn is_of_another_function(before: &[u8]) -> bool {
     let before = before.trim_ascii_start();
     let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
     let path = end.and_then(|end| str::from_utf8(&before[..end]).ok());
-    path.is_some_and(|path| {
-        path::find(path) == Path::Foreign && !closest::is_ours(path) && path::with_other_indices(path).is_none()
+    path.is_some_and(|path| match path::find(path) {
+        Path::Foreign { structure, last } => {
+            !structure.is_some_and(closest::is_ours) && path::ending_with(last, path).is_none()
+        }
+        _ => false,
     })
 }
 
@@ -43,16 +46,15 @@ pub(super) fn text_after(comment: &[u8]) -> Option<usize> {
 /// The input that corresponds to a word of an NC program: `G135`, `S[G136=80]`.
 pub(super) fn nc_word(path: &str) -> Option<&'static str> {
     let word = match path.as_bytes() {
-        [b'G' | b'g', ..] => path,
         [b'S' | b's', ..] => path.split_once('[')?.1,
-        _ => return None,
+        _ => path,
     };
-    let ends = |word: &str| !word.starts_with(|c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.');
-    let is = |name: &str| word.get(..4).is_some_and(|start| start.eq_ignore_ascii_case(name)) && ends(&word[4..]);
-    match () {
-        () if is("G135") || is("G137") => Some("feedforward_active"),
-        () if is("G136") => Some("feedforward_percentage"),
-        () => None,
+    let [b'G' | b'g', b'1', b'3', digit, rest @ ..] = word.as_bytes() else { return None };
+    match (digit, rest) {
+        (_, [b'0'..=b'9' | b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'.', ..]) => None,
+        (b'5' | b'7', _) => Some("feedforward_active"),
+        (b'6', _) => Some("feedforward_percentage"),
+        _ => None,
     }
 }
 

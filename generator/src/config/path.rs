@@ -1,14 +1,26 @@
 //! From a written path (`stage[0].filter.order`) to the parameter and its indices. No value or message is here.
 
 use crate::parameters::{Name, Parameter, Scope, TABLE};
-use std::{collections::BTreeSet, sync::LazyLock};
+use std::{collections::BTreeSet, ops::Range, sync::LazyLock};
 
 /// A parameter; a parameter of the table with an index that does not exist; well-formed, but not in the table; not a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Path {
-    Known { name: Name, index: [u32; 2], spelling: &'static str, misprint: bool },
-    OutOfRange { name: Name, spelling: &'static str },
-    Foreign,
+pub(crate) enum Path<'p> {
+    Known {
+        name: Name,
+        index: [u32; 2],
+        spelling: &'static str,
+        misprint: bool,
+    },
+    OutOfRange {
+        name: Name,
+        spelling: &'static str,
+    },
+    /// its first two parts, if it has a point, and the name of its last part
+    Foreign {
+        structure: Option<[&'p str; 2]>,
+        last: &'p str,
+    },
     Malformed,
 }
 
@@ -100,7 +112,11 @@ static STRUCTURES: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
 /// The template of a path with other indices, with letters that look alike, or without the structures before it:
 /// `getriebe[i].kv` for `getriebe.kv` and for `kv`.
 pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
-    let end = last_name(path);
+    ending_with(last_name(path), path)
+}
+
+/// The same for a path whose last name is known.
+pub(super) fn ending_with(end: &str, path: &str) -> Option<&'static str> {
     let drawer = BARE.get(drawer(end.len(), end)).filter(|drawer| !drawer.is_empty())?;
     let length = letters(path, false).count();
     // The command filters of an axis have similar names: `filter[0].fg_f0` (P-AXIS-00067).
@@ -115,9 +131,8 @@ pub(super) fn with_other_indices(path: &str) -> Option<&'static str> {
 
 /// The last part of a path without its index.
 fn last_name(path: &str) -> &str {
-    // Names are short: a search that is made for long texts would take longer.
-    let last = path.bytes().rposition(|byte| byte == b'.').map_or(path, |dot| &path[dot + 1..]);
-    last.bytes().position(|byte| byte == b'[').map_or(last, |bracket| &last[..bracket])
+    let last = memchr::memrchr(b'.', path.as_bytes()).map_or(path, |dot| &path[dot + 1..]);
+    memchr::memchr(b'[', last.as_bytes()).map_or(last, |bracket| &last[..bracket])
 }
 
 /// The letters of a path without its indices, with or without their brackets.
@@ -131,11 +146,16 @@ fn letters(path: &str, brackets: bool) -> impl Iterator<Item = char> {
     })
 }
 
-pub(crate) fn find(path: &str) -> Path {
-    let Some((index, length)) = indices(path.as_bytes()) else { return Path::Malformed };
+pub(crate) fn find(path: &str) -> Path<'_> {
+    let Some(Shape { index, length, ends: [first, second], last }) = Shape::of(path.as_bytes()) else {
+        return Path::Malformed;
+    };
     let mut alike = SPELLINGS.get(drawer(length, path)).into_iter().flatten();
     let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| spelling.is(path)) else {
-        return Path::Foreign;
+        return Path::Foreign {
+            structure: path.get(first + 1..second).map(|second| [&path[..first], second]),
+            last: &path[last],
+        };
     };
     let within = name.parameter().indices.iter().zip(index).all(|(size, index)| index < *size);
     if within {
@@ -145,41 +165,70 @@ pub(crate) fn find(path: &str) -> Path {
     }
 }
 
-/// The indices of a path, and its length with `[]` for an index; `None` if it is malformed.
-fn indices(path: &[u8]) -> Option<([u32; 2], usize)> {
-    let (mut index, mut indices) = ([0; 2], 0);
-    let mut length = path.len();
-    let (mut at, mut before) = (0, b'.');
-    loop {
-        let rest = &path[at..];
-        let name = rest.iter().position(|byte| !OF_NAME[usize::from(*byte)]).unwrap_or(rest.len());
-        at += name;
-        before = if name > 0 { b'_' } else { before };
-        let Some(sign) = path.get(at) else { break };
-        at += 1;
-        match sign {
-            b'.' if before != b'.' => before = b'.',
-            b'[' if before != b'.' => {
-                let start = at;
-                // Empty brackets mean 0; no structure has an index beyond u32.
-                let mut number = 0_u32;
-                while let Some(digit @ b'0'..=b'9') = path.get(at) {
-                    number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
-                    at += 1;
-                }
-                path.get(at).filter(|end| **end == b']')?;
-                if let Some(place) = index.get_mut(indices) {
-                    *place = number;
+/// A well-formed path.
+struct Shape {
+    index: [u32; 2],
+    /// with `[]` for an index
+    length: usize,
+    /// the ends of its first two parts; if it has only one, the second is 0
+    ends: [usize; 2],
+    /// the name of its last part, without indices
+    last: Range<usize>,
+}
+
+impl Shape {
+    /// `None` if the path is malformed.
+    fn of(path: &[u8]) -> Option<Self> {
+        let mut shape = Self { index: [0; 2], length: path.len(), ends: [0; 2], last: 0..0 };
+        let (mut at, mut parts, mut indices) = (0, 0, 0);
+        if path.first().is_some_and(u8::is_ascii_digit) {
+            return None;
+        }
+        loop {
+            let start = at;
+            at = end_of_name(path, at);
+            if at == start {
+                return None;
+            }
+            shape.last = start..at;
+            while path.get(at) == Some(&b'[') {
+                let (number, end) = number_at(path, at + 1);
+                path.get(end).filter(|end| **end == b']')?;
+                if let Some(index) = shape.index.get_mut(indices) {
+                    *index = number;
                 }
                 indices += 1;
-                length -= at - start;
-                at += 1;
-                before = b']';
+                shape.length -= end - (at + 1);
+                at = end_of_name(path, end + 1);
             }
-            _ => return None,
+            if let Some(end) = shape.ends.get_mut(parts) {
+                *end = at;
+            }
+            parts += 1;
+            match path.get(at) {
+                None => return Some(shape),
+                Some(b'.') => at += 1,
+                Some(_) => return None,
+            }
         }
     }
-    (before != b'.' && !path[0].is_ascii_digit()).then_some((index, length))
+}
+
+/// The number at a place and its end. Empty brackets mean 0; no structure has an index beyond u32.
+fn number_at(path: &[u8], mut at: usize) -> (u32, usize) {
+    let mut number = 0_u32;
+    while let Some(digit @ b'0'..=b'9') = path.get(at) {
+        number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
+        at += 1;
+    }
+    (number, at)
+}
+
+fn end_of_name(path: &[u8], mut at: usize) -> usize {
+    while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
+        at += 1;
+    }
+    at
 }
 
 static OF_NAME: [bool; 256] = {

@@ -35,9 +35,12 @@ impl<R: Real, B: Block<R>> Run for Running<R, B> {
     }
 
     fn state(&self, places: &[usize], take: &mut dyn FnMut(Literal)) {
-        let (mut place, mut wanted) = (0, places.iter().peekable());
+        let (mut place, mut wanted) = (0, places);
         self.state.visit(&mut |leaf| {
-            if wanted.next_if(|next| **next == place).is_some() {
+            if let [next, later @ ..] = wanted
+                && *next == place
+            {
+                wanted = later;
                 take(leaf.at_run_time());
             }
             place += 1;

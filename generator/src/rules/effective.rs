@@ -245,7 +245,7 @@ fn default((name, index): Key) -> Option<Value> {
 }
 
 fn line((name, index): Key, used: &Used) -> String {
-    format!("{} {}\n", path_with(name.parameter().path, index), used.value.text())
+    [&path_with(name.parameter().path, index), " ", &used.value.text(), "\n"].concat()
 }
 
 /// The notation of a parameter's word in the file of a message: as a line of a list, or as a key of a set.

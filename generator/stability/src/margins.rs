@@ -57,12 +57,6 @@ impl<'a> Loop<'a> {
         Self { controller, driven: Driven::new(points, drive), weight: controller.weight }
     }
 
-    /// The weights of the stages.
-    #[must_use]
-    pub fn weights(&self) -> [f64; STAGES] {
-        self.weight
-    }
-
     /// The loop with other weights.
     #[must_use]
     pub fn with(&self, weight: [f64; STAGES]) -> Self {
@@ -113,22 +107,18 @@ impl<'a> Loop<'a> {
         }
     }
 
-    /// The remaining part of a disturbance at the motor at a frequency [Hz]: |S| with a stage divided by |S| without it.
+    /// What each weight of a stage does, with the stages before it and without those after it: the remaining part of a
+    /// disturbance at the motor at a frequency [Hz], which is |S| with the stage divided by |S| without it; and the largest
+    /// |S|. `None` if the loop is unstable.
     #[must_use]
-    pub fn left(&self, stage: usize, hz: f64) -> f64 {
-        let line = self.of_stage(stage)(&self.driven.at_hz(hz));
-        magnitude(line.rest) / magnitude(line.at(self.weight[stage]))
-    }
-
-    /// The largest |S| and its frequency [Hz]; `None` if the loop is unstable.
-    #[must_use]
-    pub fn ms(&self) -> Option<[f64; 2]> {
-        self.ms_of(&self.whole())
-    }
-
-    fn ms_of(&self, whole: &Part<'_, impl Fn(&At) -> Line>) -> Option<[f64; 2]> {
-        let (distance, t) = whole.least(|line| line.distance(1.0));
-        (distance > 0.0 && whole.is_stable(1.0)).then(|| [1.0 / distance, self.controller.hz(libm::atan(t))])
+    pub fn effects<const N: usize>(&self, stage: usize, hz: f64, weights: [f64; N]) -> [Option<[f64; 2]>; N] {
+        let line = self.of_stage(stage, |i| i < stage);
+        let at_hz = line(&self.driven.at_hz(hz));
+        let part = Part::new(&self.driven, line);
+        weights.map(|weight| {
+            let left = magnitude(at_hz.rest) / magnitude(at_hz.at(weight));
+            part.ms(weight).map(|[ms, _]| [left, ms])
+        })
     }
 
     /// The loop with the whole of L as its part.
@@ -142,7 +132,7 @@ impl<'a> Loop<'a> {
     #[must_use]
     pub fn margins(&self) -> Margins {
         let whole = self.whole();
-        let Some(ms) = self.ms_of(&whole) else {
+        let Some([ms, t]) = whole.ms(1.0) else {
             return Margins { stable: whole.is_stable(1.0), ms: None, gain_db: None, phase_deg: None };
         };
         let factor = whole.largest_stable([1.0, LARGEST_FACTOR]);
@@ -157,7 +147,7 @@ impl<'a> Loop<'a> {
         );
         Margins {
             stable: true,
-            ms: Some(ms),
+            ms: Some([ms, self.controller.hz(libm::atan(t))]),
             gain_db: Some(20.0 * libm::log10(factor)).filter(|_| factor < LARGEST_FACTOR),
             phase_deg: phase.map(f64::to_degrees),
         }
@@ -167,7 +157,7 @@ impl<'a> Loop<'a> {
     /// |S| stays within [`MAX_MS`] too.
     #[must_use]
     pub fn largest_weights(&self, stage: usize) -> [f64; 2] {
-        self.largest(self.of_stage(stage), LARGEST_WEIGHT)
+        self.largest(self.of_stage(stage, |i| i != stage), LARGEST_WEIGHT)
     }
 
     /// The same for factors of all weights together.
@@ -191,10 +181,9 @@ impl<'a> Loop<'a> {
         [part.largest_stable([0.0, most]), part.least(|line| line.largest_weight(1.0 / MAX_MS, most)).0]
     }
 
-    /// The loop with one stage as its part.
-    fn of_stage(&self, stage: usize) -> impl Fn(&At) -> Line {
-        let mut weight = self.weight;
-        weight[stage] = 0.0;
+    /// The loop with one stage as its part, and some of the others.
+    fn of_stage(&self, stage: usize, has: impl Fn(usize) -> bool) -> impl Fn(&At) -> Line {
+        let weight = std::array::from_fn(|i| if has(i) { self.weight[i] } else { 0.0 });
         move |(point, value)| Line {
             rest: self.open(point, value, &weight) + 1.0,
             part: -(point.stage[stage] * value.response),

@@ -55,6 +55,12 @@ impl<'l, F: Fn(&At) -> Line> Part<'l, F> {
         }
     }
 
+    /// The largest |S| with a weight of the part, and its t; `None` if the loop is unstable.
+    pub(crate) fn ms(&self, weight: f64) -> Option<[f64; 2]> {
+        let (distance, t) = self.least(|line| line.distance(weight));
+        (distance > 0.0 && self.is_stable(weight)).then(|| [1.0 / distance, t])
+    }
+
     /// The largest weight, above `least` and up to `most`, up to which a loop stays stable that is stable with `least`.
     pub(crate) fn largest_stable(&self, [least, most]: [f64; 2]) -> f64 {
         let mut largest = most;

@@ -81,6 +81,9 @@ impl Lowering<'_, '_> {
         if self.is_whole(left) {
             return self.whole_assignment(left, right);
         }
+        if let Some(target) = self.variables.array(said(left, self.text)) {
+            return self.array_assignment(target, right);
+        }
         let target = self.target(left);
         self.assign(target, right)
     }

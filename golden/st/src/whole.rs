@@ -1,11 +1,11 @@
-//! Structures as values: the slots of their parts, and assignments of one to another.
+//! Structures and arrays as values: the slots of their parts, and assignments of one to another.
 
 use super::kind::Kind;
 use super::lowering::Lowering;
 use super::op::{Code, Op};
 use super::structure::Structure;
 use super::syntax::{said, shown};
-use super::variables::{Role, Variable, Variables, slot_of};
+use super::variables::{Array, Role, Variable, Variables, slot_of};
 use tree_sitter::Node;
 
 /// A structure that an expression names.
@@ -55,7 +55,22 @@ impl Lowering<'_, '_> {
         Some(())
     }
 
-    /// Copies a structure, part by part.
+    /// Lowers an assignment of an array to another one of the same type and length, element by element.
+    pub(crate) fn array_assignment(&mut self, target: Array, right: Node<'_>) -> Option<()> {
+        let is_same = |value: &Array| (value.first.kind, value.length) == (target.first.kind, target.length);
+        let Some(value) = self.variables.array(said(right, self.text)).filter(is_same) else {
+            let (last, kind) = (target.length - 1, self.name(target.first.kind));
+            self.say(right, shown(right, self.text), format!("an `ARRAY[0..{last}] OF {kind}`"));
+            return None;
+        };
+        let elements =
+            |array: Array| (0..array.length).map(|index| (array.first.kind, array.first.slot + index)).collect();
+        let (to, from): (Vec<_>, Vec<_>) = (elements(target), elements(value));
+        self.copy_parts(&to, &from);
+        Some(())
+    }
+
+    /// Copies a structure or an array, part by part.
     pub(crate) fn copy_parts(&mut self, to: &[(Kind, u32)], from: &[(Kind, u32)]) {
         for (&(kind, to), &(_, from)) in to.iter().zip(from) {
             self.ops.push(Op::new(Code::moving(kind), to, [from, 0]));

@@ -2,7 +2,7 @@
 //! caller cannot connect them by mistake.
 
 use crate::pass::{Defect, prune};
-use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, rename, rewrite};
+use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, rename, retain_mut};
 
 /// A program with the signals that its axis has.
 #[derive(Clone, Debug)]
@@ -111,9 +111,9 @@ fn drop_outputs(program: &mut Program, changing: &[bool]) {
             }
         });
     });
-    rewrite(&mut program.step, &mut |statement, list| match statement {
-        Statement::Assign { target: Var::Output(index), .. } if !changing[index] => {}
-        other => list.push(other),
+    retain_mut(&mut program.step, &mut |statement| match statement {
+        Statement::Assign { target: Var::Output(index), .. } => changing[*index],
+        _ => true,
     });
 }
 

@@ -6,21 +6,19 @@
 //! ```
 
 use crate::pass::Defect;
-use crate::program::{Constant, Expr, Origin, Program, Statement, Var, rewrite};
+use crate::program::{Constant, Expr, Origin, Program, Statement, Var, retain_mut};
 use portable::{Binary, Intrinsic, Literal, RealKind, nearly_half};
 
 /// The program without that operation; the printer rejects one inside another expression.
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let (real, half) = (program.real, Var::Constant(program.constants.len()));
     let mut is_used = false;
-    rewrite(&mut program.step, &mut |statement, list| {
-        list.push(match statement {
-            Statement::Assign { target, value: Expr::Intrinsic(Intrinsic::Nearest, mut operands) } => {
-                is_used = true;
-                spelled_out(target, operands.remove(0), real, half)
-            }
-            other => other,
-        });
+    retain_mut(&mut program.step, &mut |statement| {
+        if let Statement::Assign { target, value: Expr::Intrinsic(Intrinsic::Nearest, operands) } = statement {
+            is_used = true;
+            *statement = spelled_out(*target, operands.remove(0), real, half);
+        }
+        true
     });
     if is_used {
         program.constants.push(Constant {

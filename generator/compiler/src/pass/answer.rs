@@ -5,20 +5,20 @@
 //! ```
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Var, rewrite};
+use crate::program::{Expr, Program, Statement, Var, retain_mut};
 use portable::Literal;
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
-    rewrite(&mut program.step, &mut |statement, list| {
-        list.push(match statement {
-            Statement::If { condition, then, otherwise } => match (answer(&then), answer(&otherwise)) {
-                (Some((target, yes)), Some((other, no))) if target == other && yes != no => {
-                    Statement::Assign { target, value: if yes { condition } else { Expr::not(condition) } }
-                }
-                _ => Statement::If { condition, then, otherwise },
-            },
-            other => other,
-        });
+    retain_mut(&mut program.step, &mut |statement| {
+        if let Statement::If { condition, then, otherwise } = statement
+            && let (Some((target, yes)), Some((other, no))) = (answer(then), answer(otherwise))
+            && target == other
+            && yes != no
+        {
+            let condition = std::mem::replace(condition, Expr::bool(true));
+            *statement = Statement::Assign { target, value: if yes { condition } else { Expr::not(condition) } };
+        }
+        true
     });
     Ok(program)
 }

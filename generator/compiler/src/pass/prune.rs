@@ -2,7 +2,7 @@
 //! are the interface.
 
 use super::Defect;
-use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, rewrite};
+use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, retain_mut};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
     let live = live_variables(&program);
@@ -55,17 +55,21 @@ fn mark(list: &[Statement], live: &mut Table<Life>, grows: &mut bool) -> bool {
 
 fn keep(list: &mut Vec<Statement>, live: &Table<Life>) {
     let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
-    rewrite(list, &mut |statement, list| match statement {
-        Statement::Assign { target, .. } if live[target] != Life::Live => {}
-        Statement::If { condition, then, otherwise } => match (only_notes(&then), only_notes(&otherwise)) {
-            (true, true) => {}
-            (true, false) => {
-                list.push(Statement::If { condition: Expr::not(condition), then: otherwise, otherwise: Vec::new() });
+    retain_mut(list, &mut |statement| match statement {
+        Statement::Assign { target, .. } => live[*target] == Life::Live,
+        Statement::If { condition, then, otherwise } => {
+            match (only_notes(then), only_notes(otherwise)) {
+                (true, true) => return false,
+                (true, false) => {
+                    *condition = Expr::not(std::mem::replace(condition, Expr::bool(true)));
+                    *then = std::mem::take(otherwise);
+                }
+                (false, true) => otherwise.clear(),
+                (false, false) => {}
             }
-            (false, true) => list.push(Statement::If { condition, then, otherwise: Vec::new() }),
-            (false, false) => list.push(Statement::If { condition, then, otherwise }),
-        },
-        other => list.push(other),
+            true
+        }
+        _ => true,
     });
 }
 

@@ -12,7 +12,7 @@
 //! ```
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, Table, Var, rewrite};
+use crate::program::{Expr, Program, Statement, Table, Var, retain_mut};
 use portable::Literal;
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
@@ -82,18 +82,22 @@ fn can_go(way: Way, before: &[Statement], reads: &Table<usize>, writes: &Table<u
 
 /// Replaces the local by the output.
 fn go(list: &mut Vec<Statement>, way: Way) {
-    let assign = |value| Statement::Assign { target: way.output, value };
-    rewrite(list, &mut |statement, list| match statement {
-        Statement::Assign { target, value } if target == way.local => match (way.value, value) {
-            (None, value) => list.push(assign(value)),
-            (Some(_), Expr::Literal(Literal::Bool(false))) => {}
-            (Some(set), Expr::Literal(_)) => list.push(assign(Expr::Literal(set))),
-            (Some(set), condition) => {
-                let then = vec![assign(Expr::Literal(set))];
-                list.push(Statement::If { condition, then, otherwise: Vec::new() });
+    retain_mut(list, &mut |statement| match statement {
+        Statement::Assign { target, value } if *target == way.local => {
+            *target = way.output;
+            let Some(set) = way.value else { return true };
+            let condition = std::mem::replace(value, Expr::Literal(set));
+            match condition {
+                Expr::Literal(Literal::Bool(false)) => return false,
+                Expr::Literal(_) => {}
+                condition => {
+                    let then = vec![statement.clone()];
+                    *statement = Statement::If { condition, then, otherwise: Vec::new() };
+                }
             }
-        },
-        Statement::If { then, otherwise, .. } if then.is_empty() && otherwise.is_empty() => {}
-        other => list.push(other),
+            true
+        }
+        Statement::If { then, otherwise, .. } => !then.is_empty() || !otherwise.is_empty(),
+        _ => true,
     });
 }

@@ -5,19 +5,20 @@
 //! deeper.
 
 use super::Defect;
-use crate::program::{Expr, Program, Statement, rewrite};
+use crate::program::{Expr, Program, Statement, retain_mut};
 use portable::Unary;
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
-    rewrite(&mut program.step, &mut |statement, list| {
-        list.push(match statement {
-            Statement::If { condition: Expr::Unary(Unary::Not, condition), then, otherwise }
-                if !then.is_empty() && !matches!(otherwise[..], [] | [Statement::If { .. }]) =>
-            {
-                Statement::If { condition: *condition, then: otherwise, otherwise: then }
-            }
-            other => other,
-        });
+    retain_mut(&mut program.step, &mut |statement| {
+        if let Statement::If { condition, then, otherwise } = statement
+            && let Expr::Unary(Unary::Not, positive) = condition
+            && !then.is_empty()
+            && !matches!(otherwise[..], [] | [Statement::If { .. }])
+        {
+            *condition = std::mem::replace(positive, Expr::bool(true));
+            std::mem::swap(then, otherwise);
+        }
+        true
     });
     Ok(program)
 }

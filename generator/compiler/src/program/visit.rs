@@ -211,12 +211,10 @@ pub(crate) fn rename(list: &mut [Statement], renamed: &impl Fn(Var) -> Var) {
     });
 }
 
-/// Replaces every statement by those that `change` pushes for it; the statements inside it have been replaced before.
-pub(crate) fn rewrite(list: &mut Vec<Statement>, change: &mut impl FnMut(Statement, &mut Vec<Statement>)) {
-    let old = std::mem::take(list);
-    list.reserve(old.len());
-    for mut statement in old {
-        statement.change_branches(|list| rewrite(list, change));
-        change(statement, list);
-    }
+/// Changes every statement in place and keeps those for which `change` returns true; those inside it come before it.
+pub(crate) fn retain_mut(list: &mut Vec<Statement>, change: &mut impl FnMut(&mut Statement) -> bool) {
+    list.retain_mut(|statement| {
+        statement.change_branches(|list| retain_mut(list, change));
+        change(statement)
+    });
 }

@@ -11,7 +11,7 @@ mod statement;
 
 use crate::leaves;
 use crate::program::{
-    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, rewrite, variant_name,
+    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, retain_mut, variant_name,
 };
 use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Intrinsic, Literal, Portable, Real, Ty};
@@ -75,14 +75,16 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
 /// Narrows the reals of the parameter set that a program makes. They are numbers that single precision represents.
 fn narrow(program: &mut Program) {
     let is_single: Vec<bool> = program.outputs.iter().map(|output| program.is_single(output)).collect();
-    rewrite(&mut program.step, &mut |statement, list| match statement {
+    retain_mut(&mut program.step, &mut |statement| {
         // A literal has the type of what it is assigned to.
-        Statement::Assign { target: target @ Var::Output(index), value }
-            if is_single[index] && !matches!(value, Expr::Literal(_)) =>
+        if let Statement::Assign { target: Var::Output(index), value } = statement
+            && is_single[*index]
+            && !matches!(value, Expr::Literal(_))
         {
-            list.push(Statement::Assign { target, value: Expr::Intrinsic(Intrinsic::Narrow, vec![value]) });
+            let wide = std::mem::replace(value, Expr::bool(true));
+            *value = Expr::Intrinsic(Intrinsic::Narrow, vec![wide]);
         }
-        other => list.push(other),
+        true
     });
 }
 

@@ -233,15 +233,15 @@ fn a_conversion_to_single_precision_rounds_once() {
     assert_eq!(found, [[Literal::F32(-16_777_216.0), Literal::F32(4_294_967_040.0)]]);
 }
 
-/// Of each type; outside of it the value is one that nothing else has.
+/// Of each type, and of a copy of the array; outside of it the value is one that nothing else has.
 #[test]
 fn an_element_of_an_array() {
     let text = "FUNCTION_BLOCK \"probe\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n\
         VAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\nEND_VAR\n\
         VAR_OUTPUT\n    y : LREAL;\n    j : DINT;\n    q : BOOL;\nEND_VAR\n\
-        VAR\n    k : ARRAY[0..2] OF LREAL;\n    n : ARRAY[0..2] OF DINT;\n    p : ARRAY[0..2] OF BOOL;\nEND_VAR\nBEGIN\n\
+        VAR\n    k : ARRAY[0..2] OF LREAL;\n    m : ARRAY[0..2] OF LREAL;\n    n : ARRAY[0..2] OF DINT;\n    p : ARRAY[0..2] OF BOOL;\nEND_VAR\nBEGIN\n\
         #k[0] := #x;\n#k[1] := #x + #x;\n#k[2] := #k[0] + #k[1];\n#n[1] := #i;\n#p[2] := TRUE;\n\
-        #y := #k[UDINT_TO_DINT(#u)];\n#j := #n[#i];\n#q := #p[#i];\nEND_FUNCTION_BLOCK\n";
+        #m := #k;\n#k[2] := 0.0;\n#y := #m[UDINT_TO_DINT(#u)];\n#j := #n[#i];\n#q := #p[#i];\nEND_FUNCTION_BLOCK\n";
     let block = block(Dialect::Scl, text, "probe", RealKind::F64);
     let inputs = [("x", LREAL), ("i", Literal::I32(0)), ("u", Literal::U32(0))];
     let outputs = [("y", LREAL), ("j", Literal::I32(0)), ("q", Literal::Bool(false))];
