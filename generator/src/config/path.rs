@@ -81,8 +81,8 @@ static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
 
 /// The slot of a name: length, first and last letter, in any case, distinguish most names.
 fn drawer(length: usize, name: &str) -> usize {
-    let ends = [name.as_bytes().first(), name.as_bytes().last()].map(|letter| look(char::from(*letter.unwrap_or(&0))));
-    length * 32 + ((ends[0] as usize + ends[1] as usize) & 31)
+    let of = |letter: Option<&u8>| look(char::from(*letter.unwrap_or(&0))) as usize;
+    length * 32 + ((of(name.as_bytes().first()) + of(name.as_bytes().last())) & 31)
 }
 
 /// One letter for those that look alike: small and capital, `I`, `1` and `l`, `0` and `O`.
