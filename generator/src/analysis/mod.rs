@@ -100,6 +100,6 @@ fn curve(designed: &Designed, closed: &Loop<'_>) -> Vec<Curve> {
 /// The response of a stage from its input velocity to its output, with weight and sign, from the coefficients that a block
 /// has at a cycle time T [s]: a function of t = tan(pi f T).
 pub fn of_stage(stage: &Stage, cycle_time: f64) -> impl Fn(f64) -> Complex64 + use<> {
-    let coeffs = stage::stage(0, stage, cycle_time).coeffs;
-    move |t| response::of_stage(&coeffs, t)
+    let stage = response::Stage::new(&stage::stage(0, stage, cycle_time).coeffs);
+    move |t| stage.at(t)
 }

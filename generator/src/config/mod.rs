@@ -9,7 +9,8 @@
 //! toml_fault   errors of TOML's parser, in words
 //! odd_line     lines without a parameter           other_kind files that are not lists
 //! other_functions  used parameters of other functions
-//! path         path -> parameter and indices       closest  the name that was meant
+//! shape        a path -> its parts and indices      path     path -> parameter and indices
+//! closest      the name that was meant
 //! value        text -> value of the parameter's kind
 //! values       what was given, each with its place
 //! given        all of it, for a set or for a list
@@ -30,6 +31,7 @@ pub(crate) mod other_kind;
 pub(crate) mod path;
 pub(crate) mod project;
 pub(crate) mod set;
+mod shape;
 pub(crate) mod source;
 pub(crate) mod stage_option;
 pub(crate) mod toml_fault;

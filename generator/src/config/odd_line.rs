@@ -114,7 +114,7 @@ fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
 
 /// A path whose value is alone in the next line, as in text from a printed page: what was found, and both in one line.
 pub(super) fn value_below(line: &Statement<'_>, below: &Lines<'_>) -> Option<(String, String)> {
-    // The usual case: a value, which is no word of a path.
+    // The usual case: a value that cannot belong to the path.
     if !line.value.is_empty() && !is_word(line.value) {
         return None;
     }

@@ -1,7 +1,8 @@
 //! From a written path (`stage[0].filter.order`) to the parameter and its indices. No value or message is here.
 
+use super::shape::Shape;
 use crate::parameters::{Name, Parameter, Scope, TABLE};
-use std::{collections::BTreeSet, ops::Range, sync::LazyLock};
+use std::{collections::BTreeSet, sync::LazyLock};
 
 /// A parameter; a parameter of the table with an index that does not exist; well-formed, but not in the table; not a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,8 +82,8 @@ static BARE: LazyLock<Vec<Vec<(String, &'static str)>>> = LazyLock::new(|| {
 
 /// The slot of a name: length, first and last letter, in any case, distinguish most names.
 fn drawer(length: usize, name: &str) -> usize {
-    let ends = [name.as_bytes().first(), name.as_bytes().last()].map(|letter| look(char::from(*letter.unwrap_or(&0))));
-    length * 32 + ((ends[0] as usize + ends[1] as usize) & 31)
+    let of = |letter: Option<&u8>| look(char::from(*letter.unwrap_or(&0))) as usize;
+    length * 32 + ((of(name.as_bytes().first()) + of(name.as_bytes().last())) & 31)
 }
 
 /// One letter for those that look alike: small and capital, `I`, `1` and `l`, `0` and `O`.
@@ -164,82 +165,6 @@ pub(crate) fn find(path: &str) -> Path<'_> {
         Path::OutOfRange { name, spelling: template }
     }
 }
-
-/// A well-formed path.
-struct Shape {
-    index: [u32; 2],
-    /// with `[]` for an index
-    length: usize,
-    /// the ends of its first two parts; if it has only one, the second is 0
-    ends: [usize; 2],
-    /// the name of its last part, without indices
-    last: Range<usize>,
-}
-
-impl Shape {
-    /// `None` if the path is malformed.
-    fn of(path: &[u8]) -> Option<Self> {
-        let mut shape = Self { index: [0; 2], length: path.len(), ends: [0; 2], last: 0..0 };
-        let (mut at, mut parts, mut indices) = (0, 0, 0);
-        if path.first().is_some_and(u8::is_ascii_digit) {
-            return None;
-        }
-        loop {
-            let start = at;
-            at = end_of_name(path, at);
-            if at == start {
-                return None;
-            }
-            shape.last = start..at;
-            while path.get(at) == Some(&b'[') {
-                let (number, end) = number_at(path, at + 1);
-                path.get(end).filter(|end| **end == b']')?;
-                if let Some(index) = shape.index.get_mut(indices) {
-                    *index = number;
-                }
-                indices += 1;
-                shape.length -= end - (at + 1);
-                at = end_of_name(path, end + 1);
-            }
-            if let Some(end) = shape.ends.get_mut(parts) {
-                *end = at;
-            }
-            parts += 1;
-            match path.get(at) {
-                None => return Some(shape),
-                Some(b'.') => at += 1,
-                Some(_) => return None,
-            }
-        }
-    }
-}
-
-/// The number at a place and its end. Empty brackets mean 0; no structure has an index beyond u32.
-fn number_at(path: &[u8], mut at: usize) -> (u32, usize) {
-    let mut number = 0_u32;
-    while let Some(digit @ b'0'..=b'9') = path.get(at) {
-        number = number.saturating_mul(10).saturating_add(u32::from(digit - b'0'));
-        at += 1;
-    }
-    (number, at)
-}
-
-fn end_of_name(path: &[u8], mut at: usize) -> usize {
-    while path.get(at).is_some_and(|byte| OF_NAME[usize::from(*byte)]) {
-        at += 1;
-    }
-    at
-}
-
-static OF_NAME: [bool; 256] = {
-    let mut is = [false; 256];
-    let mut byte = 0;
-    while byte < 128u8 {
-        is[byte as usize] = byte.is_ascii_alphanumeric() || byte == b'_';
-        byte += 1;
-    }
-    is
-};
 
 /// Whether this path has parameters below it in a set: `lr_param`, `lr_param.improved_position_control.stage[0]`.
 pub(crate) fn is_structure(path: &str) -> bool {

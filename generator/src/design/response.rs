@@ -10,39 +10,67 @@ pub(crate) use stability::Complex64 as Complex;
 
 /// From the input velocity of a stage to its output.
 pub(crate) fn of_stage(coeffs: &stage::Coeffs<f64>, t: f64) -> Complex {
-    if coeffs.mode == Mode::NotActive {
-        return Complex::from(0.0);
-    }
-    let mut h = Complex::from(coeffs.gain);
-    if coeffs.mode != Mode::Direct {
-        h *= of_oscillation(&coeffs.oscillation, t);
-    }
-    coeffs.filter.iter().fold(h, |h, filter| h * of_filter(filter, t))
+    Stage::new(coeffs).at(t)
 }
 
-pub(crate) fn of_filter(coeffs: &filter::Coeffs<f64>, t: f64) -> Complex {
-    match coeffs.kind {
-        Type::NoFilter => Complex::from(1.0),
-        Type::Bandpass => {
-            coeffs.bandpass.iter().take(coeffs.order).fold(Complex::from(1.0), |h, section| h * of_bandpass(section, t))
+/// A stage for many frequencies: the sums of its coefficients are made once.
+pub(crate) struct Stage {
+    gain: f64,
+    oscillation: Option<Section>,
+    filters: Vec<Vec<Section>>,
+}
+
+impl Stage {
+    pub(crate) fn new(coeffs: &stage::Coeffs<f64>) -> Self {
+        if coeffs.mode == Mode::NotActive {
+            return Self { gain: 0.0, oscillation: None, filters: Vec::new() };
         }
-        Type::Allpass => of_allpass(&coeffs.allpass, t),
+        let oscillation = (coeffs.mode != Mode::Direct).then(|| Section::of_oscillation(&coeffs.oscillation));
+        let filters = coeffs.filter.iter().map(sections).filter(|sections| !sections.is_empty());
+        Self { gain: coeffs.gain, oscillation, filters: filters.collect() }
+    }
+
+    pub(crate) fn at(&self, t: f64) -> Complex {
+        let gain = Complex::from(self.gain);
+        let h = self.oscillation.as_ref().map_or(gain, |oscillation| gain * oscillation.at(t));
+        self.filters.iter().fold(h, |h, sections| h * product(sections, t))
     }
 }
 
-pub(crate) fn of_bandpass(coeffs: &bandpass::Coeffs<f64>, t: f64) -> Complex {
-    let numerator = Complex { re: 0.0, im: -4.0 * coeffs.b2 * t };
-    numerator / polynomial(1.0, coeffs.a1, coeffs.a2, t)
+pub(crate) fn sections(coeffs: &filter::Coeffs<f64>) -> Vec<Section> {
+    match coeffs.kind {
+        Type::NoFilter => Vec::new(),
+        Type::Bandpass => coeffs.bandpass.iter().take(coeffs.order).map(Section::of_bandpass).collect(),
+        Type::Allpass => vec![Section::of_allpass(&coeffs.allpass)],
+    }
 }
 
-pub(crate) fn of_allpass(coeffs: &allpass::Coeffs<f64>, t: f64) -> Complex {
-    let denominator = polynomial(1.0, coeffs.a1, coeffs.a2, t);
-    Complex { re: denominator.re, im: -denominator.im } / denominator
+pub(crate) fn product(sections: &[Section], t: f64) -> Complex {
+    sections.iter().fold(Complex::from(1.0), |h, section| h * section.at(t))
 }
 
-pub(crate) fn of_oscillation(coeffs: &oscillation::Coeffs<f64>, t: f64) -> Complex {
-    let numerator = polynomial(coeffs.b0, coeffs.b1, coeffs.b2, t);
-    numerator / polynomial(1.0, coeffs.a1, coeffs.a2, t)
+/// Numerator and denominator.
+pub(crate) struct Section([Polynomial; 2]);
+
+impl Section {
+    fn of_bandpass(coeffs: &bandpass::Coeffs<f64>) -> Self {
+        let numerator = Polynomial { dc: 0.0, slope: -4.0 * coeffs.b2, nyquist: 0.0 };
+        Self([numerator, Polynomial::new(1.0, coeffs.a1, coeffs.a2)])
+    }
+
+    pub(crate) fn of_allpass(coeffs: &allpass::Coeffs<f64>) -> Self {
+        let denominator = Polynomial::new(1.0, coeffs.a1, coeffs.a2);
+        Self([Polynomial { slope: -denominator.slope, ..denominator }, denominator])
+    }
+
+    pub(crate) fn of_oscillation(coeffs: &oscillation::Coeffs<f64>) -> Self {
+        Self([Polynomial::new(coeffs.b0, coeffs.b1, coeffs.b2), Polynomial::new(1.0, coeffs.a1, coeffs.a2)])
+    }
+
+    pub(crate) fn at(&self, t: f64) -> Complex {
+        let [numerator, denominator] = &self.0;
+        numerator.at(t) / denominator.at(t)
+    }
 }
 
 /// A delay of one cycle: z^-1.
@@ -66,9 +94,22 @@ pub(crate) fn angle(h: Complex) -> f64 {
 }
 
 /// (1 + j t)^2 (c0 + c1 z^-1 + c2 z^-2) = (c0 + c1 + c2) + 2 (c0 - c2) j t - (c0 - c1 + c2) t^2.
-fn polynomial(c0: f64, c1: f64, c2: f64, t: f64) -> Complex {
-    let [dc, nyquist] = at_dc_and_nyquist(c0, c1, c2);
-    Complex { re: dc - nyquist * t * t, im: 2.0 * (c0 - c2) * t }
+#[derive(Clone, Copy)]
+struct Polynomial {
+    dc: f64,
+    slope: f64,
+    nyquist: f64,
+}
+
+impl Polynomial {
+    fn new(c0: f64, c1: f64, c2: f64) -> Self {
+        let [dc, nyquist] = at_dc_and_nyquist(c0, c1, c2);
+        Self { dc, slope: 2.0 * (c0 - c2), nyquist }
+    }
+
+    fn at(&self, t: f64) -> Complex {
+        Complex { re: self.dc - self.nyquist * t * t, im: self.slope * t }
+    }
 }
 
 /// Value of c0 + c1 z^-1 + c2 z^-2 at DC (z = 1) and at the Nyquist frequency (z = -1).

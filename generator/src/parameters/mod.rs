@@ -132,8 +132,13 @@ impl Parameter {
 
     /// The default at these indices, as a list would write it; `None` if the parameter has no default.
     pub(crate) fn default_at(&self, index: [u32; 2]) -> Option<&'static str> {
+        self.at(self.default, index).copied()
+    }
+
+    /// What holds at these indices: the values are for those of the last index, the last value for all others.
+    pub(crate) fn at<'v, T>(&self, values: &'v [T], index: [u32; 2]) -> Option<&'v T> {
         let last = index[self.indices.len().saturating_sub(1)] as usize;
-        self.default.get(last).or(self.default.last()).copied()
+        values.get(last).or(values.last())
     }
 
     /// Whether the value lies within the range of the kind.

@@ -8,6 +8,7 @@ use crate::parameters::{Name, Value, path_with};
 use crate::{codes, config::value, parameters::words::Words};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
+use std::sync::LazyLock;
 
 /// The given values of an axis, the messages about them, and the values that its block uses.
 #[derive(Debug)]
@@ -101,9 +102,8 @@ impl<'a> Effective<'a> {
                 if let Some(adopted) = self.adopted.get(&key) {
                     return Some(adopted.clone());
                 }
-                let default = default(key);
-                if default.is_some() {
-                    return default;
+                if let Some(default) = default(key) {
+                    return Some(default.clone());
                 }
                 let text = parameter.default_at(key.1).unwrap_or_default();
                 let found = format!("{} is missing; its default {text} is outside of its range", self.title(key));
@@ -223,7 +223,7 @@ impl<'a> Effective<'a> {
     pub(crate) fn canonical<const N: usize>(&self, blocks: [&'static str; N]) -> (String, [String; N]) {
         let mut all = String::new();
         let mut own = [const { String::new() }; N];
-        let is_default = |key, used: &Used| default(key).is_some_and(|default| default == used.value);
+        let is_default = |key, used: &Used| default(key).is_some_and(|default| *default == used.value);
         for (key, used) in self.used.iter().filter(|(key, used)| !is_default(**key, used)) {
             let line = line(*key, used);
             for (own, block) in own.iter_mut().zip(blocks) {
@@ -237,11 +237,18 @@ impl<'a> Effective<'a> {
     }
 }
 
+/// The defaults of each parameter as values, in the order of the table.
+static DEFAULTS: LazyLock<[Vec<Option<Value>>; Name::ALL.len()]> = LazyLock::new(|| {
+    Name::ALL.map(Name::parameter).map(|parameter| {
+        let texts = if parameter.default.is_empty() { &[""] } else { parameter.default };
+        let read = |text: &&str| value::of_text(parameter, text).ok().filter(|value| parameter.contains(value));
+        texts.iter().map(read).collect()
+    })
+});
+
 /// The default of a parameter; `None` if it has none, or none within its range.
-fn default((name, index): Key) -> Option<Value> {
-    let parameter = name.parameter();
-    let text = parameter.default_at(index).unwrap_or_default();
-    value::of_text(parameter, text).ok().filter(|value| parameter.contains(value))
+fn default((name, index): Key) -> Option<&'static Value> {
+    name.parameter().at(&DEFAULTS[name as usize], index)?.as_ref()
 }
 
 fn line((name, index): Key, used: &Used) -> String {

@@ -5,7 +5,7 @@ use super::oscillation_of;
 use super::rounding::{demanded, of_section, of_sections};
 use crate::axis::Filter;
 use crate::design::band::{Band, band, edges, frequency, warped};
-use crate::design::response::{Complex, magnitude, of_allpass, of_filter};
+use crate::design::response::{Complex, Section, magnitude, product, sections};
 use crate::unit::sets::filter as coefficients_of;
 use crate::unit::sets::{Set, sets};
 use portable::Extreme;
@@ -45,11 +45,12 @@ fn a_band_pass_is_1_at_the_centre_and_3_db_less_at_edges_that_are_f0_over_q_apar
         let coeffs = bandpass(set);
         let rounding = |t| of_sections(&coeffs.bandpass[..set.order], t);
         let centre = warped(set.f0, set.cycle_time());
-        let edge = |t| ((magnitude(of_filter(&coeffs, t)) * core::f64::consts::SQRT_2 - 1.0).abs(), rounding(t));
+        let edge =
+            |t| ((magnitude(product(&sections(&coeffs), t)) * core::f64::consts::SQRT_2 - 1.0).abs(), rounding(t));
         let [lower, upper] = edges(band);
         let apart = frequency(upper, set.cycle_time()) - frequency(lower, set.cycle_time());
         vec![
-            (distance(of_filter(&coeffs, centre), 1.0, 0.0), 2.0 * rounding(centre)),
+            (distance(product(&sections(&coeffs), centre), 1.0, 0.0), 2.0 * rounding(centre)),
             edge(lower),
             edge(upper),
             ((apart * set.q_factor / set.f0 - 1.0).abs(), 1e-13),
@@ -66,7 +67,7 @@ fn an_all_pass_turns_by_a_quarter_at_each_edge_and_by_a_half_at_the_centre() {
         let [lower, upper] = edges(band);
         let at = |t, re, im| {
             let rounding = 2.0 * of_section(coeffs.a1, coeffs.a2, t) + 60.0 * f64::EPSILON;
-            (distance(of_allpass(&coeffs, t), re, im), rounding)
+            (distance(Section::of_allpass(&coeffs).at(t), re, im), rounding)
         };
         vec![at(lower, 0.0, -1.0), at(warped(set.f0, set.cycle_time()), -1.0, 0.0), at(upper, 0.0, 1.0)]
     });

@@ -5,7 +5,7 @@ use super::oscillation_of;
 use super::rounding::of_section;
 use crate::axis::{Filter, Prototype};
 use crate::design::band::warped;
-use crate::design::response::{Complex, magnitude, of_filter, of_oscillation};
+use crate::design::response::{self, Complex, Section, magnitude, product};
 use crate::unit::sets::filter as coefficients_of;
 use portable::Extreme;
 use reference::oscillation;
@@ -69,7 +69,7 @@ fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours
             return Ours {
                 denominators: vec![[a1, a2]],
                 gain: b0,
-                response: Box::new(move |t| of_oscillation(&coeffs, t)),
+                response: Box::new(move |t| Section::of_oscillation(&coeffs).at(t)),
             };
         }
         "ALLPASS" => Filter::Allpass { f0, q_factor: q_or_d },
@@ -86,7 +86,7 @@ fn ours(kind: &str, order: usize, f0: f64, q_or_d: f64, cycle_time: f64) -> Ours
         }
         _ => (vec![[coeffs.allpass.a1, coeffs.allpass.a2]], coeffs.allpass.a2),
     };
-    Ours { denominators, gain, response: Box::new(move |t| of_filter(&coeffs, t)) }
+    Ours { denominators, gain, response: Box::new(move |t| product(&response::sections(&coeffs), t)) }
 }
 
 #[test]

@@ -104,11 +104,11 @@ pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> 
 /// The controller of an axis, in a position loop with this gain [1/s], at the points of the frequency axis that these drives
 /// need; `None` if no stage closes a loop.
 pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain: Option<f64>) -> Option<Points<'d>> {
-    let mut coeffs: [Option<Coeffs<f64>>; STAGES] = [None; STAGES];
+    let mut responses = [const { None }; STAGES];
     let mut weight = [0.0; STAGES];
     let mut bands = Vec::new();
     for design in stages(designed) {
-        coeffs[design.index] = Some(Coeffs { gain: -1.0, ..design.coeffs });
+        responses[design.index] = Some(response::Stage::new(&Coeffs { gain: -1.0, ..design.coeffs }));
         weight[design.index] = design.stage.weight();
         let filters = design.stage.filter.iter().filter_map(Filter::f0_and_q);
         bands.extend(filters.map(|[f0, q_factor]| Band { centre: f0, width: f0 / q_factor }));
@@ -119,7 +119,7 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain
     let controller = Controller {
         cycle_time: designed.axis.cycle_time(),
         weight,
-        stage: Box::new(move |t| coeffs.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| response::of_stage(of, t)))),
+        stage: Box::new(move |t| responses.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| of.at(t)))),
         bands,
         position_gain,
     };

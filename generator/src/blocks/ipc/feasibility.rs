@@ -47,9 +47,10 @@ pub(crate) fn refusals_of(stage: &StageDesign, real: RealKind) -> Vec<Refusal> {
 
 fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal> {
     let precision = precision(real);
-    let Realised { is_stable, centre, coefficients, condition } = realised(section, real);
+    let (is_stable, centre) = realised(section, real);
     let [intended, realised] = [section.shape.g, centre].map(|t| frequency(t, cycle_time));
     let (found, allowed) = if !is_stable {
+        let (coefficients, condition) = condition(section, real);
         (format!("unstable with its coefficients in {precision} precision: {coefficients}"), condition.to_owned())
     } else if (realised - intended).abs() > MAX_CENTRE_ERROR * intended {
         let found = format!(
@@ -66,37 +67,26 @@ fn refusal(section: &Section, real: RealKind, cycle_time: f64) -> Option<Refusal
     Some(Refusal { element: section.element.clone(), found, allowed, instead })
 }
 
-/// A section with its rounded coefficients.
-struct Realised {
-    is_stable: bool,
-    /// on the warped axis
-    centre: f64,
-    /// the coefficients that decide on stability
-    coefficients: String,
-    /// what makes them stable
-    condition: &'static str,
-}
-
+/// Whether a section is stable with its rounded coefficients, and its centre on the warped axis.
+///
 /// The biquad in double precision is stable if |a2| < 1 and |a1| < 1 + a2; its centre is g^2 = (1 + a1 + a2) / (1 - a1 +
 /// a2). The trapezoidal section in single precision has the trace 2 - B - A C and the determinant 1 + A C - B: it is stable
 /// if 0 < A C < B < 2, and its centre is g^2 = A C / (2 - B). The simulated oscillation has A = G H, B = G R, C = G2.
-fn realised(section: &Section, real: RealKind) -> Realised {
-    if real == RealKind::F64 {
-        let [a1, a2] = section.denominator;
-        let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
-        return Realised {
-            is_stable: a2 < 1.0 && dc > 0.0 && nyquist > 0.0,
-            centre: libm::sqrt(dc / nyquist),
-            coefficients: format!("a1 = {a1:e}, a2 = {a2:e}"),
-            condition: "|a2| < 1 and |a1| < 1 + a2",
-        };
+fn realised(section: &Section, real: RealKind) -> (bool, f64) {
+    if real == RealKind::F32 {
+        return (section.trapezoidal.is_stable(), section.trapezoidal.centre());
     }
-    let Trapezoidal { a, b, c, .. } = section.trapezoidal;
-    Realised {
-        is_stable: section.trapezoidal.is_stable(),
-        centre: section.trapezoidal.centre(),
-        coefficients: format!("A = {a:e}, B = {b:e}, C = {c:e}"),
-        condition: "0 < A C < B < 2",
+    let [a1, a2] = section.denominator;
+    let [dc, nyquist] = at_dc_and_nyquist(1.0, a1, a2);
+    (a2 < 1.0 && dc > 0.0 && nyquist > 0.0, libm::sqrt(dc / nyquist))
+}
+
+/// The coefficients that decide on stability, and what makes them stable.
+fn condition(section: &Section, real: RealKind) -> (String, &'static str) {
+    let ([a1, a2], Trapezoidal { a, b, c, .. }) = (section.denominator, section.trapezoidal);
+    match real {
+        RealKind::F64 => (format!("a1 = {a1:e}, a2 = {a2:e}"), "|a2| < 1 and |a1| < 1 + a2"),
+        RealKind::F32 => (format!("A = {a:e}, B = {b:e}, C = {c:e}"), "0 < A C < B < 2"),
     }
 }
 
