@@ -8,7 +8,9 @@ use portable::{Literal, RealKind};
 /// The structure as text. Before the passes a program contains everything that its stages require, for any values.
 pub fn of(program: &Program) -> String {
     let real = if program.real == RealKind::F64 { "f64" } else { "f32" };
-    Dump::bare(program, cleared, format!("block    {}\nreal     {real}\n", program.block)).whole()
+    let mut text = String::with_capacity(1 << 14);
+    text.extend(["block    ", program.block, "\nreal     ", real, "\n"]);
+    Dump::bare(program, cleared, text).whole()
 }
 
 /// The text for all values of this type.

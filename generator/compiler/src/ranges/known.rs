@@ -36,13 +36,15 @@ pub(super) struct Known {
     /// the previous knowledge, for every change
     log: Vec<(Place, Entry)>,
     assignments: u32,
+    /// the first local; they are the last variables
+    first_local: Place,
     pub names: Names,
 }
 
 impl Known {
-    pub(super) fn new(values: impl Iterator<Item = Value>, names: Names) -> Self {
+    pub(super) fn new(values: impl Iterator<Item = Value>, first_local: Place, names: Names) -> Self {
         let entry = |value| Entry { value, written: 0, copy_of: None, follows: None };
-        Self { entries: values.map(entry).collect(), log: Vec::new(), assignments: 0, names }
+        Self { entries: values.map(entry).collect(), log: Vec::new(), assignments: 0, first_local, names }
     }
 
     pub(super) fn value(&self, place: Place) -> Value {
@@ -151,7 +153,7 @@ impl Known {
     }
 
     fn join(&mut self, one: &Changes, other: &Changes) {
-        let Self { entries, assignments, names, .. } = self;
+        let Self { entries, assignments, first_local, names, .. } = self;
         let mut both = Vec::with_capacity(one.len() + other.len());
         let mut after = Changes::with_capacity(one.len() + other.len());
         let mut rest = [&one[..], &other[..]];
@@ -168,6 +170,10 @@ impl Known {
                 }
                 _ => &entries[place],
             });
+            // Nothing reads a local that one of the branches has not assigned.
+            if place >= *first_local && (one.written == 0) != (other.written == 0) {
+                continue;
+            }
             let value = one.value.join(other.value, names);
             let (mut written, mut copy_of) = (one.written, one.copy_of);
             if one.written != other.written {

@@ -41,7 +41,7 @@ impl<'p> Walk<'p> {
         let constants = program.constants.iter().map(|constant| Value::one(constant.value, &names));
         let locals = program.locals.iter().map(|local| Value::any(local.ty.unwrap_or(Type::Real)));
         let values: Vec<Value> = variables.chain(constants).chain(locals).collect();
-        let known = Known::new(values.into_iter(), names);
+        let known = Known::new(values.into_iter(), first[4], names);
         Self { program, known, first, statement: None, findings: Vec::new(), products: Vec::new() }
     }
 
