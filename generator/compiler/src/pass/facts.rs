@@ -112,7 +112,9 @@ impl Facts {
             let id = conditions.number(&Expr::Var(target));
             self.note(conditions, id, *value);
         }
-        if let Expr::Var(source) = value {
+        if let Expr::Var(source) = value
+            && conditions.asked[*source]
+        {
             self.copy(conditions, target, *source);
         }
     }

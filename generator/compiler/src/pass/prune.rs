@@ -17,57 +17,71 @@ pub(crate) fn with_signals(mut program: Program, signals: (Vec<bool>, Vec<bool>)
     number_afresh(program, signals)
 }
 
+/// An assignment or an `if`.
+struct Place<'p> {
+    statement: &'p Statement,
+    /// the `if` around it
+    around: Option<usize>,
+    /// the previous assignment of the same variable
+    previous: Option<usize>,
+    is_live: bool,
+}
+
+/// All assignments and `if`s of a program.
+struct Places<'p> {
+    all: Vec<Place<'p>>,
+    /// the last assignment of each variable
+    last: Table<Option<usize>>,
+}
+
+impl<'p> Places<'p> {
+    fn enter(&mut self, list: &'p [Statement], around: Option<usize>) {
+        for statement in list {
+            let place = self.all.len();
+            let previous = match statement {
+                Statement::Assign { target, .. } => self.last[*target].replace(place),
+                _ => None,
+            };
+            self.all.push(Place { statement, around, previous, is_live: false });
+            statement.branches().for_each(|list| self.enter(list, Some(place)));
+        }
+    }
+}
+
 /// The variables that an output depends on, in this cycle or a later one.
-fn live_variables(program: &Program) -> Table<Life> {
-    let mut live = Table::filled(program, Life::Unread);
-    live.outputs.fill(Life::Live);
-    let mut grows = true;
-    while std::mem::take(&mut grows) {
-        mark(&program.init, &mut live, &mut grows);
-        mark(&program.step, &mut live, &mut grows);
+fn live_variables(program: &Program) -> Table<bool> {
+    let mut places = Places { all: Vec::with_capacity(256), last: Table::filled(program, None) };
+    places.enter(&program.init, None);
+    places.enter(&program.step, None);
+    let mut live = Table::filled(program, false);
+    live.outputs.fill(true);
+    let mut fresh: Vec<Var> = (0..program.outputs.len()).map(Var::Output).collect();
+    while let Some(var) = fresh.pop() {
+        let mut assignment = places.last[var];
+        while let Some(at) = assignment {
+            assignment = places.all[at].previous;
+            // The assignment needs its operands and the conditions around it.
+            let mut needed = Some(at);
+            while let Some(place) = needed.map(|at| &mut places.all[at]).filter(|place| !place.is_live) {
+                place.is_live = true;
+                needed = place.around;
+                place.statement.expr().into_iter().for_each(|reads| {
+                    reads.variables(&mut |var| {
+                        if !std::mem::replace(&mut live[var], true) {
+                            fresh.push(var);
+                        }
+                    });
+                });
+            }
+        }
     }
     live
 }
 
-/// The present knowledge about a variable.
-#[derive(Clone, Copy, PartialEq)]
-enum Life {
-    Unread,
-    /// unread where its assignment was last examined
-    Dead,
-    Live,
-}
-
-/// Marks the variables that the live statements of a list read, from its end; returns whether there are such statements.
-/// `grows`: an assignment that was dead when it was examined is live now.
-fn mark(list: &[Statement], live: &mut Table<Life>, grows: &mut bool) -> bool {
-    let mut is_any_live = false;
-    for statement in list.iter().rev() {
-        let is_live = match statement {
-            Statement::Assign { target, .. } if live[*target] == Life::Live => true,
-            Statement::Assign { target, .. } => {
-                live[*target] = Life::Dead;
-                false
-            }
-            Statement::If { then, otherwise, .. } => {
-                let is_then_live = mark(then, live, grows);
-                mark(otherwise, live, grows) || is_then_live
-            }
-            Statement::Note(_) => false,
-            Statement::Choose { .. } | Statement::Apart(_) => panic!("prune: nothing has been legalised yet"),
-        };
-        if is_live && let Some(reads) = statement.expr() {
-            reads.variables(&mut |var| *grows |= std::mem::replace(&mut live[var], Life::Live) == Life::Dead);
-        }
-        is_any_live |= is_live;
-    }
-    is_any_live
-}
-
-fn keep(list: &mut Vec<Statement>, live: &Table<Life>) {
+fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {
     let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
     retain_mut(list, &mut |statement| match statement {
-        Statement::Assign { target, .. } => live[*target] == Life::Live,
+        Statement::Assign { target, .. } => live[*target],
         Statement::If { condition, then, otherwise } => {
             match (only_notes(then), only_notes(otherwise)) {
                 (true, true) => return false,
