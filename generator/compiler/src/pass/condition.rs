@@ -1,6 +1,6 @@
 //! Conditions as numbers: equal conditions have equal numbers, so that facts about them are cheap to copy and compare.
 
-use crate::program::{Constant, Expr, Var};
+use crate::program::{Constant, Expr, Table, Var};
 use portable::{Binary, Literal, Unary};
 
 /// The number of a condition.
@@ -42,8 +42,8 @@ pub(super) struct Conditions<'p> {
     pub constants: &'p [Constant],
     pub all: Vec<Condition>,
     pub questions: Vec<Question>,
-    /// variables that the questions read
-    pub asked: Vec<Var>,
+    /// whether a question reads the variable
+    pub asked: Table<bool>,
 }
 
 impl Conditions<'_> {
@@ -66,11 +66,7 @@ impl Conditions<'_> {
                 let (id, comparison) = (self.all.len(), self.comparison(question));
                 self.all.push(Condition::Question(self.questions.len()));
                 self.questions.push(Question { expr: question.clone(), comparison, id });
-                question.variables(&mut |var| {
-                    if !self.asked.contains(&var) {
-                        self.asked.push(var);
-                    }
-                });
+                question.variables(&mut |var| self.asked[var] = true);
                 id
             }
         }
