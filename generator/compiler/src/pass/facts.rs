@@ -26,14 +26,15 @@ impl Facts {
     pub(super) fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
         let simpler = match conditions.all[id] {
             Condition::Not(operand) => {
-                let operand = self.simplify(conditions, operand);
-                conditions.add(Condition::Not(operand))
+                let simpler = self.simplify(conditions, operand);
+                if simpler == operand { id } else { conditions.add(Condition::Not(simpler)) }
             }
             Condition::Both(and, left, right) => {
                 // Each operand matters only if the other one has not decided.
-                let right = self.simplify_beside(conditions, and, left, right);
-                let left = self.simplify_beside(conditions, and, right, left);
-                conditions.add(Condition::Both(and, left, right))
+                let second = self.simplify_beside(conditions, and, left, right);
+                let first = self.simplify_beside(conditions, and, second, left);
+                let is_same = (first, second) == (left, right);
+                if is_same { id } else { conditions.add(Condition::Both(and, first, second)) }
             }
             Condition::Known(_) | Condition::Question(_) => id,
         };

@@ -12,8 +12,12 @@ use crate::program::{Expr, Program, Statement, Table, Type};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
-    let mut conditions =
-        Conditions { constants: &program.constants, asked: Table::filled(&program, false), ..Conditions::default() };
+    let mut conditions = Conditions {
+        constants: &program.constants,
+        asked: Table::filled(&program, false),
+        flags: Table::filled(&program, None),
+        ..Conditions::default()
+    };
     program.step = in_list(step, &mut Facts::default(), &mut conditions, &program);
     Ok(program)
 }

@@ -120,8 +120,6 @@ pub(crate) fn retain<T>(items: &mut Vec<T>, mentioned: &[bool], new: &mut [usize
     let all = std::mem::take(items).into_iter().enumerate();
     let mut kept: Vec<(usize, T)> = all.filter(|(old, _)| mentioned[*old]).collect();
     kept.sort_by_key(|(_, item)| origin(item));
-    for (old, item) in kept {
-        new[old] = items.len();
-        items.push(item);
-    }
+    kept.iter().enumerate().for_each(|(place, (old, _))| new[*old] = place);
+    items.extend(kept.into_iter().map(|(_, item)| item));
 }

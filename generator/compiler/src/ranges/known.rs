@@ -216,7 +216,9 @@ impl Joined<'_> {
             let value = both[side].value;
             (value != after.value).then_some(Fact { place: *place, written: after.written, value })
         };
-        self.after.iter().zip(self.both).filter_map(fact).collect()
+        let mut facts = Vec::with_capacity(self.after.len());
+        facts.extend(self.after.iter().zip(self.both).filter_map(fact));
+        facts
     }
 
     /// The facts that hold for an answer of this bool.
@@ -228,7 +230,9 @@ impl Joined<'_> {
                     let same = other.iter().find(|same| same.place == fact.place)?;
                     Some(Fact { value: fact.value.join(same.value, self.names), ..*fact })
                 };
-                Rc::new(one.iter().filter_map(both).collect())
+                let mut facts = Vec::with_capacity(one.len());
+                facts.extend(one.iter().filter_map(both));
+                Rc::new(facts)
             }
             [None, None] => Rc::default(),
         }
@@ -240,20 +244,24 @@ impl Joined<'_> {
         if !may_be[answer] {
             return None;
         }
-        let mut facts = Rc::clone(narrower);
-        for fact in follows.iter().flat_map(|follows| follows[answer].iter()) {
+        let own = follows.as_ref().map_or(&[][..], |follows| &follows[answer]);
+        if own.is_empty() {
+            return Some(Rc::clone(narrower));
+        }
+        let mut facts = Vec::with_capacity(narrower.len() + own.len());
+        facts.extend_from_slice(narrower);
+        for fact in own {
             let (before, after) = match self.after.binary_search_by_key(&fact.place, |(place, _)| *place) {
                 Ok(found) => (self.both[found][side].written, self.after[found].1.written),
                 Err(_) => (self.entries[fact.place].written, self.entries[fact.place].written),
             };
             if before == fact.written {
-                let facts = Rc::make_mut(&mut facts);
                 match facts.iter_mut().find(|known| known.place == fact.place) {
                     Some(known) => known.value = known.value.meet(fact.value, self.names),
                     None => facts.push(Fact { written: after, ..*fact }),
                 }
             }
         }
-        Some(facts)
+        Some(Rc::new(facts))
     }
 }

@@ -40,8 +40,9 @@ impl Specialiser<'_> {
         }
         self.names[first_name..].iter_mut().zip(function.params).for_each(|(named, param)| named.name = param.name);
         let context = context.filter(|path| !path.is_empty() && *path != self.frame().context);
-        let note = context.as_ref().and_then(|path| self.notes.get(&**path));
-        self.statements.extend(note.map(|note| Statement::Note(note.clone())));
+        if let Some(note) = context.as_ref().and_then(|path| self.notes.get(&**path)) {
+            self.statements.push(Statement::Note(note.clone()));
+        }
         let (context, first_round) = match context {
             // A separate path contains the number of the iteration.
             Some(path) => (path, self.rounds.len()),
