@@ -67,9 +67,8 @@ impl Outline<'_> {
     }
 
     fn inputs_where(&self, is_wanted: &dyn Fn(&Variable) -> bool) -> Vec<Member> {
-        let inputs = &self.block.program.inputs;
-        let members = self.members(inputs, &self.printer.names().inputs);
-        members.into_iter().zip(inputs).filter(|(_, input)| is_wanted(input)).map(|(member, _)| member).collect()
+        let inputs = self.block.program.inputs.iter().zip(&self.printer.names().inputs);
+        inputs.filter(|(input, _)| is_wanted(input)).map(|(input, name)| self.member(input, name)).collect()
     }
 
     /// The outputs; the comment of the error id lists the ids that can occur. A parameter set is one output of the type `made`, with
@@ -145,13 +144,16 @@ impl Outline<'_> {
     }
 
     fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
-        let member = |(variable, name): (&Variable, &String)| Member {
+        variables.iter().zip(names).map(|(variable, name)| self.member(variable, name)).collect()
+    }
+
+    fn member(&self, variable: &Variable, name: &str) -> Member {
+        Member {
             ty: self.ty(variable.ty).into(),
-            name: name.clone(),
+            name: name.to_owned(),
             doc: self.doc(variable.doc),
             value: (self.language.literal)(variable.start),
-        };
-        variables.iter().zip(names).map(member).collect()
+        }
     }
 
     /// A doc comment of the reference, with the unit of the axis.
