@@ -19,19 +19,24 @@ pub(crate) fn significant(value: f64, digits: u32) -> String {
     let exactly = || Decimal::read(&format!("{magnitude:.*e}", digits.saturating_sub(1) as usize));
     let shortest = Decimal::read(zmij::Buffer::new().format_finite(magnitude));
     let Decimal { digits, power } = shortest.with(digits).unwrap_or_else(exactly);
-    let text = digits.to_string();
     let power = power + digits.checked_ilog10().unwrap_or(0).cast_signed();
-    let sign = if value.is_sign_negative() { "-" } else { "" };
-    let (first, rest) = text.split_at(1);
-    let rest = rest.trim_end_matches('0');
-    if !(-4..12).contains(&power) {
-        return [sign, first, if rest.is_empty() { "" } else { "." }, rest, "e", &power.to_string()].concat();
-    }
+    let mut text = digits.to_string();
+    text.truncate(text.trim_end_matches('0').len().max(1));
     match usize::try_from(power) {
-        Ok(whole) if whole < rest.len() => [sign, first, &rest[..whole], ".", &rest[whole..]].concat(),
-        Ok(whole) => [sign, first, rest, &ZEROS[..whole - rest.len()]].concat(),
-        Err(_) => [sign, "0.", &ZEROS[..power.unsigned_abs() as usize - 1], first, rest].concat(),
+        Ok(whole @ 0..12) if whole + 1 < text.len() => text.insert(whole + 1, '.'),
+        Ok(whole @ 0..12) => text.push_str(&ZEROS[..whole + 1 - text.len()]),
+        Err(_) if power >= -4 => text.insert_str(0, &"0.000"[..=power.unsigned_abs() as usize]),
+        _ => {
+            if text.len() > 1 {
+                text.insert(1, '.');
+            }
+            text.extend(["e", &power.to_string()]);
+        }
     }
+    if value.is_sign_negative() {
+        text.insert(0, '-');
+    }
+    text
 }
 
 /// The magnitude of a number: `digits` times 10^`power`.
@@ -43,12 +48,24 @@ struct Decimal {
 impl Decimal {
     /// From a text of at most 19 digits.
     fn read(text: &str) -> Self {
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((text, "0"));
-        let exponent: i32 = exponent.parse().expect("number: an exponent is a number");
-        let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let part = if part == "0" { "" } else { part };
-        let digits = whole.bytes().chain(part.bytes()).fold(0, |digits, digit| 10 * digits + u64::from(digit - b'0'));
-        Self { digits, power: part.bytes().fold(exponent, |power, _| power - 1) }
+        let mut decimal = Self { digits: 0, power: 0 };
+        let mut is_part = false;
+        let text = text.strip_suffix(".0").unwrap_or(text);
+        for (at, byte) in text.bytes().enumerate() {
+            match byte {
+                b'.' => is_part = true,
+                b'e' => {
+                    let exponent: i32 = text[at + 1..].parse().expect("number: an exponent is a number");
+                    decimal.power += exponent;
+                    break;
+                }
+                digit => {
+                    decimal.digits = 10 * decimal.digits + u64::from(digit - b'0');
+                    decimal.power -= i32::from(is_part);
+                }
+            }
+        }
+        decimal
     }
 
     /// The shortest decimal of a number, with N digits; `None` if what is left out is half of the last digit, because the

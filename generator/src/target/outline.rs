@@ -167,14 +167,16 @@ impl Outline<'_> {
 
     /// The constants with each of these appearances.
     pub(super) fn groups<const N: usize>(&self, wanted: [Appearance; N]) -> [Vec<Group>; N] {
-        self.groups_in(|_, appearance| wanted.iter().position(|wanted| *wanted == appearance))
+        let list = |_, appearance| wanted.iter().position(|wanted| *wanted == appearance);
+        self.groups_in(list, [self.next_line; N])
     }
 
     /// The constants in lists, in their order; a new group begins with another note of the block. `list` returns the list of
-    /// a constant.
+    /// a constant, `next_lines` is the text between two lines of a comment in each list.
     pub(super) fn groups_in<const N: usize>(
         &self,
         list: impl Fn(usize, Appearance) -> Option<usize>,
+        next_lines: [&str; N],
     ) -> [Vec<Group>; N] {
         let mut lists = [const { Vec::new() }; N];
         // The number of groups that have begun, and the group of each list.
@@ -192,7 +194,7 @@ impl Outline<'_> {
             }
             let Some(list) = list(index, *appearance) else { continue };
             if std::mem::replace(&mut at[list], begun) != begun {
-                let note = comment::wrapped(&notes, COMMENT_WIDTH, self.next_line);
+                let note = comment::wrapped(&notes, COMMENT_WIDTH, next_lines[list]);
                 lists[list].push(Group { note, constants: Vec::new() });
             }
             if let Some(Group { constants, .. }) = lists[list].last_mut() {
