@@ -21,7 +21,7 @@ pub fn wrapped(texts: &[impl AsRef<str>], width: usize, next_line: &str) -> Stri
 
 /// The words of a text with one blank between two of them.
 fn spaced(text: Cow<'_, str>) -> Cow<'_, str> {
-    let is_spaced = text.as_bytes().windows(2).all(|pair| pair != b"  " && pair[1] >= b' ');
+    let is_spaced = text.as_bytes().windows(2).all(|pair| pair[1] > b' ' || pair[1] == b' ' && pair[0] != b' ');
     if is_spaced { text } else { text.split_ascii_whitespace().collect::<Vec<_>>().join(" ").into() }
 }
 
