@@ -16,9 +16,9 @@ fn numbers() -> impl Iterator<Item = f64> {
 #[test]
 fn significant_digits_are_those_of_the_rounded_decimal() {
     for number in numbers().flat_map(|number| [number, -number]) {
-        for digits in 1..=17 {
+        for digits in 1..=17_u32 {
             let text = significant(number, digits);
-            let rounded = format!("{number:.*e}", digits - 1);
+            let rounded = format!("{number:.*e}", digits as usize - 1);
             assert_eq!(
                 text.parse::<f64>(),
                 rounded.parse::<f64>(),
@@ -27,7 +27,7 @@ fn significant_digits_are_those_of_the_rounded_decimal() {
             let mantissa = text.split('e').next().unwrap_or_default();
             assert!(!mantissa.contains('.') || !mantissa.ends_with(['0', '.']), "{text} ends with a zero");
             let all: String = mantissa.chars().filter(char::is_ascii_digit).collect();
-            assert!(all.trim_matches('0').len() <= digits, "{text} has more than {digits} digits");
+            assert!(all.trim_matches('0').len() <= digits as usize, "{text} has more than {digits} digits");
         }
     }
 }

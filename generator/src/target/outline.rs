@@ -67,9 +67,8 @@ impl Outline<'_> {
     }
 
     fn inputs_where(&self, is_wanted: &dyn Fn(&Variable) -> bool) -> Vec<Member> {
-        let inputs = &self.block.program.inputs;
-        let members = self.members(inputs, &self.printer.names().inputs);
-        members.into_iter().zip(inputs).filter(|(_, input)| is_wanted(input)).map(|(member, _)| member).collect()
+        let inputs = self.block.program.inputs.iter().zip(&self.printer.names().inputs);
+        inputs.filter(|(input, _)| is_wanted(input)).map(|(input, name)| self.member(input, name)).collect()
     }
 
     /// The outputs; the comment of the error id lists the ids that can occur. A parameter set is one output of the type `made`, with
@@ -145,13 +144,16 @@ impl Outline<'_> {
     }
 
     fn members(&self, variables: &[Variable], names: &[String]) -> Vec<Member> {
-        let member = |(variable, name): (&Variable, &String)| Member {
+        variables.iter().zip(names).map(|(variable, name)| self.member(variable, name)).collect()
+    }
+
+    fn member(&self, variable: &Variable, name: &str) -> Member {
+        Member {
             ty: self.ty(variable.ty).into(),
-            name: name.clone(),
+            name: name.to_owned(),
             doc: self.doc(variable.doc),
             value: (self.language.literal)(variable.start),
-        };
-        variables.iter().zip(names).map(member).collect()
+        }
     }
 
     /// A doc comment of the reference, with the unit of the axis.
@@ -165,14 +167,16 @@ impl Outline<'_> {
 
     /// The constants with each of these appearances.
     pub(super) fn groups<const N: usize>(&self, wanted: [Appearance; N]) -> [Vec<Group>; N] {
-        self.groups_in(|_, appearance| wanted.iter().position(|wanted| *wanted == appearance))
+        let list = |_, appearance| wanted.iter().position(|wanted| *wanted == appearance);
+        self.groups_in(list, [self.next_line; N])
     }
 
     /// The constants in lists, in their order; a new group begins with another note of the block. `list` returns the list of
-    /// a constant.
+    /// a constant, `next_lines` is the text between two lines of a comment in each list.
     pub(super) fn groups_in<const N: usize>(
         &self,
         list: impl Fn(usize, Appearance) -> Option<usize>,
+        next_lines: [&str; N],
     ) -> [Vec<Group>; N] {
         let mut lists = [const { Vec::new() }; N];
         // The number of groups that have begun, and the group of each list.
@@ -190,7 +194,7 @@ impl Outline<'_> {
             }
             let Some(list) = list(index, *appearance) else { continue };
             if std::mem::replace(&mut at[list], begun) != begun {
-                let note = comment::wrapped(&notes, COMMENT_WIDTH, self.next_line);
+                let note = comment::wrapped(&notes, COMMENT_WIDTH, next_lines[list]);
                 lists[list].push(Group { note, constants: Vec::new() });
             }
             if let Some(Group { constants, .. }) = lists[list].last_mut() {

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 /// The text with the axis's unit: `um/s or 0.001 deg/s` becomes one of the two.
 pub(super) fn of_axis(text: &str, is_rotary: bool) -> Cow<'_, str> {
-    // Most texts contain no unit, or only one.
-    if !text.contains('0') {
+    // Most texts contain no unit, or only one; `contains` finds that sooner than `find`.
+    if !text.contains(BETWEEN) {
         return text.into();
     }
     let (mut text_of_axis, mut rest) = (String::with_capacity(text.len()), text);

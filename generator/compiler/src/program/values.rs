@@ -111,16 +111,22 @@ fn reaching(program: &Program) -> Table<Values> {
     for (index, variable) in program.state.iter().enumerate().filter(|(index, _)| !is_set[*index]) {
         reaching.state[index] = Values { literals: vec![variable.start], ..Values::default() };
     }
+    let mut assigned = Vec::new();
+    for statement in program.statements() {
+        statement.assignments(&mut |target, value| {
+            if is_integer(program, target) {
+                assigned.push((target, value));
+            }
+        });
+    }
     let mut grows = true;
     while std::mem::take(&mut grows) {
-        for statement in program.statements() {
-            statement.assignments(&mut |target, value| {
-                if is_integer(program, target) && !reaching[target].others {
-                    let mut values = std::mem::take(&mut reaching[target]);
-                    grows |= values.extend(value, &reaching);
-                    reaching[target] = values;
-                }
-            });
+        for (target, value) in &assigned {
+            if !reaching[*target].others {
+                let mut values = std::mem::take(&mut reaching[*target]);
+                grows |= values.extend(value, &reaching);
+                reaching[*target] = values;
+            }
         }
     }
     reaching

@@ -60,8 +60,13 @@ pub(super) fn of<'p>(
     };
     let folded = |of: &str, variables: &[Variable], names: &[String]| -> Vec<String> {
         let fold = |(variable, member): (&Variable, &String)| {
-            let cast = if program.is_single(variable) { "(double)" } else { "" };
-            fold(owner, &format!("{cast}{of}"), variable, member)
+            let cast = match variable.ty {
+                Type::Real if program.is_single(variable) => "_real(digest, (double)",
+                Type::Real => "_real(digest, ",
+                Type::I32 => "(digest, (uint32_t)",
+                Type::Bool | Type::U32 => "(digest, ",
+            };
+            [owner, "_fold", cast, of, ".", member, ")"].concat()
         };
         variables.iter().zip(names).map(fold).collect()
     };
@@ -82,14 +87,6 @@ pub(super) fn of<'p>(
         folded: [folded("outputs", &program.outputs, &outputs), folded("state", &program.state, &names.state)].concat(),
         expected: in_lines(expected),
         owner: owner.to_owned(),
-    }
-}
-
-fn fold(owner: &str, of: &str, variable: &Variable, member: &str) -> String {
-    match variable.ty {
-        Type::Real => format!("{owner}_fold_real(digest, {of}.{member})"),
-        Type::I32 => format!("{owner}_fold(digest, (uint32_t){of}.{member})"),
-        Type::Bool | Type::U32 => format!("{owner}_fold(digest, {of}.{member})"),
     }
 }
 

@@ -57,7 +57,7 @@ pub(super) fn macros(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<Macro
         macros.push(one(&format!("{name}_SIZE"), format!("{}u", size.max(1)), std::mem::take(&mut doc)));
     }
     for of in &mut macros {
-        of.doc = comment::wrapped(&[comment::harmless(&of.doc)], COMMENT_WIDTH, "\n * ");
+        of.doc = comment::wrapped(&[&of.doc], COMMENT_WIDTH, "\n * ");
     }
     macros
 }

@@ -183,10 +183,13 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
             }
         });
     });
-    let inside = Outline { next_line: "\n     * ", ..*outline };
-    let [shared] = outline.groups([Appearance::Shared]);
-    let of_step = |index: usize, appearance| (appearance == Appearance::Declared).then(|| stands_apart[index].into());
-    let [constants, constants_apart] = inside.groups_in(of_step);
+    let list = |index: usize, appearance| match appearance {
+        Appearance::Shared => Some(0),
+        Appearance::Declared => Some(if stands_apart[index] { 2 } else { 1 }),
+        Appearance::Inline | Appearance::Assigned | Appearance::Enumerator => None,
+    };
+    let inside = "\n     * ";
+    let [shared, constants, constants_apart] = outline.groups_in(list, [outline.next_line, inside, inside]);
     CBlock {
         prefix: prefix.to_owned(),
         inputs: outline.inputs(),

@@ -92,7 +92,7 @@ pub(crate) fn run(chain: &Chain, budget: usize, real: RealKind) -> Run {
                 signal[0] = 1.0;
             }
             sections.iter_mut().for_each(|sums| sums.run(&mut signal));
-            let signal = signal.map(|y| chain.gain * y);
+            signal.iter_mut().for_each(|y| *y *= chain.gain);
             total += signal.iter().map(|h| h.abs()).sum::<f64>();
             response.extend(signal);
             after = rest(&sections, 0.0, chain.gain);
@@ -123,12 +123,13 @@ fn rest(sections: &[Sums], mut x: f64, gain: f64) -> (f64, f64) {
 impl Sums {
     /// Runs the section on a signal, in place.
     fn run(&mut self, signal: &mut [f64; BLOCK]) {
-        let Self { section, s, sum, .. } = self;
+        let Self { section, mut s, mut sum, .. } = *self;
         for x in signal {
-            let held = section.held(*s, *x);
-            (sum[0], sum[1]) = (sum[0] + held[0], sum[1] + held[1]);
-            *x = section.step(s, *x);
+            let held = section.held(s, *x);
+            sum = [sum[0] + held[0], sum[1] + held[1]];
+            *x = section.step(&mut s, *x);
         }
+        (self.s, self.sum) = (s, sum);
     }
 }
 

@@ -46,6 +46,7 @@ impl Section {
     }
 
     /// One step. The state is s1 and s2, or s1 and low.
+    #[inline]
     pub(crate) fn step(&self, s: &mut [f64; 2], x: f64) -> f64 {
         match self {
             Self::Biquad(Biquad { b0, a1, a2, from_x }) => {
@@ -59,6 +60,7 @@ impl Section {
 
     /// The values in the block's memory after a step. A section driven by the change of its input holds p and the input, so
     /// that their sum bounds both.
+    #[inline]
     pub(super) fn held(&self, s: [f64; 2], x: f64) -> [f64; 2] {
         [s[0].abs(), s[1].abs() + if self.is_by_change() { x.abs() } else { 0.0 }]
     }

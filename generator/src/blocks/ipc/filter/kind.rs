@@ -53,6 +53,6 @@ pub(crate) struct Numbers {
 }
 
 /// Lower and upper edge in words.
-pub(crate) fn range(edges: [f64; 2], digits: usize) -> String {
+pub(crate) fn range(edges: [f64; 2], digits: u32) -> String {
     edges.map(|edge| significant(edge, digits)).join("..")
 }
