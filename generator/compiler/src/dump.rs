@@ -1,11 +1,12 @@
 //! A program as text, for readers who inspect the pipeline. Nothing reads it back.
 
-use crate::program::{Expr, Origin, Program, Statement, Type, Var, Variable};
+use crate::program::{Expr, Origin, Program, Statement, Type, Var, Variable, push_number};
 use portable::{Intrinsic, Literal, Unary};
 use std::fmt::{Display, Formatter, Result, Write};
 
 /// The operators, in the order of [`portable::Binary`].
-const SYMBOLS: [&str; 13] = ["+", "-", "*", "/", "%", "<", "<=", ">", ">=", "==", "!=", "and", "or"];
+const SYMBOLS: [&str; 13] =
+    [" + ", " - ", " * ", " / ", " % ", " < ", " <= ", " > ", " >= ", " == ", " != ", " and ", " or "];
 
 /// The whole program: its variables, then its statements.
 impl Display for Program {
@@ -18,19 +19,19 @@ impl Display for Program {
 pub(crate) struct Dump<'p> {
     program: &'p Program,
     text: String,
-    /// the replacement of a value that depends on the axis: of a coefficient, or of a variable at the start
-    decided: fn(Literal) -> Literal,
+    /// the text for a value that depends on the axis, of a coefficient or of a variable at the start, if it is not written
+    decided: Option<fn(Literal) -> &'static str>,
     with_notes: bool,
 }
 
 impl<'p> Dump<'p> {
     pub(crate) fn of(program: &'p Program) -> Self {
-        Self { program, text: String::new(), decided: |value| value, with_notes: true }
+        Self { program, text: String::new(), decided: None, with_notes: true }
     }
 
-    /// A dump that continues a text, without notes; `decided` replaces the values that depend on the axis.
-    pub(crate) fn bare(program: &'p Program, decided: fn(Literal) -> Literal, text: String) -> Self {
-        Self { program, text, decided, with_notes: false }
+    /// A dump that continues a text, without notes; `decided` is the text for the values that depend on the axis.
+    pub(crate) fn bare(program: &'p Program, decided: fn(Literal) -> &'static str, text: String) -> Self {
+        Self { program, text, decided: Some(decided), with_notes: false }
     }
 
     /// An expression alone.
@@ -47,18 +48,16 @@ impl<'p> Dump<'p> {
 
     pub(crate) fn whole(mut self) -> String {
         let program = self.program;
-        for (kind, list) in [("input ", &program.inputs), ("output", &program.outputs), ("state ", &program.state)] {
+        let lists = [("input    ", &program.inputs), ("output   ", &program.outputs), ("state    ", &program.state)];
+        for (kind, list) in lists {
             for Variable { path, ty, start, .. } in list {
-                self.put([kind, "   ", path, ": ", word(*ty), " = "]);
-                self.literal((self.decided)(*start));
-                self.put(["\n"]);
+                self.put([kind, path, ": ", word(*ty), " = "]);
+                self.number(*start, true);
             }
         }
         for constant in &program.constants {
-            let is_decided = matches!(constant.origin, Origin::Coefficient(_));
             self.put(["constant ", &constant.path, " = "]);
-            self.literal(if is_decided { (self.decided)(constant.value) } else { constant.value });
-            self.put(["\n"]);
+            self.number(constant.value, matches!(constant.origin, Origin::Coefficient(_)));
         }
         for (index, local) in program.locals.iter().enumerate() {
             self.put(["local    "]);
@@ -67,39 +66,53 @@ impl<'p> Dump<'p> {
         }
         for (name, list) in [("init\n", &program.init), ("step\n", &program.step)] {
             self.put([name]);
-            self.statements(list, 1);
+            self.statements(list, &mut "    ".to_owned());
         }
         self.text
     }
 
-    fn statements(&mut self, list: &[Statement], level: usize) {
-        let indent = &"    ".repeat(level);
+    /// The number of a declaration, and the end of its line.
+    fn number(&mut self, value: Literal, is_of_axis: bool) {
+        match self.decided.filter(|_| is_of_axis) {
+            Some(decided) => self.put([decided(value), "\n"]),
+            None => {
+                self.literal(value);
+                self.put(["\n"]);
+            }
+        }
+    }
+
+    fn statements(&mut self, list: &[Statement], indent: &mut String) {
         for statement in list {
             match statement {
                 Statement::Note(_) if !self.with_notes => continue,
                 statement => {
-                    self.put([indent]);
+                    self.put([&*indent]);
                     self.head(statement);
                     self.put(["\n"]);
                 }
             }
             for (index, list) in statement.branches().enumerate() {
                 match statement {
-                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([indent, "else\n"]),
+                    Statement::If { .. } if index == 1 && !list.is_empty() => self.put([&*indent, "else\n"]),
                     Statement::Choose { arms, .. } => {
-                        self.put([indent]);
+                        self.put([&*indent]);
                         self.listed(&arms[index].labels);
                         self.put([":\n"]);
                     }
                     _ => {}
                 }
-                self.statements(list, level + 1);
+                indent.push_str("    ");
+                self.statements(list, indent);
+                indent.truncate(indent.len() - 4);
             }
         }
     }
 
     fn put<const N: usize>(&mut self, pieces: [&str; N]) {
-        pieces.into_iter().for_each(|piece| self.text.push_str(piece));
+        for piece in &pieces {
+            self.text.push_str(piece);
+        }
     }
 
     /// A statement without the statements inside it.
@@ -151,7 +164,7 @@ impl<'p> Dump<'p> {
             }
             Expr::Binary(operator, left, right) => {
                 self.operand(left);
-                self.put([" ", SYMBOLS[*operator as usize], " "]);
+                self.put([SYMBOLS[*operator as usize]]);
                 self.operand(right);
             }
             Expr::Intrinsic(intrinsic, operands) => {
@@ -181,13 +194,14 @@ impl<'p> Dump<'p> {
         self.put([kind, self.program.path(var)]);
         if let Var::Local(index) = var {
             // Two locals may have the same path: the number distinguishes them.
-            self.put(["%", &index.to_string()]);
+            self.put(["%"]);
+            push_number(&mut self.text, index);
         }
     }
 
     fn literal(&mut self, value: Literal) {
         let _ = match value {
-            Literal::Bool(value) => write!(self.text, "{value}"),
+            Literal::Bool(value) => return self.put([if value { "true" } else { "false" }]),
             Literal::I32(value) => write!(self.text, "{value}"),
             Literal::U32(value) => write!(self.text, "{value}"),
             Literal::F64(value) => write!(self.text, "{value:?}"),

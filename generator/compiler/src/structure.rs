@@ -11,14 +11,12 @@ pub fn of(program: &Program) -> String {
     Dump::bare(program, cleared, format!("block    {}\nreal     {real}\n", program.block)).whole()
 }
 
-/// The value of this type that replaces all others.
-fn cleared(value: Literal) -> Literal {
+/// The text for all values of this type.
+fn cleared(value: Literal) -> &'static str {
     match value {
-        Literal::Bool(_) => Literal::Bool(false),
-        Literal::I32(_) => Literal::I32(0),
-        Literal::U32(_) => Literal::U32(0),
-        Literal::F64(_) => Literal::F64(0.0),
-        Literal::F32(_) => Literal::F32(0.0),
-        Literal::Usize(_) | Literal::Variant(_) => value,
+        Literal::Bool(_) => "false",
+        Literal::I32(_) | Literal::U32(_) => "0",
+        Literal::F64(_) | Literal::F32(_) => "0.0",
+        Literal::Usize(_) | Literal::Variant(_) => panic!("structure: {value:?} does not exist at run time"),
     }
 }

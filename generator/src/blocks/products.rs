@@ -134,7 +134,7 @@ fn block<R: Real, B: Design + Reference<R>>(kind: &dyn BlockKind, designed: &Des
     let structure = structure::of(&specialised);
     let state_paths: Vec<String> = specialised.state.iter().map(|variable| variable.path.clone()).collect();
     let program = pass::run(specialised, None)?;
-    let for_axis = legalise::for_axis(&program)?;
+    let for_axis = legalise::for_axis(&program);
     let certificate = kind.certificate(designed, &program)?;
     let wanted = Wanted {
         ranges: kind.ranges(designed),

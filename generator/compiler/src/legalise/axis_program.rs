@@ -1,8 +1,8 @@
 //! Leaves out the signals that an axis does not have: inputs that no cycle reads, and outputs that keep their start value. A
 //! caller cannot connect them by mistake.
 
-use crate::pass::{Defect, prune};
-use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, rename, retain_mut};
+use crate::pass::prune;
+use crate::program::{Expr, Program, Statement, Type, Var, Variable, map_expressions, retain_mut};
 
 /// A program with the signals that its axis has.
 #[derive(Clone, Debug)]
@@ -48,29 +48,13 @@ pub struct RealInput {
 }
 
 /// Removes the other signals.
-///
-/// # Errors
-/// A defect of the program.
-pub fn for_axis(program: &Program) -> Result<AxisProgram, Defect> {
+pub fn for_axis(program: &Program) -> AxisProgram {
     let (read, changing) = (read(program), changing(program));
     let mut program = program.clone();
     drop_outputs(&mut program, &changing);
-    let inputs = retain(&mut program.inputs, &read);
-    let outputs = retain(&mut program.outputs, &changing);
-    // Signals that are not kept occur in no statement.
-    let place = |all: &[usize], old| all.binary_search(&old).unwrap_or_else(|next| next);
-    let renamed = |var| match var {
-        Var::Input(index) => Var::Input(place(&inputs, index)),
-        Var::Output(index) => Var::Output(place(&outputs, index)),
-        other => other,
-    };
-    rename(&mut program.init, &renamed);
-    rename(&mut program.step, &renamed);
-    program.switch = program.switch.filter(|switch| read[switch.input]);
-    if let Some(switch) = &mut program.switch {
-        switch.input = place(&inputs, switch.input);
-    }
-    Ok(AxisProgram { program: prune::run(program)?, inputs, outputs })
+    let kept = |flags: &[bool]| (0..flags.len()).filter(|index| flags[*index]).collect();
+    let (inputs, outputs) = (kept(&read), kept(&changing));
+    AxisProgram { program: prune::with_signals(program, (read, changing)), inputs, outputs }
 }
 
 /// The inputs that a cycle reads.
@@ -115,11 +99,4 @@ fn drop_outputs(program: &mut Program, changing: &[bool]) {
         Statement::Assign { target: Var::Output(index), .. } => changing[*index],
         _ => true,
     });
-}
-
-/// Keeps some of the variables; returns the old position of each.
-fn retain(variables: &mut Vec<Variable>, is_kept: &[bool]) -> Vec<usize> {
-    let mut flags = is_kept.iter();
-    variables.retain(|_| flags.next() == Some(&true));
-    (0..is_kept.len()).filter(|index| is_kept[*index]).collect()
 }

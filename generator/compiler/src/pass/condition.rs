@@ -1,6 +1,6 @@
 //! Conditions as numbers: equal conditions have equal numbers, so that facts about them are cheap to copy and compare.
 
-use crate::program::{Constant, Expr, Var};
+use crate::program::{Constant, Expr, Table, Var};
 use portable::{Binary, Literal, Unary};
 
 /// The number of a condition.
@@ -42,8 +42,10 @@ pub(super) struct Conditions<'p> {
     pub constants: &'p [Constant],
     pub all: Vec<Condition>,
     pub questions: Vec<Question>,
-    /// variables that the questions read
-    pub asked: Vec<Var>,
+    /// whether a question reads the variable
+    pub asked: Table<bool>,
+    /// the number of each flag that is a question
+    pub flags: Table<Option<Id>>,
 }
 
 impl Conditions<'_> {
@@ -59,21 +61,25 @@ impl Conditions<'_> {
                 let (left, right) = (self.number(left), self.number(right));
                 self.add(Condition::Both(*operator == Binary::And, left, right))
             }
-            question => {
-                if let Some(known) = self.questions.iter().find(|known| known.expr == *question) {
-                    return known.id;
-                }
-                let (id, comparison) = (self.all.len(), self.comparison(question));
-                self.all.push(Condition::Question(self.questions.len()));
-                self.questions.push(Question { expr: question.clone(), comparison, id });
-                question.variables(&mut |var| {
-                    if !self.asked.contains(&var) {
-                        self.asked.push(var);
-                    }
-                });
+            Expr::Var(flag) => self.flags[*flag].unwrap_or_else(|| {
+                let id = self.ask(expr);
+                self.flags[*flag] = Some(id);
                 id
+            }),
+            question => {
+                let known = self.questions.iter().find(|known| known.expr == *question).map(|known| known.id);
+                known.unwrap_or_else(|| self.ask(question))
             }
         }
+    }
+
+    /// The number of a new question.
+    fn ask(&mut self, question: &Expr) -> Id {
+        let (id, comparison) = (self.all.len(), self.comparison(question));
+        self.all.push(Condition::Question(self.questions.len()));
+        self.questions.push(Question { expr: question.clone(), comparison, id });
+        question.variables(&mut |var| self.asked[var] = true);
+        id
     }
 
     /// The number of a condition, simplified if an operand is known.

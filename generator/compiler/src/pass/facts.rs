@@ -26,14 +26,15 @@ impl Facts {
     pub(super) fn simplify(&mut self, conditions: &mut Conditions<'_>, id: Id) -> Id {
         let simpler = match conditions.all[id] {
             Condition::Not(operand) => {
-                let operand = self.simplify(conditions, operand);
-                conditions.add(Condition::Not(operand))
+                let simpler = self.simplify(conditions, operand);
+                if simpler == operand { id } else { conditions.add(Condition::Not(simpler)) }
             }
             Condition::Both(and, left, right) => {
                 // Each operand matters only if the other one has not decided.
-                let right = self.simplify_beside(conditions, and, left, right);
-                let left = self.simplify_beside(conditions, and, right, left);
-                conditions.add(Condition::Both(and, left, right))
+                let second = self.simplify_beside(conditions, and, left, right);
+                let first = self.simplify_beside(conditions, and, second, left);
+                let is_same = (first, second) == (left, right);
+                if is_same { id } else { conditions.add(Condition::Both(and, first, second)) }
             }
             Condition::Known(_) | Condition::Question(_) => id,
         };
@@ -84,8 +85,8 @@ impl Facts {
                 Some(comparison) => self.narrow(comparison, holds),
                 None => {
                     self.answers.push((index, holds));
-                    let flag = self.flags.iter().find(|(flag, _)| conditions.questions[index].expr == Expr::Var(*flag));
-                    if let Some((_, meant)) = flag.copied() {
+                    let Expr::Var(asked) = conditions.questions[index].expr else { return };
+                    if let Some((_, meant)) = self.flags.iter().find(|(flag, _)| *flag == asked).copied() {
                         self.note(conditions, meant, holds);
                     }
                 }
@@ -99,7 +100,7 @@ impl Facts {
             Expr::Var(var) if self.range(*var).is_some() => self.range(*var),
             value => conditions.integer(value).map(|(number, _)| (number, number)),
         };
-        if conditions.asked.contains(&target) {
+        if conditions.asked[target] {
             self.answers.retain(|(index, _)| !conditions.questions[*index].expr.mentions(target));
             self.open.retain(|(id, _)| !conditions.mentions(*id, target));
             self.flags.retain(|(flag, meant)| *flag != target && !conditions.mentions(*meant, target));
@@ -144,18 +145,18 @@ impl Facts {
     }
 
     /// The facts after two branches: those that hold after both.
-    pub(super) fn join(mut self, other: &Self) -> Self {
+    pub(super) fn join(&mut self, other: &Self) {
         self.answers.retain(|fact| other.answers.contains(fact));
         self.open.retain(|fact| other.open.contains(fact));
         self.excluded.retain(|(var, number)| other.is_excluded(*var, *number));
         self.flags.retain(|flag| other.flags.contains(flag));
         let mut ranges: Vec<(Var, (i64, i64))> = Vec::new();
-        for (var, (a, b)) in self.ranges.into_iter().rev() {
+        for (var, (a, b)) in self.ranges.drain(..).rev() {
             if ranges.iter().all(|(known, _)| *known != var) {
                 ranges.extend(other.range(var).map(|(c, d)| (var, (a.min(c), b.max(d)))));
             }
         }
-        Self { ranges, ..self }
+        self.ranges = ranges;
     }
 
     fn range(&self, var: Var) -> Option<(i64, i64)> {

@@ -8,11 +8,16 @@
 use super::Defect;
 use super::condition::{Condition, Conditions, Id};
 use super::facts::Facts;
-use crate::program::{Expr, Program, Statement, Type};
+use crate::program::{Expr, Program, Statement, Table, Type};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
-    let mut conditions = Conditions { constants: &program.constants, ..Conditions::default() };
+    let mut conditions = Conditions {
+        constants: &program.constants,
+        asked: Table::filled(&program, false),
+        flags: Table::filled(&program, None),
+        ..Conditions::default()
+    };
     program.step = in_list(step, &mut Facts::default(), &mut conditions, &program);
     Ok(program)
 }
@@ -39,12 +44,12 @@ fn in_list(
                     kept.extend(in_list(if holds { then } else { otherwise }, facts, conditions, program));
                     continue;
                 }
-                let (mut yes, mut no) = (facts.clone(), facts.clone());
-                yes.learn(conditions, id, true);
+                let mut no = facts.clone();
+                facts.learn(conditions, id, true);
                 no.learn(conditions, id, false);
-                let then = in_list(then, &mut yes, conditions, program);
+                let then = in_list(then, facts, conditions, program);
                 let otherwise = in_list(otherwise, &mut no, conditions, program);
-                *facts = yes.join(&no);
+                facts.join(&no);
                 kept.push(Statement::If { condition, then, otherwise });
             }
             Statement::Choose { .. } | Statement::Apart(_) => panic!("known: nothing has been legalised yet"),

@@ -4,11 +4,17 @@
 use super::Defect;
 use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, retain_mut};
 
-pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
+pub(crate) fn run(program: Program) -> Result<Program, Defect> {
+    let interface = (vec![true; program.inputs.len()], vec![true; program.outputs.len()]);
+    Ok(with_signals(program, interface))
+}
+
+/// Does the same, and keeps only the flagged inputs and outputs.
+pub(crate) fn with_signals(mut program: Program, signals: (Vec<bool>, Vec<bool>)) -> Program {
     let live = live_variables(&program);
     keep(&mut program.init, &live);
     keep(&mut program.step, &live);
-    Ok(number_afresh(program))
+    number_afresh(program, signals)
 }
 
 /// The variables that an output depends on, in this cycle or a later one.
@@ -43,7 +49,12 @@ fn mark(list: &[Statement], live: &mut Table<Life>, grows: &mut bool) -> bool {
                 live[*target] = Life::Dead;
                 false
             }
-            outer => outer.branches().fold(false, |is_live, list| mark(list, live, grows) || is_live),
+            Statement::If { then, otherwise, .. } => {
+                let is_then_live = mark(then, live, grows);
+                mark(otherwise, live, grows) || is_then_live
+            }
+            Statement::Note(_) => false,
+            Statement::Choose { .. } | Statement::Apart(_) => panic!("prune: nothing has been legalised yet"),
         };
         if is_live && let Some(reads) = statement.expr() {
             reads.variables(&mut |var| *grows |= std::mem::replace(&mut live[var], Life::Live) == Life::Dead);
@@ -74,21 +85,29 @@ fn keep(list: &mut Vec<Statement>, live: &Table<Life>) {
 }
 
 /// Removes the variables that are not mentioned any more and renumbers the others; constants in their declared order.
-fn number_afresh(mut program: Program) -> Program {
+fn number_afresh(mut program: Program, signals: (Vec<bool>, Vec<bool>)) -> Program {
     let mut mentioned = Table::filled(&program, false);
     program.statements().for_each(|statement| statement.variables(&mut |var| mentioned[var] = true));
+    (mentioned.inputs, mentioned.outputs) = signals;
     let mut new = Table::filled(&program, usize::MAX);
+    retain(&mut program.inputs, &mentioned.inputs, &mut new.inputs, |_| Origin::Function);
+    retain(&mut program.outputs, &mentioned.outputs, &mut new.outputs, |_| Origin::Function);
     retain(&mut program.state, &mentioned.state, &mut new.state, |_| Origin::Function);
     retain(&mut program.locals, &mentioned.locals, &mut new.locals, |_| Origin::Function);
     retain(&mut program.constants, &mentioned.constants, &mut new.constants, |constant| constant.origin);
     let renamed = |var: Var| match var {
+        Var::Input(_) => Var::Input(new[var]),
+        Var::Output(_) => Var::Output(new[var]),
         Var::State(_) => Var::State(new[var]),
         Var::Local(_) => Var::Local(new[var]),
         Var::Constant(_) => Var::Constant(new[var]),
-        interface => interface,
     };
     rename(&mut program.init, &renamed);
     rename(&mut program.step, &renamed);
+    program.switch = program.switch.filter(|switch| mentioned.inputs[switch.input]);
+    if let Some(switch) = &mut program.switch {
+        switch.input = new.inputs[switch.input];
+    }
     if let Some(Switch { off: Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades), .. }) = &mut program.switch
     {
         *fades = fades.filter(|fades| mentioned[*fades]).map(renamed);
@@ -101,8 +120,6 @@ pub(crate) fn retain<T>(items: &mut Vec<T>, mentioned: &[bool], new: &mut [usize
     let all = std::mem::take(items).into_iter().enumerate();
     let mut kept: Vec<(usize, T)> = all.filter(|(old, _)| mentioned[*old]).collect();
     kept.sort_by_key(|(_, item)| origin(item));
-    for (old, item) in kept {
-        new[old] = items.len();
-        items.push(item);
-    }
+    kept.iter().enumerate().for_each(|(place, (old, _))| new[*old] = place);
+    items.extend(kept.into_iter().map(|(_, item)| item));
 }

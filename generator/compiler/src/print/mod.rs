@@ -200,6 +200,20 @@ impl<'p> Printer<'p> {
     }
 }
 
+/// The arrays, if the first statements of a list copy one to the other, element by element: the target, then the source.
+fn copied(program: &Program, list: &[Statement]) -> Option<[Row; 2]> {
+    let parts = |statement: &Statement| match statement {
+        Statement::Assign { target: Var::State(to), value: Expr::Var(Var::State(from)) } => Some([*to, *from]),
+        _ => None,
+    };
+    let [to, from] = parts(list.first()?)?.map(|part| program.row_of(part).filter(|row| row.first == part));
+    let (to, from) = (to?, from?);
+    let all = list.get(..to.length)?.iter().enumerate();
+    let is_copied = to.length == from.length
+        && all.into_iter().all(|(index, statement)| parts(statement) == Some([to.first + index, from.first + index]));
+    is_copied.then_some([to, from])
+}
+
 /// The layout of one body.
 struct Layout<'p> {
     printer: &'p Printer<'p>,
@@ -211,7 +225,7 @@ impl Layout<'_> {
     fn list(&mut self, list: &[Statement], declared: &mut [bool]) {
         let Printer { program, language, names, .. } = self.printer;
         let Some([with_value, without]) = language.locals else {
-            return list.iter().for_each(|statement| self.statement(statement, declared));
+            return self.list_with_arrays(list, declared);
         };
         let declared_as = |form: Declaration, local: usize| {
             let ty = program.locals[local].ty.expect("print: the typing pass has typed every local");
@@ -226,6 +240,20 @@ impl Layout<'_> {
             }
             locals.into_iter().for_each(|local| self.line(&declared_as(without, local)));
             self.statement(statement, declared);
+        }
+    }
+
+    /// Statements of a language that assigns an array as a whole, and declares locals elsewhere.
+    fn list_with_arrays(&mut self, mut list: &[Statement], declared: &mut [bool]) {
+        while let [statement, rest @ ..] = list {
+            if let Some([to, from]) = copied(self.printer.program, list) {
+                let [target, value] = [to, from].map(|row| without_index(&self.printer.texts.state[row.first]));
+                self.line(&format!("{target}{} {value};", self.printer.language.assign));
+                list = &list[to.length..];
+            } else {
+                self.statement(statement, declared);
+                list = rest;
+            }
         }
     }
 

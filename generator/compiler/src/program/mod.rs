@@ -138,6 +138,21 @@ pub fn variant_name(variant: Variant) -> String {
     name
 }
 
+/// Appends a number to a text, without the cost of a format.
+pub(crate) fn push_number(text: &mut String, number: usize) {
+    if number > 9 {
+        push_number(text, number / 10);
+    }
+    text.push(char::from(b"0123456789"[number % 10]));
+}
+
+/// Appends an index in brackets to a path.
+pub(crate) fn push_index(path: &mut String, index: usize) {
+    path.push('[');
+    push_number(path, index);
+    path.push(']');
+}
+
 /// An intermediate value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Local {

@@ -17,11 +17,11 @@ pub(super) struct Entry {
     /// the variable that it is a copy of, and the number of the assignment of that variable
     copy_of: Option<(Place, u32)>,
     /// for a bool: the facts if it is FALSE, and if it is TRUE
-    follows: Option<Rc<[Vec<Fact>; 2]>>,
+    follows: Option<[Rc<Vec<Fact>>; 2]>,
 }
 
 /// A variable has one of these values, if it has not been written since.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fact {
     place: Place,
     written: u32,
@@ -70,7 +70,8 @@ impl Known {
     ) {
         self.assignments += 1;
         let copy_of = source.map(|source| (source, self.entries[source].written));
-        let entry = Entry { value, written: self.assignments, copy_of, follows: follows.map(Rc::new) };
+        let entry =
+            Entry { value, written: self.assignments, copy_of, follows: follows.map(|facts| facts.map(Rc::new)) };
         self.put(place, entry);
     }
 
@@ -90,7 +91,7 @@ impl Known {
             return true;
         }
         let entry = Entry { value, ..self.entries[place].clone() };
-        let (copy_of, follows) = (entry.copy_of, entry.follows.clone());
+        let copy_of = entry.copy_of;
         self.put(place, entry);
         if let Some((source, written)) = copy_of
             && self.entries[source].written == written
@@ -98,16 +99,16 @@ impl Known {
         {
             return false;
         }
-        let facts = match value {
+        let answer = match value {
             Value::Bool([true, false]) => 0,
             Value::Bool([false, true]) => 1,
             _ => return true,
         };
-        follows.is_none_or(|follows| {
-            follows[facts]
-                .iter()
-                .all(|fact| self.entries[fact.place].written != fact.written || self.restrict(fact.place, fact.value))
-        })
+        let facts = self.entries[place].follows.as_ref().map(|follows| Rc::clone(&follows[answer]));
+        facts
+            .iter()
+            .flat_map(|facts| facts.iter())
+            .all(|fact| self.entries[fact.place].written != fact.written || self.restrict(fact.place, fact.value))
     }
 
     pub(super) fn mark(&self) -> usize {
@@ -116,13 +117,19 @@ impl Known {
 
     /// Undoes all changes since a mark; returns them.
     pub(super) fn take_back(&mut self, mark: usize) -> Changes {
-        let mut changes = Changes::new();
-        for (place, before) in self.log.drain(mark..).rev() {
-            changes.push((place, std::mem::replace(&mut self.entries[place], before)));
+        let mut changes = self.log.split_off(mark);
+        for (place, before) in changes.iter_mut().rev() {
+            std::mem::swap(&mut self.entries[*place], before);
         }
-        // The first entry of a variable is its last knowledge.
         changes.sort_by_key(|(place, _)| *place);
-        changes.dedup_by_key(|(place, _)| *place);
+        // The last entry of a variable is its last knowledge.
+        changes.dedup_by(|later, kept| {
+            let is_same = later.0 == kept.0;
+            if is_same {
+                std::mem::swap(later, kept);
+            }
+            is_same
+        });
         changes
     }
 
@@ -145,7 +152,8 @@ impl Known {
 
     fn join(&mut self, one: &Changes, other: &Changes) {
         let Self { entries, assignments, names, .. } = self;
-        let mut joined: Vec<Joined<'_>> = Vec::with_capacity(one.len() + other.len());
+        let mut both = Vec::with_capacity(one.len() + other.len());
+        let mut after = Changes::with_capacity(one.len() + other.len());
         let mut rest = [&one[..], &other[..]];
         loop {
             let place = match rest.map(<[_]>::first) {
@@ -153,102 +161,107 @@ impl Known {
                 [Some((place, _)), None] | [None, Some((place, _))] => *place,
                 [Some((one, _)), Some((other, _))] => *one.min(other),
             };
-            let both = rest.each_mut().map(|changes| match changes.split_first() {
+            let [one, other] = rest.each_mut().map(|changes| match changes.split_first() {
                 Some(((at, entry), later)) if *at == place => {
                     *changes = later;
                     entry
                 }
                 _ => &entries[place],
             });
-            let value = both[0].value.join(both[1].value, names);
-            let (mut written, mut copy_of) = (both[0].written, both[0].copy_of);
-            if both[0].written != both[1].written {
+            let value = one.value.join(other.value, names);
+            let (mut written, mut copy_of) = (one.written, one.copy_of);
+            if one.written != other.written {
                 *assignments += 1;
                 written = *assignments;
-                copy_of = copy_of.filter(|copy_of| both[1].copy_of == Some(*copy_of));
+                copy_of = copy_of.filter(|copy_of| other.copy_of == Some(*copy_of));
             }
-            joined.push(Joined { place, both, entry: Entry { value, written, copy_of, follows: None } });
+            both.push([one, other]);
+            after.push((place, Entry { value, written, copy_of, follows: None }));
         }
-        // Facts of both branches about the variables that differ after them.
-        let narrower = [0, 1].map(|side| joined.iter().filter_map(|of| of.narrower(side)).collect::<Vec<Fact>>());
-        let follow = |of: &Joined<'_>| {
-            let may_be_both = of.entry.value == Value::Bool([true, true]);
-            may_be_both.then(|| Rc::new([0, 1].map(|answer| of.follow(answer, &narrower, &joined, entries, names))))
-        };
-        let follows: Vec<_> = joined.iter().map(follow).collect();
-        let joined: Changes =
-            joined.into_iter().zip(follows).map(|(of, follows)| (of.place, Entry { follows, ..of.entry })).collect();
-        joined.into_iter().for_each(|(place, entry)| self.put(place, entry));
+        let joined = Joined { entries, names, both: &both, after: &after };
+        let follows = joined.follows();
+        for (index, follows) in follows {
+            after[index].1.follows = Some(follows);
+        }
+        after.into_iter().for_each(|(place, entry)| self.put(place, entry));
     }
 }
 
-/// A variable after two branches.
+/// The variables that differ after two branches.
 struct Joined<'k> {
-    place: Place,
-    /// the knowledge after each of them
-    both: [&'k Entry; 2],
-    entry: Entry,
+    /// the knowledge before the branches
+    entries: &'k [Entry],
+    names: &'k Names,
+    /// the knowledge after each branch
+    both: &'k [[&'k Entry; 2]],
+    /// the joined knowledge
+    after: &'k Changes,
 }
 
 impl Joined<'_> {
-    /// The fact of one of the branches about the variable, if it is narrower than the joined knowledge.
-    fn narrower(&self, side: usize) -> Option<Fact> {
-        let value = self.both[side].value;
-        (value != self.entry.value).then_some(Fact { place: self.place, written: self.entry.written, value })
+    /// The facts that hold for each answer of the bools, by the position of the bool.
+    fn follows(&self) -> Vec<(usize, [Rc<Vec<Fact>>; 2])> {
+        let is_open = |index: &usize| self.after[*index].1.value == Value::Bool([true, true]);
+        let mut bools = (0..self.after.len()).filter(is_open).peekable();
+        if bools.peek().is_none() {
+            return Vec::new();
+        }
+        let narrower = [0, 1].map(|side| Rc::new(self.narrower(side)));
+        bools.map(|index| (index, [0, 1].map(|answer| self.follow(index, answer, &narrower)))).collect()
     }
 
-    /// Adds the facts that hold for each answer of this bool.
-    fn follow(
-        &self,
-        answer: usize,
-        narrower: &[Vec<Fact>; 2],
-        joined: &[Self],
-        entries: &[Entry],
-        names: &Names,
-    ) -> Vec<Fact> {
-        let of = |side: usize| self.follow_in(side, answer, &narrower[side], joined, entries, names);
-        match [of(0), of(1)] {
+    /// The facts of one of the branches about the variables for which it is narrower than the joined knowledge.
+    fn narrower(&self, side: usize) -> Vec<Fact> {
+        let fact = |((place, after), both): (&(Place, Entry), &[&Entry; 2])| {
+            let value = both[side].value;
+            (value != after.value).then_some(Fact { place: *place, written: after.written, value })
+        };
+        let mut facts = Vec::with_capacity(self.after.len());
+        facts.extend(self.after.iter().zip(self.both).filter_map(fact));
+        facts
+    }
+
+    /// The facts that hold for an answer of this bool.
+    fn follow(&self, index: usize, answer: usize, narrower: &[Rc<Vec<Fact>>; 2]) -> Rc<Vec<Fact>> {
+        match [0, 1].map(|side| self.follow_in(side, index, answer, &narrower[side])) {
             [Some(facts), None] | [None, Some(facts)] => facts,
             [Some(one), Some(other)] => {
-                let both = |fact: Fact| {
+                let both = |fact: &Fact| {
                     let same = other.iter().find(|same| same.place == fact.place)?;
-                    Some(Fact { value: fact.value.join(same.value, names), ..fact })
+                    Some(Fact { value: fact.value.join(same.value, self.names), ..*fact })
                 };
-                one.into_iter().filter_map(both).collect()
+                let mut facts = Vec::with_capacity(one.len());
+                facts.extend(one.iter().filter_map(both));
+                Rc::new(facts)
             }
-            [None, None] => Vec::new(),
+            [None, None] => Rc::default(),
         }
     }
 
     /// The facts of one of the branches for an answer of this bool; `None` if the bool has the other value there.
-    fn follow_in(
-        &self,
-        side: usize,
-        answer: usize,
-        narrower: &[Fact],
-        joined: &[Self],
-        entries: &[Entry],
-        names: &Names,
-    ) -> Option<Vec<Fact>> {
-        let Value::Bool(may_be) = self.both[side].value else { return None };
+    fn follow_in(&self, side: usize, index: usize, answer: usize, narrower: &Rc<Vec<Fact>>) -> Option<Rc<Vec<Fact>>> {
+        let Entry { value: Value::Bool(may_be), follows, .. } = self.both[index][side] else { return None };
         if !may_be[answer] {
             return None;
         }
-        let mut facts = narrower.to_vec();
-        for fact in self.both[side].follows.iter().flat_map(|follows| &follows[answer]) {
-            let found = joined.binary_search_by_key(&fact.place, |of| of.place);
-            let (before, after) = match found {
-                Ok(index) => (joined[index].both[side].written, joined[index].entry.written),
-                Err(_) => (entries[fact.place].written, entries[fact.place].written),
+        let own = follows.as_ref().map_or(&[][..], |follows| &follows[answer]);
+        if own.is_empty() {
+            return Some(Rc::clone(narrower));
+        }
+        let mut facts = Vec::with_capacity(narrower.len() + own.len());
+        facts.extend_from_slice(narrower);
+        for fact in own {
+            let (before, after) = match self.after.binary_search_by_key(&fact.place, |(place, _)| *place) {
+                Ok(found) => (self.both[found][side].written, self.after[found].1.written),
+                Err(_) => (self.entries[fact.place].written, self.entries[fact.place].written),
             };
             if before == fact.written {
-                let fact = Fact { written: after, ..fact.clone() };
                 match facts.iter_mut().find(|known| known.place == fact.place) {
-                    Some(known) => known.value = known.value.meet(fact.value, names),
-                    None => facts.push(fact),
+                    Some(known) => known.value = known.value.meet(fact.value, self.names),
+                    None => facts.push(Fact { written: after, ..*fact }),
                 }
             }
         }
-        Some(facts)
+        Some(Rc::new(facts))
     }
 }

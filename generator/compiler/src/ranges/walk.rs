@@ -231,33 +231,33 @@ impl<'p> Walk<'p> {
 
     /// Checks that each operation of an expression has a result on which all targets agree.
     fn check(&mut self, expr: &'p Expr) {
-        let mut parts = Vec::new();
-        expr.parts(&mut |part| parts.push(part));
-        for part in parts {
-            match part {
-                Expr::Unary(Unary::Negate, operand) if operand.ty(self.program) == Type::I32 => {
-                    let Whole { low, high, .. } = self.whole(operand);
-                    self.check_integer(Type::I32, Some(Whole::numbers(-high, -low)), part);
-                }
-                Expr::Binary(
-                    operator @ (Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Remainder),
-                    left,
-                    right,
-                ) => {
-                    let ty = left.ty(self.program);
-                    if ty != Type::Real {
-                        let result = whole::binary(*operator, self.whole(left), self.whole(right));
-                        self.check_integer(ty, result, part);
-                    }
-                }
-                Expr::Intrinsic(intrinsic @ (Intrinsic::Truncate | Intrinsic::Nearest), operands) => {
-                    let x = self.interval(&operands[0]);
-                    if !is_convertible(self.before_truncation(*intrinsic, x)) {
-                        self.find(Kind::Conversion(x), part);
-                    }
-                }
-                _ => {}
+        expr.parts(&mut |part| self.check_operation(part));
+    }
+
+    fn check_operation(&mut self, part: &'p Expr) {
+        match part {
+            Expr::Unary(Unary::Negate, operand) if operand.ty(self.program) == Type::I32 => {
+                let Whole { low, high, .. } = self.whole(operand);
+                self.check_integer(Type::I32, Some(Whole::numbers(-high, -low)), part);
             }
+            Expr::Binary(
+                operator @ (Binary::Add | Binary::Subtract | Binary::Multiply | Binary::Divide | Binary::Remainder),
+                left,
+                right,
+            ) => {
+                let ty = left.ty(self.program);
+                if ty != Type::Real {
+                    let result = whole::binary(*operator, self.whole(left), self.whole(right));
+                    self.check_integer(ty, result, part);
+                }
+            }
+            Expr::Intrinsic(intrinsic @ (Intrinsic::Truncate | Intrinsic::Nearest), operands) => {
+                let x = self.interval(&operands[0]);
+                if !is_convertible(self.before_truncation(*intrinsic, x)) {
+                    self.find(Kind::Conversion(x), part);
+                }
+            }
+            _ => {}
         }
     }
 

@@ -86,14 +86,15 @@ impl Names {
 
     fn tight(&self, mut of: Whole) -> Whole {
         if of.named != ALL {
-            for (position, number) in self.0.iter().enumerate() {
-                if *number < of.low || *number > of.high {
-                    of.named &= !(1 << position);
-                }
+            // The names are in order: those in the interval are next to each other.
+            let first = self.0.partition_point(|number| *number < of.low);
+            let after = self.0.partition_point(|number| *number <= of.high);
+            of.named &= (1_u128 << after).saturating_sub(1 << first);
+            if of.named == 0 {
+                return Whole::NONE;
             }
-            let mut left = self.0.iter().enumerate().filter(|(position, _)| of.named >> position & 1 == 1);
-            let Some((_, first)) = left.next() else { return Whole::NONE };
-            (of.low, of.high) = (*first, left.next_back().map_or(*first, |(_, last)| *last));
+            let [first, last] = [of.named.trailing_zeros(), of.named.ilog2()];
+            (of.low, of.high) = (self.0[first as usize], self.0[last as usize]);
         }
         if of.low > of.high { Whole::NONE } else { of }
     }

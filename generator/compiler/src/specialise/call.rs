@@ -19,8 +19,7 @@ impl Specialiser<'_> {
             let operands = arguments.iter().map(|argument| self.value_argument(argument, function)).collect();
             return Some(self.intrinsic(intrinsic, operands));
         }
-        let cells = self.cells.len();
-        let mut names = Vec::with_capacity(function.params.len() + function.body.block.statements.len());
+        let (cells, first_name) = (self.cells.len(), self.names.len());
         let mut context = None;
         for (param, argument) in function.params.iter().zip(arguments) {
             let (part, path) = match argument {
@@ -36,20 +35,23 @@ impl Specialiser<'_> {
                 }
             };
             context = context.or_else(|| path.clone());
-            names.push(Named { name: param.name, part, path });
+            // The other arguments do not see the parameter.
+            self.names.push(Named { name: "", part, path });
         }
-        let context = context.filter(|path| !path.is_empty()).unwrap_or_else(|| Rc::clone(&self.frame().context));
-        // A separate path contains the number of the iteration.
-        let is_inside = context == self.frame().context;
-        let rounds = if is_inside { self.frame().rounds.clone() } else { Vec::new() };
-        if context != self.frame().context
-            && let Some(note) = self.notes.get(&*context)
-        {
+        self.names[first_name..].iter_mut().zip(function.params).for_each(|(named, param)| named.name = param.name);
+        let context = context.filter(|path| !path.is_empty() && *path != self.frame().context);
+        if let Some(note) = context.as_ref().and_then(|path| self.notes.get(&**path)) {
             self.statements.push(Statement::Note(note.clone()));
         }
-        self.frames.push(Frame { names, context, rounds, function: function.name });
+        let (context, first_round) = match context {
+            // A separate path contains the number of the iteration.
+            Some(path) => (path, self.rounds.len()),
+            None => (Rc::clone(&self.frame().context), self.frame().first_round),
+        };
+        self.frames.push(Frame { first_name, context, first_round, function: function.name });
         let value = self.named_block(&function.body.block, name);
         self.frames.pop();
+        self.names.truncate(first_name);
         self.cells.truncate(cells);
         match value {
             // A function without parameters is a named number; a bool, an index or a variant decides branches, and needs no

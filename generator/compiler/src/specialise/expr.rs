@@ -3,9 +3,8 @@
 use super::Specialiser;
 use super::part::{Cell, Named, Part};
 use crate::arithmetic;
-use crate::program::Expr;
+use crate::program::{Expr, push_index};
 use portable::{Binary, Literal, Projection};
-use std::fmt::Write;
 use std::rc::Rc;
 
 impl Specialiser<'_> {
@@ -59,20 +58,25 @@ impl Specialiser<'_> {
 
     /// The path of a place in the state, the inputs or the outputs.
     pub(super) fn path(&mut self, place: &'static portable::Place) -> Option<Rc<str>> {
-        let root = self.lookup(place.root).path.clone()?;
+        let root = self.lookup(place.root).path.as_ref()?;
+        if place.projections.is_empty() {
+            return Some(Rc::clone(root));
+        }
         let mut path = root.to_string();
         for projection in place.projections {
-            let _ = match projection {
-                Projection::Field { name } if path.is_empty() => write!(path, "{name}"),
-                Projection::Field { name } => write!(path, ".{name}"),
-                Projection::Index { index } => write!(path, "[{}]", self.known_index(index)),
-            };
+            match projection {
+                Projection::Field { name } => {
+                    path.push_str(if path.is_empty() { "" } else { "." });
+                    path.push_str(name);
+                }
+                Projection::Index { index } => push_index(&mut path, self.known_index(index)),
+            }
         }
         Some(path.into())
     }
 
     fn lookup(&self, name: &str) -> &Named {
-        let found = self.frame().names.iter().rfind(|known| known.name == name);
+        let found = self.names[self.frame().first_name..].iter().rfind(|known| known.name == name);
         found.unwrap_or_else(|| panic!("specialise: in {}: no name `{name}`", self.frame().function))
     }
 
@@ -99,9 +103,10 @@ impl Specialiser<'_> {
     /// An operator on two values. A comparison of known values is decided; arithmetic on a named constant is kept, so that
     /// the name is kept.
     pub(super) fn binary(&mut self, operator: Binary, left: Expr, right: Expr) -> Expr {
-        let known = (self.known(&left), self.known(&right));
-        match (operator, known) {
-            (Binary::And | Binary::Or, _) => return Expr::logic(operator, left, right),
+        if matches!(operator, Binary::And | Binary::Or) {
+            return Expr::logic(operator, left, right);
+        }
+        match (operator, (self.known(&left), self.known(&right))) {
             // The first term of a sum: the only addition that changes no number.
             (Binary::Add, (Some(start), _)) if [Literal::F64(-0.0), Literal::F32(-0.0)].contains(&start) => {
                 return right;

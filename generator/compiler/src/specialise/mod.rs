@@ -11,7 +11,8 @@ mod statement;
 
 use crate::leaves;
 use crate::program::{
-    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, retain_mut, variant_name,
+    Constant, Expr, Local, Off, Origin, Program, Statement, Switch, Type, Var, Variable, push_index, retain_mut,
+    variant_name,
 };
 use part::{Cell, Leaf, Named, Part};
 use portable::{Block, Enable, Fn, Intrinsic, Literal, Portable, Real, Ty};
@@ -54,6 +55,8 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
         coefficients,
         coefficient_type,
         frames: Vec::new(),
+        names: Vec::new(),
+        rounds: Vec::new(),
         statements: Vec::new(),
     };
     let coefficients = (0..specialiser.coefficients.len()).map(Cell::Coefficient);
@@ -102,16 +105,21 @@ struct Specialiser<'n> {
     coefficients: Vec<Literal>,
     coefficient_type: Ty,
     frames: Vec<Frame>,
+    /// the names of all frames, innermost last
+    names: Vec<Named>,
+    /// the iterations of the loops around this point, which number the locals
+    rounds: Vec<usize>,
     statements: Vec<Statement>,
 }
 
 /// A function that is being inlined.
 struct Frame {
-    names: Vec<Named>,
+    /// the position of its first name
+    first_name: usize,
     /// the path of the state that the function works on, which names its locals
     context: Rc<str>,
-    /// the iterations of the loops around this point, which number the locals
-    rounds: Vec<usize>,
+    /// the position of the first iteration that the path does not contain
+    first_round: usize,
     function: &'static str,
 }
 
@@ -142,10 +150,11 @@ impl Specialiser<'_> {
     /// Specialises a function without a value.
     fn function(&mut self, function: &'static Fn, arguments: &[Part]) -> Vec<Statement> {
         let names = function.params.iter().zip(arguments);
-        let names = names.map(|(param, part)| Named { name: param.name, part: *part, path: Some("".into()) }).collect();
-        self.frames.push(Frame { names, context: "".into(), rounds: Vec::new(), function: function.name });
+        self.names.extend(names.map(|(param, part)| Named { name: param.name, part: *part, path: Some("".into()) }));
+        self.frames.push(Frame { first_name: 0, context: "".into(), first_round: 0, function: function.name });
         self.block(&function.body.block);
         self.frames.pop();
+        self.names.clear();
         std::mem::take(&mut self.statements)
     }
 
@@ -212,19 +221,15 @@ impl Specialiser<'_> {
 
     /// A new local of the function that is being inlined.
     fn local(&mut self, name: &str) -> Var {
-        let context = &self.frame().context;
-        let mut path = if context.is_empty() { name.to_owned() } else { format!("{context}.{name}") };
-        path.extend(self.frame().rounds.iter().map(|round| format!("[{round}]")));
+        let Frame { context, first_round, .. } = self.frame();
+        let mut path = [&**context, if context.is_empty() { "" } else { "." }, name].concat();
+        self.rounds[*first_round..].iter().for_each(|round| push_index(&mut path, *round));
         self.program.locals.push(Local { path, ty: None });
         Var::Local(self.program.locals.len() - 1)
     }
 
     fn frame(&self) -> &Frame {
         self.frames.last().expect("specialise: inside a function")
-    }
-
-    fn frame_mut(&mut self) -> &mut Frame {
-        self.frames.last_mut().expect("specialise: inside a function")
     }
 }
 

@@ -1,8 +1,7 @@
 //! The cells of a Rust name while specialising: consecutive cells, in the order of the type's scalars. No evaluation here.
 
-use crate::program::Var;
+use crate::program::{Var, push_index};
 use portable::{Literal, Ty};
-use std::fmt::Write;
 use std::rc::Rc;
 
 /// A local or a parameter.
@@ -99,7 +98,7 @@ impl Leaf {
                 }
                 Ty::Array { element, .. } => {
                     let each = element.leaves();
-                    leaf.path.extend(["[", &(position / each).to_string(), "]"]);
+                    push_index(&mut leaf.path, position / each);
                     (leaf.ty, position) = (*element, position % each);
                 }
                 _ => return leaf,
@@ -126,7 +125,7 @@ impl Leaf {
             }
             Ty::Array { element, len } => {
                 for index in 0..len {
-                    let _ = write!(self.path, "[{index}]");
+                    push_index(&mut self.path, index);
                     self.ty = *element;
                     self.inside(visit);
                     self.path.truncate(length);

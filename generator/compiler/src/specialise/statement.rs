@@ -14,12 +14,12 @@ impl Specialiser<'_> {
 
     /// Runs a block; returns its value. A local that holds the value gets the name.
     pub(super) fn named_block(&mut self, block: &'static CodeBlock, name: &str) -> Option<Expr> {
-        let (names, cells) = (self.frame().names.len(), self.cells.len());
+        let (names, cells) = (self.names.len(), self.cells.len());
         for statement in block.statements {
             self.statement(statement);
         }
         let value = block.value.map(|value| self.named_value(value, name));
-        self.frame_mut().names.truncate(names);
+        self.names.truncate(names);
         self.cells.truncate(cells);
         value
     }
@@ -56,10 +56,10 @@ impl Specialiser<'_> {
                 for index in self.known_index(from)..self.known_index(to) {
                     let part = self.scalar(Cell::Known(Literal::Usize(index)));
                     self.declare(variable, part);
-                    self.frame_mut().rounds.push(index);
+                    self.rounds.push(index);
                     self.block(body);
-                    self.frame_mut().rounds.pop();
-                    self.frame_mut().names.pop();
+                    self.rounds.pop();
+                    self.names.pop();
                 }
             }
             portable::Statement::Expr { value } => match value {
@@ -106,7 +106,7 @@ impl Specialiser<'_> {
     }
 
     fn declare(&mut self, name: &'static str, part: Part) {
-        self.frame_mut().names.push(Named { name, part, path: None });
+        self.names.push(Named { name, part, path: None });
     }
 
     /// Assigns a struct or an array, scalar by scalar. rustc has checked that both have the same type.
@@ -251,7 +251,7 @@ impl Specialiser<'_> {
 
     /// The Rust name of a cell, from the innermost function; for a cell of a struct the name of the field.
     fn name_of(&self, cell: usize) -> Cow<'static, str> {
-        let mut names = self.frames.iter().rev().flat_map(|frame| frame.names.iter().rev());
+        let mut names = self.names.iter().rev();
         let (root, name) = names.find_map(|named| Some((named.name, named.name_of(cell)?))).unwrap_or(("", "value"));
         self.distinct(root, name)
     }
@@ -272,7 +272,7 @@ impl Specialiser<'_> {
             "state" => false,
             _ => is_kept(),
         };
-        if is_taken { Cow::Owned(format!("{root}_{field}")) } else { Cow::Borrowed(field) }
+        if is_taken { Cow::Owned([root, "_", field].concat()) } else { Cow::Borrowed(field) }
     }
 }
 
