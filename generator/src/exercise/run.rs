@@ -8,7 +8,7 @@ pub trait Run {
     /// One cycle: takes the scalars of the inputs and writes those of the outputs.
     fn step(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>);
 
-    /// Calls `take` with the scalars of its state at these places, which are ascending.
+    /// Calls `take` with the scalars of its state at these places.
     fn state(&self, places: &[usize], take: &mut dyn FnMut(Literal));
 }
 
@@ -35,16 +35,7 @@ impl<R: Real, B: Block<R>> Run for Running<R, B> {
     }
 
     fn state(&self, places: &[usize], take: &mut dyn FnMut(Literal)) {
-        let (mut place, mut wanted) = (0, places);
-        self.state.visit(&mut |leaf| {
-            if let [next, later @ ..] = wanted
-                && *next == place
-            {
-                wanted = later;
-                take(leaf.at_run_time());
-            }
-            place += 1;
-        });
+        places.iter().for_each(|place| take(self.state.leaf(*place).at_run_time()));
     }
 }
 

@@ -202,6 +202,14 @@ pub trait Portable: Sized {
     /// Calls `visit` once for each scalar, in the order in which [`Portable::TY`] lists them.
     fn visit(&self, visit: &mut dyn FnMut(Literal));
 
+    /// The scalar at a place in this order: without visiting those before it.
+    ///
+    /// # Panics
+    /// If there are not as many.
+    fn leaf(&self, _place: usize) -> Literal {
+        scalar(self)
+    }
+
     /// The inverse of [`Portable::visit`]: takes each scalar from `next`, in the same order.
     ///
     /// # Panics
@@ -253,6 +261,11 @@ impl<T: Portable, const N: usize> Portable for [T; N] {
         for element in self {
             element.visit(visit);
         }
+    }
+
+    fn leaf(&self, place: usize) -> Literal {
+        let leaves = const { T::TY.leaves() };
+        self[place / leaves].leaf(place % leaves)
     }
 
     fn build(next: &mut dyn FnMut() -> Literal) -> Self {

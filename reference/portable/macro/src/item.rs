@@ -29,11 +29,13 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
     let field: Vec<_> = item.fields.iter().map(|field| &field.ident).collect();
     let ty: Vec<_> = item.fields.iter().map(|field| &field.ty).collect();
     let doc = item.fields.iter().map(|field| doc(&field.attrs));
-    let leaves = quote!(0 #(+ <#ty as ::portable::Portable>::TY.leaves())*);
-    let first = (0..ty.len()).map(|index| {
-        let before = &ty[..index];
+    let up_to = |count: usize| {
+        let before = &ty[..count];
         quote!(0 #(+ <#before as ::portable::Portable>::TY.leaves())*)
-    });
+    };
+    let first: Vec<_> = (0..ty.len()).map(up_to).collect();
+    let end = (1..=ty.len()).map(up_to);
+    let leaves = up_to(ty.len());
     quote! {
         impl #bounds ::portable::Portable for #name #arguments {
             const TY: ::portable::Ty = ::portable::Ty::Struct {
@@ -53,6 +55,13 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
 
             fn visit(&self, visit: &mut dyn FnMut(::portable::Literal)) {
                 #(::portable::Portable::visit(&self.#field, visit);)*
+            }
+
+            fn leaf(&self, place: usize) -> ::portable::Literal {
+                #(if place < const { #end } {
+                    return ::portable::Portable::leaf(&self.#field, place - const { #first });
+                })*
+                panic!("{} has no scalar {place}", stringify!(#name))
             }
 
             fn build(next: &mut dyn FnMut() -> ::portable::Literal) -> Self {

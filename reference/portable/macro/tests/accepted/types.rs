@@ -109,6 +109,8 @@ fn a_value_is_taken_apart_and_put_together() {
         Literal::Bool(true),
     ];
     assert_eq!(leaves, expected);
+    let each: Vec<_> = (0..expected.len()).map(|place| state().leaf(place)).collect();
+    assert_eq!(each, expected);
     let mut next = leaves.into_iter();
     assert_eq!(State::build(&mut || next.next().expect("as many leaves")), state());
 }
