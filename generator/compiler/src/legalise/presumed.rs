@@ -8,7 +8,7 @@
 //! A local is then assigned again on some paths. Nothing reads it before, so no value changes.
 
 use crate::pass::Defect;
-use crate::program::{Expr, Program, Statement, Var};
+use crate::program::{Expr, Program, Statement, Var, close_up};
 use portable::{Binary, Unary};
 
 /// The name of the pass: if it has run, the last verification permits a second assignment of a local.
@@ -98,22 +98,10 @@ pub(super) fn leave_out(list: &mut Vec<Statement>, is_it: &dyn Fn(&Statement) ->
     list.retain_mut(|statement| !(removes && is_it(statement)) && leave_out_inside(statement, is_it));
 }
 
-/// Removes these assignments from the branches of a statement. No empty branch then precedes one that is not empty. Returns
-/// whether the statement still does something.
+/// Removes these assignments from the branches of a statement; returns whether it still does something.
 fn leave_out_inside(statement: &mut Statement, is_it: &dyn Fn(&Statement) -> bool) -> bool {
     statement.change_branches(|inner| leave_out(inner, is_it));
-    let Statement::If { condition, then, otherwise } = statement else { return true };
-    let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
-    match (is_nothing(then), is_nothing(otherwise)) {
-        (true, true) => return false,
-        (true, false) => {
-            *condition = opposite(std::mem::replace(condition, Expr::bool(true)));
-            *then = std::mem::take(otherwise);
-        }
-        (false, true) => otherwise.clear(),
-        (false, false) => {}
-    }
-    true
+    close_up(statement, opposite)
 }
 
 /// The negation of a condition; an equality or a negation is inverted.

@@ -2,7 +2,7 @@
 //! are the interface.
 
 use super::Defect;
-use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, rename, retain_mut};
+use crate::program::{Expr, Off, Origin, Program, Statement, Switch, Table, Var, close_up, rename, retain_mut};
 
 pub(crate) fn run(program: Program) -> Result<Program, Defect> {
     let interface = (vec![true; program.inputs.len()], vec![true; program.outputs.len()]);
@@ -79,22 +79,9 @@ fn live_variables(program: &Program) -> Table<bool> {
 }
 
 fn keep(list: &mut Vec<Statement>, live: &Table<bool>) {
-    let only_notes = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
     retain_mut(list, &mut |statement| match statement {
         Statement::Assign { target, .. } => live[*target],
-        Statement::If { condition, then, otherwise } => {
-            match (only_notes(then), only_notes(otherwise)) {
-                (true, true) => return false,
-                (true, false) => {
-                    *condition = Expr::not(std::mem::replace(condition, Expr::bool(true)));
-                    *then = std::mem::take(otherwise);
-                }
-                (false, true) => otherwise.clear(),
-                (false, false) => {}
-            }
-            true
-        }
-        _ => true,
+        other => close_up(other, Expr::not),
     });
 }
 

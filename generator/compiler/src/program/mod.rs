@@ -12,7 +12,7 @@ mod visit;
 pub use row::Row;
 pub use table::Table;
 pub use visit::map_expressions;
-pub(crate) use visit::{rename, retain_mut};
+pub(crate) use visit::{close_up, rename, retain_mut};
 
 use portable::{Binary, Brake, Intrinsic, Literal, RealKind, Unary, Variant};
 

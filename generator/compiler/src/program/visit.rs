@@ -98,6 +98,22 @@ impl Statement {
     }
 }
 
+/// Removes the empty branch of an `if`: none precedes one that is not empty. Returns whether there is still something to do.
+pub(crate) fn close_up(statement: &mut Statement, opposite: fn(Expr) -> Expr) -> bool {
+    let Statement::If { condition, then, otherwise } = statement else { return true };
+    let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
+    match (is_nothing(then), is_nothing(otherwise)) {
+        (true, true) => return false,
+        (true, false) => {
+            *condition = opposite(std::mem::replace(condition, Expr::bool(true)));
+            *then = std::mem::take(otherwise);
+        }
+        (false, true) => otherwise.clear(),
+        (false, false) => {}
+    }
+    true
+}
+
 impl Expr {
     /// The operands of this expression.
     pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
