@@ -202,10 +202,10 @@ pub trait Portable: Sized {
     /// Calls `visit` once for each scalar, in the order in which [`Portable::TY`] lists them.
     fn visit(&self, visit: &mut dyn FnMut(Literal));
 
-    /// The scalar at a place in this order: without visiting those before it.
+    /// The scalar at a place in this order. Those before it are not visited.
     ///
     /// # Panics
-    /// If there are not as many.
+    /// If the value has fewer scalars.
     fn leaf(&self, _place: usize) -> Literal {
         scalar(self)
     }

@@ -21,7 +21,7 @@ pub(super) fn run(program: Program) -> Result<Program, Defect> {
     Ok(before::run(program, |expr, before| {
         // An expression that is assigned as a whole already has a variable.
         if rounds(expr, before) {
-            expr.operands_mut().for_each(|operand| part(operand, before));
+            expr.change_operands(|operand| part(operand, before));
         } else {
             part(expr, before);
         }
@@ -36,14 +36,16 @@ fn part(expr: &mut Expr, before: &mut Before<'_>) {
         Expr::Intrinsic(Intrinsic::InRange | Intrinsic::Within, _) => Some(1),
         _ => None,
     };
-    for (index, operand) in expr.operands_mut().enumerate() {
+    let mut index = 0;
+    expr.change_operands(|operand| {
         part(operand, before);
         let is_negative = matches!(operand, Expr::Unary(Unary::Negate, _)) && operand.ty(before.program) == Type::Real;
         if Some(index) == signed && is_negative {
             let path = name_of(operand, before);
             before.take(operand, path, Type::Real);
         }
-    }
+        index += 1;
+    });
     if rounds(expr, before) {
         let path = name_of(expr, before);
         before.take(expr, path, Type::Real);

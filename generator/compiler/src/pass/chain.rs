@@ -13,10 +13,9 @@ use super::condition::{Comparison, Conditions};
 use crate::program::{Expr, Program, Statement};
 
 pub(crate) fn run(mut program: Program) -> Result<Program, Defect> {
-    let constants = std::mem::take(&mut program.constants);
-    let conditions = Conditions { constants: &constants, ..Conditions::default() };
-    in_list(&mut program.step, &conditions);
-    program.constants = constants;
+    let mut step = std::mem::take(&mut program.step);
+    in_list(&mut step, &Conditions::of(&program));
+    program.step = step;
     Ok(program)
 }
 

@@ -1,6 +1,6 @@
 //! Conditions as numbers: equal conditions have equal numbers, so that facts about them are cheap to copy and compare.
 
-use crate::program::{Constant, Expr, Table, Var};
+use crate::program::{Constant, Expr, Program, Table, Var};
 use portable::{Binary, Literal, Unary};
 
 /// The number of a condition.
@@ -37,18 +37,27 @@ pub(super) struct Comparison {
 }
 
 /// All conditions of a program that were examined.
-#[derive(Default)]
 pub(super) struct Conditions<'p> {
-    pub constants: &'p [Constant],
+    constants: &'p [Constant],
     pub all: Vec<Condition>,
     pub questions: Vec<Question>,
     /// whether a question reads the variable
     pub asked: Table<bool>,
     /// the number of each flag that is a question
-    pub flags: Table<Option<Id>>,
+    flags: Table<Option<Id>>,
 }
 
-impl Conditions<'_> {
+impl<'p> Conditions<'p> {
+    pub(super) fn of(program: &'p Program) -> Self {
+        Self {
+            constants: &program.constants,
+            all: Vec::new(),
+            questions: Vec::new(),
+            asked: Table::filled(program, false),
+            flags: Table::filled(program, None),
+        }
+    }
+
     /// The number of an expression of type BOOL.
     pub(super) fn number(&mut self, expr: &Expr) -> Id {
         match expr {

@@ -8,17 +8,11 @@
 use super::Defect;
 use super::condition::{Condition, Conditions, Id};
 use super::facts::Facts;
-use crate::program::{Expr, Program, Statement, Table, Type};
+use crate::program::{Expr, Program, Statement, Type};
 
 pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     let step = std::mem::take(&mut program.step);
-    let mut conditions = Conditions {
-        constants: &program.constants,
-        asked: Table::filled(&program, false),
-        flags: Table::filled(&program, None),
-        ..Conditions::default()
-    };
-    program.step = in_list(step, &mut Facts::default(), &mut conditions, &program);
+    program.step = in_list(step, &mut Facts::default(), &mut Conditions::of(&program), &program);
     Ok(program)
 }
 

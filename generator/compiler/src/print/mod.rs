@@ -208,10 +208,9 @@ fn copied(program: &Program, list: &[Statement]) -> Option<[Row; 2]> {
     };
     let [to, from] = parts(list.first()?)?.map(|part| program.row_of(part).filter(|row| row.first == part));
     let (to, from) = (to?, from?);
-    let all = list.get(..to.length)?.iter().enumerate();
-    let is_copied = to.length == from.length
-        && all.into_iter().all(|(index, statement)| parts(statement) == Some([to.first + index, from.first + index]));
-    is_copied.then_some([to, from])
+    let mut all = list.get(..to.length)?.iter().enumerate();
+    let is_copied = |(index, statement)| parts(statement) == Some([to.first + index, from.first + index]);
+    (to.length == from.length && all.all(is_copied)).then_some([to, from])
 }
 
 /// The layout of one body.

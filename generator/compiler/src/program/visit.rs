@@ -98,22 +98,6 @@ impl Statement {
     }
 }
 
-/// Removes the empty branch of an `if`: none precedes one that is not empty. Returns whether there is still something to do.
-pub(crate) fn close_up(statement: &mut Statement, opposite: fn(Expr) -> Expr) -> bool {
-    let Statement::If { condition, then, otherwise } = statement else { return true };
-    let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
-    match (is_nothing(then), is_nothing(otherwise)) {
-        (true, true) => return false,
-        (true, false) => {
-            *condition = opposite(std::mem::replace(condition, Expr::bool(true)));
-            *then = std::mem::take(otherwise);
-        }
-        (false, true) => otherwise.clear(),
-        (false, false) => {}
-    }
-    true
-}
-
 impl Expr {
     /// The operands of this expression.
     pub(crate) fn operands(&self) -> impl Iterator<Item = &Self> {
@@ -126,47 +110,46 @@ impl Expr {
         first.into_iter().chain(second).chain(more)
     }
 
-    /// The operands of this expression, mutable.
-    pub(crate) fn operands_mut(&mut self) -> impl Iterator<Item = &mut Self> {
-        let (first, second, more): (_, _, &mut [Self]) = match self {
-            Self::Literal(_) | Self::Var(_) => (None, None, &mut []),
-            Self::Unary(_, operand) | Self::Element(_, operand) => (Some(&mut **operand), None, &mut []),
-            Self::Binary(_, left, right) => (Some(&mut **left), Some(&mut **right), &mut []),
-            Self::Intrinsic(_, operands) => (None, None, operands),
-        };
-        first.into_iter().chain(second).chain(more)
+    /// Calls `visit` for each operand of this expression.
+    fn each_operand<'a>(&'a self, mut visit: impl FnMut(&'a Self)) {
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) | Self::Element(_, operand) => visit(operand),
+            Self::Binary(_, left, right) => {
+                visit(left);
+                visit(right);
+            }
+            Self::Intrinsic(_, operands) => operands.iter().for_each(visit),
+        }
+    }
+
+    /// Calls `change` for each operand of this expression.
+    pub(crate) fn change_operands(&mut self, mut change: impl FnMut(&mut Self)) {
+        match self {
+            Self::Literal(_) | Self::Var(_) => {}
+            Self::Unary(_, operand) | Self::Element(_, operand) => change(operand),
+            Self::Binary(_, left, right) => {
+                change(left);
+                change(right);
+            }
+            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(change),
+        }
     }
 
     /// Calls `visit` for the expression and for every part of it.
     pub fn parts<'a>(&'a self, visit: &mut impl FnMut(&'a Self)) {
         visit(self);
-        match self {
-            Self::Literal(_) | Self::Var(_) => {}
-            Self::Unary(_, operand) | Self::Element(_, operand) => operand.parts(visit),
-            Self::Binary(_, left, right) => {
-                left.parts(visit);
-                right.parts(visit);
-            }
-            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.parts(visit)),
-        }
+        self.each_operand(|operand| operand.parts(visit));
     }
 
     /// Calls `visit` for every variable that the expression reads.
     pub(crate) fn variables(&self, visit: &mut impl FnMut(Var)) {
         match self {
-            Self::Literal(_) => {}
             Self::Var(var) => visit(*var),
-            Self::Element(row, index) => {
-                row.elements().for_each(&mut *visit);
-                index.variables(visit);
-            }
-            Self::Unary(_, operand) => operand.variables(visit),
-            Self::Binary(_, left, right) => {
-                left.variables(visit);
-                right.variables(visit);
-            }
-            Self::Intrinsic(_, operands) => operands.iter().for_each(|operand| operand.variables(visit)),
+            Self::Element(row, _) => row.elements().for_each(&mut *visit),
+            _ => {}
         }
+        self.each_operand(|operand| operand.variables(visit));
     }
 
     /// Whether the expression reads the variable.
@@ -183,15 +166,7 @@ impl Expr {
 
     /// Calls `change` for every part of the expression, inner parts first, and finally for the expression.
     pub fn change(&mut self, change: &mut impl FnMut(&mut Self)) {
-        match self {
-            Self::Literal(_) | Self::Var(_) => {}
-            Self::Unary(_, operand) | Self::Element(_, operand) => operand.change(change),
-            Self::Binary(_, left, right) => {
-                left.change(change);
-                right.change(change);
-            }
-            Self::Intrinsic(_, operands) => operands.iter_mut().for_each(|operand| operand.change(change)),
-        }
+        self.change_operands(|operand| operand.change(change));
         change(self);
     }
 }
@@ -233,4 +208,20 @@ pub(crate) fn retain_mut(list: &mut Vec<Statement>, change: &mut impl FnMut(&mut
         statement.change_branches(|list| retain_mut(list, change));
         change(statement)
     });
+}
+
+/// Leaves out an empty branch of an `if`; the first one is never empty then. Returns whether the statement does anything.
+pub(crate) fn close_up(statement: &mut Statement, opposite: fn(Expr) -> Expr) -> bool {
+    let Statement::If { condition, then, otherwise } = statement else { return true };
+    let is_nothing = |list: &[Statement]| list.iter().all(|inner| matches!(inner, Statement::Note(_)));
+    match (is_nothing(then), is_nothing(otherwise)) {
+        (true, true) => return false,
+        (true, false) => {
+            *condition = opposite(std::mem::replace(condition, Expr::bool(true)));
+            *then = std::mem::take(otherwise);
+        }
+        (false, true) => otherwise.clear(),
+        (false, false) => {}
+    }
+    true
 }

@@ -26,9 +26,8 @@ pub(super) static ST: Dialect = Dialect {
 pub(super) static CODESYS: Dialect = Dialect {
     language: &st::CODESYS,
     prefix: "FB_",
-    quote: "",
-    mark: "",
     arguments: ["E_axgen_mode.MODE_DRYRUN", "task_cycle_ns", "cycle_counter"],
+    ..ST
 };
 
 /// Only the call differs.

@@ -239,7 +239,8 @@ fn an_element_of_an_array() {
     let text = "FUNCTION_BLOCK \"probe\"\n{ S7_Optimized_Access := 'TRUE' }\nVERSION : 0.1\n\
         VAR_INPUT\n    x : LREAL;\n    i : DINT;\n    u : UDINT;\nEND_VAR\n\
         VAR_OUTPUT\n    y : LREAL;\n    j : DINT;\n    q : BOOL;\nEND_VAR\n\
-        VAR\n    k : ARRAY[0..2] OF LREAL;\n    m : ARRAY[0..2] OF LREAL;\n    n : ARRAY[0..2] OF DINT;\n    p : ARRAY[0..2] OF BOOL;\nEND_VAR\nBEGIN\n\
+        VAR\n    k : ARRAY[0..2] OF LREAL;\n    m : ARRAY[0..2] OF LREAL;\n\
+        \x20   n : ARRAY[0..2] OF DINT;\n    p : ARRAY[0..2] OF BOOL;\nEND_VAR\nBEGIN\n\
         #k[0] := #x;\n#k[1] := #x + #x;\n#k[2] := #k[0] + #k[1];\n#n[1] := #i;\n#p[2] := TRUE;\n\
         #m := #k;\n#k[2] := 0.0;\n#y := #m[UDINT_TO_DINT(#u)];\n#j := #n[#i];\n#q := #p[#i];\nEND_FUNCTION_BLOCK\n";
     let block = block(Dialect::Scl, text, "probe", RealKind::F64);

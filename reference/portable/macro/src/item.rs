@@ -61,7 +61,7 @@ pub fn describe_struct(item: &syn::ItemStruct, rejections: &mut Rejections) -> T
                 #(if place < const { #end } {
                     return ::portable::Portable::leaf(&self.#field, place - const { #first });
                 })*
-                panic!("{} has no scalar {place}", stringify!(#name))
+                panic!("scalar {place} does not exist in {}", stringify!(#name))
             }
 
             fn build(next: &mut dyn FnMut() -> ::portable::Literal) -> Self {
