@@ -16,7 +16,7 @@
 //! sets, is missed with a probability of 1 in 2e9. 46337 is the largest prime whose square fits in an `i32`. A word is never 0.
 
 use crate::precision::is_single;
-use portable::{Real, from_i32, from_u32, in_range, note, portable, truncate, unsigned};
+use portable::{Real, from_i32, in_range, note, portable, truncate, unsigned};
 
 /// A check word that is being formed, a piece at a time.
 #[portable]
@@ -127,18 +127,18 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
 /// Whether the word is the number of the set, and no number has digits that it does not cover.
 #[portable]
 pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
-    let quotient = set_id / 46_337u32;
-    let first = from_u32::<R>(quotient) - from_i32::<R>(forming.first) - R::ONE;
-    let second = from_u32::<R>(set_id % 46_337u32) - from_i32::<R>(forming.second);
-    in_range(first, R::ZERO) && in_range(second, R::ZERO) && in_range(forming.left_over, R::ZERO)
+    set_id == self::set_id(forming) && in_range(forming.left_over, R::ZERO)
 }
 
-/// The word as the number of a set.
+/// The word as the number of a set; 0 if the memory was corrupted.
 #[portable]
 pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
-    let first = positive(forming.first % 46_337i32);
-    let second = positive(forming.second % 46_337i32);
-    let upper = first * 46_337i32;
-    let word = 46_337i32 + upper + second;
-    unsigned(word)
+    let upper = forming.first % 46_337i32 * 46_337i32;
+    let lower = forming.second % 46_337i32 + 46_337i32;
+    let word = upper + lower;
+    let mut set_id = 0u32;
+    if word >= 0i32 {
+        set_id = unsigned(word);
+    }
+    set_id
 }

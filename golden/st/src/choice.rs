@@ -82,26 +82,27 @@ impl Lowering<'_, '_> {
         }
     }
 
-    /// The slot of the value of a `CASE`; `None` after a reported error.
-    fn subject(&mut self, node: Node<'_>) -> Option<u32> {
+    /// The type and the slot of the value of a `CASE`; `None` after a reported error.
+    fn subject(&mut self, node: Node<'_>) -> Option<(Kind, u32)> {
         match self.expression(node)? {
-            Operand::Slot { kind: Kind::Dint, slot, .. } => Some(slot),
+            Operand::Slot { kind: kind @ (Kind::Dint | Kind::Udint), slot, .. } => Some((kind, slot)),
             other => {
                 let found = format!("`CASE` of {}", self.kind_name(other));
-                self.say(node, found, "a DINT");
+                self.say(node, found, "a DINT or UDINT");
                 None
             }
         }
     }
 
     /// The slot of the condition that the value is one of a branch's labels; `before` has the previous labels.
-    fn labels(&mut self, clause: Node<'_>, subject: Option<u32>, before: &mut BTreeSet<i64>) -> u32 {
+    fn labels(&mut self, clause: Node<'_>, subject: Option<(Kind, u32)>, before: &mut BTreeSet<i64>) -> u32 {
+        let (kind, subject) = subject.unzip();
+        let kind = kind.unwrap_or(Kind::Dint);
         let mut any = None;
         for (node, _) in children(clause).into_iter().filter(|(part, _)| part.kind() == "case_value") {
-            let label =
-                self.label(node, before).and_then(|label| self.typed(Operand::Integer(label), Kind::Dint, node));
+            let label = self.label(node, before).and_then(|label| self.typed(Operand::Integer(label), kind, node));
             let (Some((_, label, _)), Some(subject)) = (label, subject) else { continue };
-            let operands = [(Kind::Dint, subject, false), (Kind::Dint, label, false)];
+            let operands = [(kind, subject, false), (kind, label, false)];
             let mut test = self.emit(Code::EqualWord, Kind::Bool, &operands);
             if let (Some(any), Some(own)) = (any, self.typed(test, Kind::Bool, node)) {
                 test = self.emit(Code::Or, Kind::Bool, &[any, own]);

@@ -1,4 +1,4 @@
-//! Replaces a chain of questions for one enumeration, or a long one for one DINT, by a choice: a state machine is then
+//! Replaces a chain of questions for one enumeration, or a long one for one integer, by a choice: a state machine is then
 //! readable as one, and a long chain costs one jump.
 //!
 //! ```text
@@ -87,7 +87,8 @@ fn questions(condition: &Expr, constants: &[Constant], labels: &mut Vec<Expr>) -
     match condition {
         Expr::Binary(Binary::Equal, left, right) => match (&**left, &**right) {
             (Expr::Var(by), label)
-                if variant(label, constants).is_some() || matches!(label, Expr::Literal(Literal::I32(_))) =>
+                if matches!(label, Expr::Literal(Literal::I32(_) | Literal::U32(_)))
+                    || variant(label, constants).is_some() =>
             {
                 labels.push(label.clone());
                 Some(*by)

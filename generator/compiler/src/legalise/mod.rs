@@ -35,10 +35,10 @@ use std::borrow::Cow;
 pub const WITH_OUTPUTS: &[Stage] = &[
     ("settled", settle::run),
     ("early", early::run),
+    ("indexed", rows::run),
     ("chosen", choose::run),
     ("apart", apart::run),
     ("whole", whole::run),
-    ("indexed", rows::run),
 ];
 
 /// The passes for any compiler of Structured Text: digits of an LREAL may be in an expression. Not every one has arrays in an
@@ -80,10 +80,10 @@ const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 16] {
         ("negated", negation::run),
         named,
         ("single", single::run),
+        ("indexed", rows::run),
         ("chosen", choose::run),
         ("shared", share::run),
         ("repeated", repeated::run),
-        ("indexed", rows::run),
     ]
 }
 

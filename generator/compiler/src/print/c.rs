@@ -41,7 +41,7 @@ pub static LANGUAGE: Language = Language {
         label: ["case ", ": case ", ": {"],
         by_name: true,
         others: "default: {",
-        nothing: "",
+        nothing: "default: { /* no action */ break; }",
         ends: ["break;", "}"],
         end: "}",
     },

@@ -6,14 +6,18 @@ use crate::program::{Arm, Expr, Statement, Var};
 
 impl Layout<'_> {
     pub(super) fn choice(&mut self, by: &Expr, arms: &[Arm], declared: &mut [bool]) {
-        let Cases { asks: [before, after], others, nothing, end, .. } = self.printer.language.cases;
+        let Cases { asks: [before, after], others, nothing, ends, end, .. } = self.printer.language.cases;
         self.lines.text(before);
         self.expr(by);
         self.line(after);
         let (last, named) = arms.split_last().expect("print: a choice has arms");
         for arm in named {
+            let begin = self.lines.begin();
             self.line(&self.labels(&arm.labels));
             self.arm(&arm.body, declared);
+            if ends == [""; 2] && arm.body.iter().all(|inner| matches!(inner, Statement::Assign { .. })) {
+                self.lines.join(begin);
+            }
         }
         if !last.body.is_empty() {
             let [open, _, close] = self.printer.language.comment;

@@ -49,6 +49,26 @@ impl Lines {
         self.begin = self.text.len();
     }
 
+    /// The position at which the present line begins.
+    pub(super) fn begin(&self) -> usize {
+        self.begin
+    }
+
+    /// Joins the lines from a position on, if they fit into one.
+    pub(super) fn join(&mut self, begin: usize) {
+        let mut lines = self.text[begin..].lines();
+        let mut joined = lines.next().unwrap_or_default().to_owned();
+        lines.for_each(|line| {
+            joined.push(' ');
+            joined.push_str(line.trim_start());
+        });
+        if joined.len() <= WIDTH {
+            self.text.truncate(begin);
+            self.text.push_str(&joined);
+            self.end();
+        }
+    }
+
     /// A blank, or a new line if the part that begins here does not fit into the present one.
     pub(super) fn begin_part(&mut self) -> usize {
         let blank = self.text.len();

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   954c5caf43e2d0305eb22a6f3832c66d
- * checksum    6ff7d9ca0bf9dd38aa5c634747def6a0
+ * structure   b41c8775ed9e21387de39080522e0626
+ * checksum    a7c982b6e6654596a2ec8699e4440d07
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -231,27 +231,41 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                 } else {
                     const uint32_t turn_2 = state->check_turn;
                     state->check_picked_role = role_coefficient;
-                    if (turn_2 == 0u) {
+                    switch (turn_2) {
+                    case 0u: {
                         state->check_picked_number = inputs->params->limit;
                         state->check_picked_role = role_limit;
-                    } else if (turn_2 == 1u) {
+                        break;
+                    }
+                    case 1u: {
                         state->check_picked_number = inputs->params->lower_limit;
                         state->check_picked_role = role_lower_limit;
-                    } else if (turn_2 == 2u) {
+                        break;
+                    }
+                    case 2u: {
                         state->check_picked_number = inputs->params->sum_limit;
                         state->check_picked_role = role_sum_limit;
-                    } else if (turn_2 == 3u) {
+                        break;
+                    }
+                    case 3u: {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                    } else if (turn_2 == 4u) {
+                        break;
+                    }
+                    case 4u: {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                    } else if (turn_2 == 5u) {
+                        break;
+                    }
+                    case 5u: {
                         state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
                         state->check_picked_role = role_c;
-                    } else if (turn_2 == 6u) {
+                        break;
+                    }
+                    case 6u: {
                         state->check_picked_number = inputs->params->stage0_gain;
                         state->check_picked_role = role_gain;
-                    } else {
-                        /* no action */
+                        break;
+                    }
+                    default: { /* no action */ break; }
                     }
                 }
                 if (state->check_turn < 7u) {
@@ -344,13 +358,19 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                         }
                         if (check_is_done) {
                             const uint32_t check_set_id = state->check_set_id;
-                            const uint32_t check_quotient = check_set_id / 46337u;
-                            const float check_first = (float)check_quotient - (float)state->check_forming_first - 1.0f;
-                            const float check_second =
-                                (float)(check_set_id % 46337u) - (float)state->check_forming_second;
+                            const int32_t check_upper =
+                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)46337);
+                            const int32_t check_lower =
+                                (int32_t)((uint32_t)(state->check_forming_second % 46337) + (uint32_t)46337);
+                            const int32_t check_word = (int32_t)((uint32_t)check_upper + (uint32_t)check_lower);
+                            uint32_t check_set_id_2;
+                            if (check_word >= 0) {
+                                check_set_id_2 = (uint32_t)check_word;
+                            } else {
+                                check_set_id_2 = 0u;
+                            }
                             const bool check_is_word =
-                                axis_x_ipc_is_zero(check_first) && axis_x_ipc_is_zero(check_second)
-                                    && axis_x_ipc_is_zero(state->check_forming_left_over);
+                                check_set_id == check_set_id_2 && axis_x_ipc_is_zero(state->check_forming_left_over);
                             if (check_is_word) {
                                 refusal_found = AXIS_X_IPC_ERROR_NONE;
                             } else {

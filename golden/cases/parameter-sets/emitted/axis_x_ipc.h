@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   954c5caf43e2d0305eb22a6f3832c66d
- * checksum    83c14f051435d6ad0c11dd5450a812ed
+ * structure   b41c8775ed9e21387de39080522e0626
+ * checksum    0243d7de0862f47f7c1a94556eca8b57
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x954c5cafu
-#define AXIS_X_IPC_STRUCTURE_1 0x43e2d030u
-#define AXIS_X_IPC_STRUCTURE_2 0x5eb22a6fu
-#define AXIS_X_IPC_STRUCTURE_3 0x3832c66du
+#define AXIS_X_IPC_STRUCTURE_0 0xb41c8775u
+#define AXIS_X_IPC_STRUCTURE_1 0xed9e2138u
+#define AXIS_X_IPC_STRUCTURE_2 0x7de39080u
+#define AXIS_X_IPC_STRUCTURE_3 0x522e0626u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

@@ -25,6 +25,16 @@ fn without_an_else_nothing_may_be_done() {
     assert_eq!(found(&text, &[0, 3, 1, 2, -7, i32::MIN]), [10, 10, 20, 20, 40, 40].map(Literal::I32));
 }
 
+#[test]
+fn the_number_may_be_a_udint() {
+    let text = TEXT.replace(" : DINT;", " : UDINT;").replace("-3", "4000000000").replace("-7", "9");
+    let block = block(Dialect::Plain, &text, "probe", RealKind::F64);
+    let whole = Literal::U32(0);
+    let samples = [0, 1, 4_000_000_000, 16, 7, 9, 3].map(|n| vec![Literal::U32(n)]);
+    let found = answers(&block, &[("n", whole)], &samples, &[("y", whole)], &[]).concat();
+    assert_eq!(found, [10, 20, 20, 20, 30, 40, 50].map(Literal::U32));
+}
+
 pub const SCL: &str = include_str!("forms/case.scl");
 
 /// Where a branch gives it none: `refused/changes/scl_case.txt`.
