@@ -278,9 +278,10 @@ codes! {
         "In velocity control the drive gets its velocity command in the scaling of P-AXIS-00205 to 00207, whose numerator \
          (P-AXIS-00206) is 0.";
     LOOP_LAG = "AX331", "a position lag near half a revolution",
-        "Position control in the CNC takes the lag the shortest way: at half a revolution it would turn the spindle the other \
-         way. The lag is (1 - w) v / Kv; the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger \
-         Kv (P-AXIS-00099), if the drive follows it, or a lower v_velocity_control_on.";
+        "Position control takes the lag the shortest way: at half a revolution it would turn the spindle the other way. The lag \
+         is (1 - w) v / Kv. In the CNC it counts up to Von, and the block spindle_axis stops the spindle with error_id 48 at \
+         170 deg. In the drive it counts where position control is taken up, at Voff. Write a larger Kv (P-AXIS-00099), if the \
+         drive follows it, a lower v_velocity_control_on in the CNC, a lower v_position_control_on in the drive.";
     NOT_RISING = "AX332", "frequencies of a response that do not rise",
         "The lines are sorted by frequency, and each frequency stands once. Two measurements in one file, one after the \
          other, look like that.";
@@ -340,6 +341,11 @@ codes! {
         "With tunable = \"parameters\" the controller designs sets for any f0 from lowest_f0 on. The fade lasts at least one period \
          of lowest_f0, and the watch counts in its periods: both are part of the code of the block, so no set changes them. Write \
          the lowest f0 that anybody may type, at or below every f0 of the set. A lower one makes the fade longer.";
+    WINDOW_BEYOND = "AX349", "a window in which a spindle is taken into position control above Von",
+        "Position control begins at up to Voff (P-AXIS-00768) + spindle.window, and ends at Von (P-AXIS-00767): the spindle \
+         would be taken into position control faster than it leaves it. Without spindle.window the window is at least two steps of \
+         the encoder (P-AXIS-00234/00233) in a cycle: a short cycle and an encoder with few increments make it wide. Write a \
+         larger Von, a smaller spindle.window, a longer cycle, or use an encoder with more increments.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -482,6 +488,10 @@ codes! {
     NOT_IN_SET = "AX447", "a change that no parameter set carries",
         "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below \
          which a sum counts as 0, the other blocks of the axis. Generate the blocks anew where they are to follow.";
+    LAG_TAKEN_UP = "AX448", "a position lag near half a revolution where position control is taken up",
+        "The drive can take up position control at up to Voff + window: a spindle that turns when its drive comes on has any speed \
+         up to that. The lag (1 - w) v / Kv that the drive needs there reaches 170 deg; from 180 deg on the drive turns the \
+         spindle the other way. Write a lower v_position_control_on, a smaller window, or a larger Kv, if the drive has it.";
     LAG_ALONE = "AX449", "a position lag near half a revolution without feedforward",
         "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v \
          / Kv, and the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a \
@@ -581,6 +591,11 @@ codes! {
          P-AXIS-00234 and 00233, and nothing else of it is taken. TwinCAT omits defaults from its files, and axgen \
          does not know them: write these values. The cycle time is that of the SAF task, which a file of one axis \
          does not hold. Stages of improved position control do not exist in the NC: write them in the set.";
+    WIDE_WINDOW = "AX479", "a window wider than the velocity that it belongs to",
+        "Position control begins when the spindle is within spindle.window of Voff (P-AXIS-00768), so that it can begin at more \
+         than twice Voff, with a jerk of that size. Without spindle.window the window is at least two steps of the encoder \
+         (P-AXIS-00234/00233) in a cycle: 1024 increments per turn and 250 us make 468.75 rpm. Write a larger Voff, use a longer \
+         cycle or an encoder with more increments, or write a smaller spindle.window, if the encoder allows it.";
     OTHER_INTERVAL = "AX480", "a recording of another interval than the block's cycle",
         "A sample is one cycle of the block. The header or the column of times says that these columns were sampled at other \
          times. Record them in the task of the block with its cycle, or leave them out with --map NAME=-. A column of times \
@@ -591,6 +606,7 @@ codes! {
     PROVES_NOTHING = "AX482", "a recording that proves nothing",
         "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with \
          mode ON, from a cycle on in which the block is at rest, with the outputs that the move changes.";
+
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \

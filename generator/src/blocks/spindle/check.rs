@@ -1,7 +1,7 @@
 //! The rules of a spindle that changes between position and velocity control, and the condition for an axis to be one.
 
-use super::velocities::{self, VELOCITIES};
-use super::{in_drive, limits};
+use super::velocities::{self, VELOCITIES, Velocities};
+use super::{in_drive, lag, limits, window};
 use crate::axis::{Changeover, Feedforward, Location, Spindle};
 use crate::config::values::key;
 use crate::parameters::words::{AxisType, DriveType, Words};
@@ -76,17 +76,17 @@ pub(crate) fn check(
         drive.location != Location::Cnc && velocities.as_ref().is_some_and(|of| of.on.value == 0 && of.off.value == 0);
     let kv = if is_alone { Some(0) } else { e.integer((Name::Kv, [drive.gear, 0])) };
     let deceleration = e.real(key(Name::SpindleDeceleration));
-    let window = limits::settled_window(e, cycle_time, drive.gear, velocities.as_ref().map(|of| of.off));
+    let changing = velocities.as_ref().filter(|_| !is_alone);
+    let window = window::settled(e, cycle_time, drive.gear, changing);
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
         (Some(in_cnc(e, feedforward)), Some(0))
     } else {
         (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
     };
-    if let (Some(Changeover::Cnc { feedforward, default_active }), Some(of), Some(kv)) = (&changeover, &velocities, kv)
-    {
-        let weight = feedforward.map_or(0.0, |weight| weight.value());
-        limits::lag(e, of, (Name::Kv, [drive.gear, 0]), kv, (weight, feedforward.is_none() || *default_active));
+    if let (Some(changeover), Some(of), Some(kv), Some(window)) = (&changeover, changing, kv, window) {
+        let gain = lag::Gain { key: (Name::Kv, [drive.gear, 0]), kv };
+        lags(e, changeover, of, window, gain);
     }
     let is_in_drive = drive.location != Location::Cnc;
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
@@ -107,6 +107,20 @@ pub(crate) fn check(
         mode_timeout_ns: mode_timeout_ns?,
         brake_timeout_ns: brake_timeout_ns?,
     })
+}
+
+/// The position lag, of the loop in the CNC or where the drive takes up position control.
+fn lags(e: &mut Effective<'_>, changeover: &Changeover, of: &Velocities, least_window: f64, gain: lag::Gain) {
+    match changeover {
+        Changeover::Cnc { feedforward, default_active } => {
+            let weight = feedforward.map_or(0.0, |weight| weight.value());
+            lag::in_cnc(e, of, gain, (weight, feedforward.is_none() || *default_active));
+        }
+        Changeover::Drive { feed_forward_v_weighting, .. } => {
+            let part = (1.0 - f64::from(*feed_forward_v_weighting) / 1000.0).abs();
+            lag::in_drive(e, of, limits::window(of.off.value, least_window), gain, part);
+        }
+    }
 }
 
 /// An axis without a changeover: the rules of every spindle whose drive controls the position, and operation modes that it

@@ -1,10 +1,10 @@
 //! Limits from the cycle time and the deceleration: half a revolution per cycle, and the times of the changeover.
 
-use super::velocities::{Velocities, Velocity, asks};
+use super::velocities::{Velocities, asks};
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, time_text};
-use crate::rules::{drive, effective::Effective};
-use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded};
+use crate::rules::effective::Effective;
+use crate::{codes, diagnostics::Diagnostic, number::rounded};
 use portable::Extreme;
 
 /// Half a revolution [0.001 deg]: a drive cannot detect the direction of a longer movement.
@@ -22,86 +22,6 @@ pub(super) fn rpm(velocity: f64) -> f64 {
 /// Half the width of the window around the velocity of position control [0.001 deg/s].
 pub(super) fn window(off: u32, least: f64) -> f64 {
     (f64::from(off) / 100.0).larger(least)
-}
-
-/// The lag at which the block opens its loop [0.001 deg].
-const LARGEST_LAG: f64 = 170_000.0;
-
-/// Checks that the lag of a loop in the CNC stays below half a revolution. `weight` is that of its feedforward, followed by
-/// whether it is always active.
-pub(super) fn lag(e: &mut Effective<'_>, of: &Velocities, kv_key: Key, kv: u32, (weight, is_always): (f64, bool)) {
-    let slower = if of.on.value <= of.largest.value { of.on } else { of.largest };
-    let velocity = f64::from(slower.value);
-    let gain = f64::from(kv) / 100.0;
-    let lag_of = |weight: f64| (1.0 - weight).abs() * velocity / gain;
-    let (code, part) = match () {
-        () if lag_of(weight) >= LARGEST_LAG => (codes::LOOP_LAG, (1.0 - weight).abs()),
-        () if !is_always && lag_of(0.0) >= LARGEST_LAG => (codes::LAG_ALONE, 1.0),
-        () => return,
-    };
-    let how = if code == codes::LAG_ALONE { ", without feedforward" } else { "" };
-    let found = format!(
-        "the position lag at {} rpm is {} deg{how}: {} is {}, {} is {kv}",
-        rpm(velocity),
-        rounded(part * velocity / gain / 1000.0),
-        e.title(slower.key),
-        slower.value,
-        e.title(kv_key)
-    );
-    let at = if e.given(slower.key).is_some() { slower.key } else { kv_key };
-    let place = e.place_near(at, asks);
-    let largest = (LARGEST_LAG * gain / part).floor();
-    let smallest = (part * velocity / LARGEST_LAG * 100.0).floor() + 1.0;
-    let said = match code {
-        codes::LOOP_LAG => Diagnostic::error(code, place, found),
-        _ => Diagnostic::warning(code, place, found),
-    };
-    let said = said.allowed("a lag below 170 deg: (1 - w) v / Kv");
-    e.report.push(said.instead(format!(
-        "v_velocity_control_on {largest} or less, or getriebe[{}].kv {smallest} or more",
-        kv_key.1[0]
-    )));
-}
-
-/// Twice the velocity of one encoder increment per cycle [0.001 deg/s]; `None` if the list has no path resolution.
-pub(super) fn two_steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Option<f64> {
-    let [num, denom] = [Name::WegaufZ, Name::WegaufN].map(|name| (name, [gear, 0]));
-    if e.given(num).is_none() || e.given(denom).is_none() {
-        return None;
-    }
-    let resolution = scale::resolution(&drive::resolution(e, gear)?);
-    // In increments per 0.0001 deg.
-    let step = 0.1 / resolution * 1e9 / f64::from(cycle_ns);
-    // The quotient is rounded, so that it is a number that a list can contain.
-    (resolution > 0.0).then_some((2.0 * step * 1e3).round() / 1e3)
-}
-
-/// The window in use: by default from the encoder's steps, else the given one, which must be large enough.
-pub(super) fn settled_window(
-    e: &mut Effective<'_>,
-    cycle_ns: Option<u32>,
-    gear: u32,
-    off: Option<Velocity>,
-) -> Option<f64> {
-    let at = key(Name::SpindleWindow);
-    let least = e.real(at)?;
-    let Some(steps) = cycle_ns.and_then(|ns| two_steps(e, ns, gear)) else { return Some(least) };
-    if e.given(at).is_none() {
-        return Some(least.larger(steps));
-    }
-    let holds = window(off.map_or(0, |off| off.value), least);
-    if holds < steps {
-        let found = format!(
-            "{} is {}, {} rpm: two steps of the encoder are {} rpm",
-            e.title(at),
-            rounded(least),
-            rpm(holds),
-            rpm(steps)
-        );
-        let instead = format!("spindle.window = {}, or without it", steps.ceil());
-        e.warn(codes::NARROW_WINDOW, at, found, instead);
-    }
-    Some(least)
 }
 
 /// A spindle without a changeover whose drive controls the position: checks its largest velocity, if given.
@@ -239,7 +159,12 @@ fn countable(e: &mut Effective<'_>, name: Name, timeout: u64, cycle: u64) {
     }
     let at = key(name);
     let how = if e.given(at).is_some() { "is" } else { "has its default," };
-    let found = format!("{} {how} {}, {} cycles", e.title(at), time_text(timeout), timeout.div_ceil(cycle));
+    let time = match timeout {
+        // The ramp saturates.
+        u64::MAX => "more than 500 years".to_owned(),
+        _ => format!("{}, {} cycles", time_text(timeout), timeout.div_ceil(cycle)),
+    };
+    let found = format!("{} {how} {time}", e.title(at));
     // The default of the brake timeout follows from the deceleration.
     let is_given = e.given(at).is_some() || name != Name::SpindleBrakeTimeout;
     let place = e.place_of(if is_given { at } else { key(Name::SpindleDeceleration) });

@@ -6,10 +6,12 @@ pub(crate) mod design;
 mod diff;
 mod drill;
 mod in_drive;
+mod lag;
 mod limits;
 pub(crate) mod notes;
 mod offered;
 mod velocities;
+mod window;
 pub(crate) mod words;
 
 use super::{BlockKind, Design, Drill, Summary, effects::Effects};
