@@ -326,7 +326,8 @@ codes! {
         "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle \
          before (or is the drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of \
          order n; with a large weight the loop is lost where the gain is still 1 and the phase has turned by 180. Write the \
-         smaller weight, a higher damping ratio or q_factor, a lower order. A stage whose all-pass is made for the lag of a \
+         smaller weight, a higher damping ratio or q_factor, a lower order. Where the position loop oscillates without any stage, \
+         the message names Kv (P-AXIS-00099) instead. A stage whose all-pass is made for the lag of a \
          real drive is stable on that drive only: state it (drive.delay, drive.time_constant, or drive.response with a measured \
          response), or start with DRYRUN. On a test stand without a machine the key accept_unstable makes a warning of it.";
 
@@ -346,6 +347,11 @@ codes! {
          would be taken into position control faster than it leaves it. Without spindle.window the window is at least two steps of \
          the encoder (P-AXIS-00234/00233) in a cycle: a short cycle and an encoder with few increments make it wide. Write a \
          larger Von, a smaller spindle.window, a longer cycle, or use an encoder with more increments.";
+    KV_UNSTABLE = "AX350", "a gain of the position controller with which its loop is unstable",
+        "What the position controller in the CNC commands in a cycle is read back a cycle later at the earliest. With Kv \
+         (P-AXIS-00099) and the cycle time T the loop is stable below Kv T = 2 sin(90 deg / (2 d + 1)), where d is the delay in \
+         cycles: 1 with an ideal drive, 0.618 with two cycles. The delay is drive.delay, or else P-AXIS-00191, or else one cycle; \
+         drive.time_constant counts too. The unit of P-AXIS-00099 is 0.01/s: 2000 is 20/s. Write the gain of the machine.";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -607,6 +613,11 @@ codes! {
         "Any block agrees with a recording in which nothing moves, or in which the mode is OFF throughout. Record a move with \
          mode ON, from a cycle on in which the block is at rest, with the outputs that the move changes.";
 
+    KV_NEAR = "AX483", "a gain of the position controller with little phase margin",
+        "The position loop in the CNC is an integrator with the delay of its drive. With an ideal drive, one cycle, it is \
+         unstable from Kv T = 1 on, and up to Kv T = 2 sin(10 deg) = 0.347 it keeps a phase margin of 60 deg, with which a step \
+         overshoots by about 5 %. AX350 says how other delays count. A real drive is slower and has less: write a smaller Kv \
+         (P-AXIS-00099), or use a shorter cycle.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \

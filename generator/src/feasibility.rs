@@ -24,7 +24,7 @@ pub(crate) fn validate(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
         gear::advise(axis, e);
         assumed::advise(axis, gear, e);
         units::advise(axis, gear, e);
-        ipc::advise(designed, e);
+        ipc::advise(designed, gear, e);
         feedforward::inert(axis, gear, e);
         inert::advise(axis, gear, e);
         feedforward::advise(axis, e);

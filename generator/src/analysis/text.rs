@@ -16,14 +16,16 @@ const WORTH_A_TRY: f64 = 20.0;
 pub fn text(designed: &Designed) -> String {
     let axis = &designed.axis;
     let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
-    let position = match axis.drive.position_gain {
+    let Analysis { drives } = analyze(designed, &axis.drive);
+    // Without a stage the drive does not matter, and its gain is that of the axis.
+    let of_axis = axis.control.kv.filter(|_| drives.is_empty()).map(|kv| f64::from(kv) / 100.0);
+    let position = match axis.drive.position_gain.or(of_axis) {
         Some(gain) => format!("position loop with Kv {}/s", significant(gain, 4)),
         None => "without its position loop: Kv (P-AXIS-00099) is not given".to_owned(),
     };
     let mut lines = vec![format!("axis {}: cycle {cycle} us, {position}", axis.name)];
-    let Analysis { drives } = analyze(designed, &axis.drive);
     if drives.is_empty() {
-        lines.push("  no stage looks at v_motor: no loop is closed".to_owned());
+        lines.push("  no stage looks at v_motor: the stages close no loop".to_owned());
     }
     lines.extend(drives.iter().flat_map(of_drive));
     if let Some(first) = drives.first() {

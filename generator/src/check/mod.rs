@@ -187,8 +187,9 @@ fn control(
     let has_feedforward = feedforward.as_ref().and_then(Presence::as_present);
     e.block = Some(POSITION_CONTROL);
     e.integer(v_max);
-    let position_control =
-        feedforward.as_ref().and_then(|_| position_control::check(e, &drive, ipc, has_feedforward, master.is_some()));
+    let position_control = feedforward
+        .as_ref()
+        .and_then(|_| position_control::check(e, (&drive, cycle_time), ipc, has_feedforward, master.is_some()));
     e.block = Some(SPINDLE);
     let spindle = match changes_over {
         true => spindle::check(e, cycle_time, &drive, has_feedforward, master.is_some()).map(Presence::Present),

@@ -15,6 +15,7 @@ mod list;
 mod looks_wrong;
 mod messages;
 mod phase;
+mod position_loop;
 mod set;
 mod spellings;
 mod spindle_limits;

@@ -87,7 +87,7 @@ fn effect(designed: &Designed) -> Section {
 fn in_loop(designed: &Designed) -> Section {
     let analysis = analysis::analyze(designed, &designed.axis.drive);
     let lines = match analysis.drives.is_empty() {
-        true => vec!["no stage looks at v_motor: no loop is closed".to_owned()],
+        true => vec!["no stage looks at v_motor: the stages close no loop".to_owned()],
         false => Vec::new(),
     };
     let pictures = golden::analysis::picture(designed, &analysis).into_iter().collect();

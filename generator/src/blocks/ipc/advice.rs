@@ -27,7 +27,7 @@ const SLOW: f64 = 5000.0;
 const SLOW_SPINDLE: f64 = 60_000.0;
 
 /// Warns of what a user should know before the block acts.
-pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
+pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     whole(axis, e);
     for (i, design) in (0..STAGES).zip(&designed.stage) {
@@ -45,7 +45,7 @@ pub(crate) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     }
     overlaps(designed, e);
     never_acts::advise(axis, e);
-    unstable::advise(designed, e);
+    unstable::advise(designed, gear, e);
 }
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {

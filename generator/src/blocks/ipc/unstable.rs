@@ -4,19 +4,20 @@ use super::closed_loop::{Known, points, stages};
 use crate::axis::Enable;
 use crate::blocks::designed::Designed;
 use crate::codes;
-use crate::config::values::key;
+use crate::config::values::{Key, key};
 use crate::number::{down_to, significant};
 use crate::parameters::Name;
 use crate::parameters::words::{Boolean, Words};
 use crate::rules::effective::{Effective, as_written};
-use stability::{Loop, MAX_MS};
+use stability::{Loop, MAX_MS, STAGES};
+use std::slice::from_ref;
 
 /// Analyses the loop with the ideal drive, and with the one that the set states.
 ///
 /// The ideal drive does exactly what was commanded one cycle before; no machine can be faster. A loop that is unstable with
 /// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
 /// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`).
-pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
+pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     let axis = &designed.axis;
     if axis.control.master.is_some() {
         // A gantry slave's block never acts.
@@ -29,12 +30,46 @@ pub(super) fn advise(designed: &Designed, e: &mut Effective<'_>) {
     // The stated drive comes first, the ideal one last.
     let judged = drives.iter().map(|drive| Loop::new(&points, drive.drive()));
     if let Some((n, closed)) = judged.enumerate().find(|(_, closed)| !closed.is_stable()) {
-        let is_last = n + 1 == drives.len();
+        let what = if n + 1 == drives.len() { IDEAL } else { STATED };
         // A stated drive with which the loop is stable replaces the consent.
-        say(designed, e, &closed, if is_last { IDEAL } else { STATED }, is_error && n == 0);
+        let is_error = is_error && n == 0;
+        match axis.drive.position_gain.filter(|_| !closed.with([0.0; STAGES]).is_stable()) {
+            Some(gain) => without_stages(designed, e, (gain, gear), (&drives[n], what), is_error),
+            None => say(designed, e, &closed, what, is_error),
+        }
     }
 }
 
+/// Reports a position loop that is unstable without any stage: the largest of the halved gains with which it is well damped.
+fn without_stages(
+    designed: &Designed,
+    e: &mut Effective<'_>,
+    (gain, gear): (f64, u32),
+    (drive, what): (&Known, &str),
+    is_error: bool,
+) {
+    let is_calm = |gain: f64| {
+        let points = points(designed, from_ref(drive), Some(gain));
+        let closed = points.as_ref().map(|points| Loop::new(points, drive.drive()).with([0.0; STAGES]).margins());
+        closed.and_then(|margins| margins.ms).is_some_and(|[ms, _]| ms <= MAX_MS)
+    };
+    let mut halved = std::iter::successors(Some(gain / 2.0), |gain| Some(gain / 2.0)).take(HALVINGS);
+    let calm = halved.find(|gain| is_calm(*gain)).map(|gain| (gain * 100.0).floor());
+    let found = format!(
+        "the position loop with Kv {}/s (P-AXIS-00099) makes {what} oscillate, without any stage",
+        significant(gain, 4)
+    );
+    let instead = match calm.filter(|kv| *kv >= 1.0) {
+        Some(kv) => {
+            format!("getriebe[{gear}].kv {kv} or less, up to which the loop without stages stays calm (Ms <= {MAX_MS})")
+        }
+        None => format!("a smaller getriebe[{gear}].kv: no weight of a stage makes the loop stable"),
+    };
+    report(e, (Name::Kv, [gear, 0]), found, instead, is_error);
+}
+
+/// 2^-40 of a gain has no effect.
+const HALVINGS: usize = 40;
 const IDEAL: &str = "a drive that does exactly what was commanded one cycle before";
 const STATED: &str = "the drive that the set states";
 
@@ -72,15 +107,19 @@ fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str
         };
         let number = u32::try_from(i).expect("design: there are three stages");
         let place = (Name::WeightFactNum, [number, 0]);
-        if is_error {
-            let enable = key(Name::Enable);
-            let dry_run = as_written(&e.place_of(enable), enable, &[Enable::DryRun.name()]);
-            let allowed = "a block that starts ON, if its loop is stable with the drive that the set states (drive.delay, \
-                           drive.time_constant, drive.response), or else with the ideal one";
-            let instead = format!("{instead}; or {dry_run} until the drive is measured");
-            e.refuse(codes::UNSTABLE, place, found, [Some(allowed.to_owned()), Some(instead)]);
-        } else {
-            e.warn(codes::WOULD_BE_UNSTABLE, place, found, Some(instead));
-        }
+        report(e, place, found, instead, is_error);
     }
+}
+
+/// An error where the block starts ON, else a warning.
+fn report(e: &mut Effective<'_>, place: Key, found: String, instead: String, is_error: bool) {
+    if !is_error {
+        return e.warn(codes::WOULD_BE_UNSTABLE, place, found, Some(instead));
+    }
+    let enable = key(Name::Enable);
+    let dry_run = as_written(&e.place_of(enable), enable, &[Enable::DryRun.name()]);
+    let allowed = "a block that starts ON, if its loop is stable with the drive that the set states (drive.delay, \
+                   drive.time_constant, drive.response), or else with the ideal one";
+    let instead = format!("{instead}; or {dry_run} until the drive is measured");
+    e.refuse(codes::UNSTABLE, place, found, [Some(allowed.to_owned()), Some(instead)]);
 }

@@ -1,5 +1,6 @@
 //! The rules of position control, and the condition for an axis to get it.
 
+use super::gain;
 use crate::axis::{Enable, Feedforward, Ipc, Location, PositionControl, Ratio, Resolution, Width};
 use crate::diagnostics::{Diagnostic, Severity};
 use crate::parameters::{Name, Value};
@@ -14,7 +15,7 @@ use crate::{codes, config::values::key};
 /// adds.
 pub(crate) fn check(
     e: &mut Effective<'_>,
-    drive: &Drive,
+    (drive, cycle_time): (&Drive, Option<u32>),
     ipc: Option<&Ipc>,
     feedforward: Option<&Feedforward>,
     is_slave: bool,
@@ -35,6 +36,9 @@ pub(crate) fn check(
     let velocity = drive.velocity(e, additive || adds)?.present();
     let leads = feedforward.is_some_and(|feedforward| feedforward.conventional.any());
     let kv = if drive.location == Location::Cnc || leads { e.integer(kv_key) } else { Some(0) };
+    if let (Location::Cnc, Some(kv), Some(cycle_ns)) = (drive.location, kv, cycle_time) {
+        gain::check(e, cycle_ns, kv_key, kv);
+    }
     let gear = drive.gear;
     let (multi_gain, command) = if drive.location == Location::Cnc {
         let multi_gain = ratio(e, (Name::MultiGainZ, [gear, 0]), (Name::MultiGainN, [gear, 0]));

@@ -4,6 +4,7 @@ pub(crate) mod advice;
 pub(crate) mod check;
 pub(crate) mod design;
 mod diff;
+mod gain;
 pub(crate) mod notes;
 
 use super::{BlockKind, Design, Summary, effects::Effects};
