@@ -352,6 +352,10 @@ codes! {
          (P-AXIS-00099) and the cycle time T the loop is stable below Kv T = 2 sin(90 deg / (2 d + 1)), where d is the delay in \
          cycles: 1 with an ideal drive, 0.618 with two cycles. The delay is drive.delay, or else P-AXIS-00191, or else one cycle; \
          drive.time_constant counts too. The unit of P-AXIS-00099 is 0.01/s: 2000 is 20/s. Write the gain of the machine.";
+    SWAPPED_MODES = "AX351", "operation modes of a CANopen drive the wrong way round",
+        "P-AXIS-00463 is the mode of position control, 8 (cyclic synchronous position mode), and P-AXIS-00464 that of velocity \
+         control, 9 (cyclic synchronous velocity mode). Swapped, the drive would take each command for the other one. One manual \
+         prints `CSP(9)` for the velocity mode, which is CSV(9).";
 
     NO_STAGE = "AX401", "no stage is active",
         "Improved position control does nothing; without feedforward and position control the block is generated all the same, \
@@ -618,6 +622,18 @@ codes! {
          unstable from Kv T = 1 on, and up to Kv T = 2 sin(10 deg) = 0.347 it keeps a phase margin of 60 deg, with which a step \
          overshoots by about 5 %. AX350 says how other delays count. A real drive is slower and has less: write a smaller Kv \
          (P-AXIS-00099), or use a shorter cycle.";
+    COARSE_COMMAND = "AX484", "a velocity command of less than one increment",
+        "The velocity command of the drive is rounded to whole increments: 0 or 1 here, at the velocity of the change to position \
+         control, or at the largest one. The scaling is P-AXIS-00205 to 00207, with position control in the CNC P-AXIS-00129 and \
+         00128. Write the scaling of the drive.";
+    OTHER_MODE = "AX485", "an operation mode of a CANopen drive for another purpose",
+        "The changeover sends a new command in each cycle. The modes for that are 8, the cyclic synchronous position mode \
+         (P-AXIS-00463), and 9, the cyclic synchronous velocity mode (P-AXIS-00464). The manual allows any number, because \
+         manufacturers have modes of their own; the manual of the drive says whether this one takes a command in each cycle.";
+    LIMITS_NOTHING = "AX486", "a limit of a changeover that limits nothing",
+        "The value is so large that what it limits never reaches it: a deceleration with which the spindle stops within a \
+         cycle, a takeover window of half a revolution, a time of more than 10 s for the change of the operation mode. Write a value that \
+         fits the machine.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \

@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Spindle};
 use crate::config::values::{Key, key};
-use crate::parameters::Name;
+use crate::parameters::{Name, time_text};
 use crate::{codes, number::rounded, rules::effective::Effective};
 use portable::Extreme;
 
@@ -17,6 +17,10 @@ const LONGEST_RAMP: f64 = 100.0;
 /// Hardly any drive reaches a smaller window [0.001 deg/s], and no takeover a smaller one [0.001 deg].
 const SMALL_WINDOW: f64 = 600.0;
 const SMALL_TAKEOVER: f64 = 10.0;
+/// Half a revolution [0.001 deg]: no angle is further away.
+const EVERY_ANGLE: f64 = 180_000.0;
+/// Every drive answers sooner [ns].
+const LONGEST_ANSWER: u64 = 10_000_000_000;
 /// 1/s: every axis has a larger gain [0.01/s].
 const SLOW_KV: u32 = 100;
 /// 1 (m/min)/mm [0.01/s].
@@ -42,6 +46,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     }
     braking(axis, spindle, e);
     windows(spindle, e);
+    limits_nothing(axis, spindle, e);
 }
 
 /// Warns that a number is 6000 times too small if it was meant in rpm.
@@ -80,6 +85,39 @@ fn windows(spindle: &Spindle, e: &mut Effective<'_>) {
         let instead = format!("{}, if {value} deg is meant: the unit is 0.001 deg", value * 1e3);
         e.warn(codes::SPINDLE_UNIT, takeover, found, instead);
     }
+}
+
+/// Warns of limits of the changeover that are so large that they limit nothing.
+fn limits_nothing(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
+    let [deceleration, takeover, timeout] =
+        [Name::SpindleDeceleration, Name::SpindleTakeoverWindow, Name::SpindleModeTimeout].map(key);
+    let mut warn = |at: Key, is_beyond: bool, value: String, effect: &str, instead: &str| {
+        if is_beyond && e.given(at).is_some() {
+            let found = format!("{} is {value}: {effect}", e.title(at));
+            e.warn(codes::LIMITS_NOTHING, at, found, instead.to_owned());
+        }
+    };
+    warn(
+        deceleration,
+        spindle.deceleration * axis.cycle_time() >= axis.ipc.v_max,
+        spindle.deceleration.to_string(),
+        "the velocity command goes from vb_max to 0 in one cycle",
+        "the deceleration of the machine: 6000000 is 1000 rpm/s",
+    );
+    warn(
+        takeover,
+        spindle.takeover_window >= EVERY_ANGLE,
+        spindle.takeover_window.to_string(),
+        "no step of the position command is larger, so that error 46 never occurs",
+        "a smaller angle: 1000 is 1 deg",
+    );
+    warn(
+        timeout,
+        spindle.mode_timeout_ns > LONGEST_ANSWER,
+        time_text(spindle.mode_timeout_ns),
+        "a drive that does not change its mode is not noticed before",
+        "spindle.mode_timeout = \"0.1s\"",
+    );
 }
 
 /// Warns of a gain of the position controller in 1/s.

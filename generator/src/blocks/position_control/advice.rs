@@ -75,12 +75,23 @@ fn kv_default(gear: u32, e: &mut Effective<'_>) {
 fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effective<'_>) {
     if control.location == Location::Cnc {
         let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
-        let scaling = (scale::manipulated(control.multi_gain), control.command);
-        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
+        let per_velocity = scale::manipulated(control.multi_gain);
+        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), (per_velocity, control.command));
+        resolves(axis, e, [keys[1], (Name::MultiGainN, [gear, 0])], slowest(axis), per_velocity);
     }
     if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
         let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
         fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
+    }
+}
+
+/// The lowest velocity that the axis must be able to command: that of the change to position control, else the largest.
+pub(crate) fn slowest(axis: &Axis) -> (&'static str, f64) {
+    let off = axis.control.spindle.as_ref().map_or(0, |spindle| spindle.v_position_control_on);
+    if off > 0 {
+        ("the velocity command at v_position_control_on", f64::from(off))
+    } else {
+        ("the velocity command at vb_max", axis.ipc.v_max)
     }
 }
 
@@ -121,4 +132,23 @@ pub(crate) fn fits(
         Width::Int32 => "a scaling with fewer increments",
     };
     e.warn(codes::SATURATES, place, found, instead.to_owned());
+}
+
+/// Warns if a velocity of the axis is less than one increment of its process datum.
+pub(crate) fn resolves(
+    axis: &Axis,
+    e: &mut Effective<'_>,
+    keys: [Key; 2],
+    (what, velocity): (&str, f64),
+    per_velocity: f64,
+) {
+    let increments = velocity * per_velocity;
+    if increments >= 1.0 {
+        return;
+    }
+    let unit = axis.control.velocity_unit();
+    let found = format!("{what}, {velocity} {unit}, is {} increments: the drive gets 0 or 1", rounded(increments));
+    let place = keys.into_iter().find(|key| e.given(*key).is_some()).unwrap_or(keys[1]);
+    let instead = format!("a scaling with more increments: one is {} {unit}", rounded(1.0 / per_velocity));
+    e.warn(codes::COARSE_COMMAND, place, found, instead);
 }

@@ -6,7 +6,12 @@ use crate::axis::{Axis, Bus, Changeover, Feedforward, Spindle};
 use crate::config::values::key;
 use crate::parameters::{Name, Value};
 use crate::rules::effective::Effective;
-use crate::{blocks::position_control::advice::fits, codes, design::scale, diagnostics::Diagnostic};
+use crate::{
+    blocks::position_control::advice::{fits, resolves, slowest},
+    codes,
+    design::scale,
+    diagnostics::Diagnostic,
+};
 
 /// Warns of what a user should know before the spindle turns.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
@@ -17,8 +22,9 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let Changeover::Drive { velocity, .. } = &spindle.drive {
         two_weights(e);
         let keys = [key(Name::VelocityCommandData), key(Name::VResoNum)];
-        let scaling = (scale::velocity(velocity, axis.cycle_time_ns), velocity.width);
-        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), scaling);
+        let per_velocity = scale::velocity(velocity, axis.cycle_time_ns);
+        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), (per_velocity, velocity.width));
+        resolves(axis, e, [Name::VResoNum, Name::VResoDenom].map(key), slowest(axis), per_velocity);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The rules of a changeover in the drive: its operation modes, its feedforward, its delay.
 
-use super::{offered, velocities::asks};
+use super::{offered, op_modes, velocities::asks};
 use crate::axis::{Bus, Changeover, Feedforward, Location};
 use crate::config::values::key;
 use crate::parameters::words::{DriveType, FeedforwardWord, OperationMode, Words};
@@ -75,7 +75,11 @@ fn one_mode(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
         Bus::Sercos => Name::OpModeForVelocityControl,
         Bus::CanOpen => Name::CyclicVelocityOpMode,
     };
-    Some([e.signed(key(name))?; 2])
+    let mode = e.signed(key(name))?;
+    if bus == Bus::CanOpen {
+        op_modes::of_velocity(e, mode);
+    }
+    Some([mode; 2])
 }
 
 /// The operation modes of position and velocity control. They must differ, because the drive displays the active one.
@@ -88,6 +92,9 @@ fn modes(e: &mut Effective<'_>, bus: Bus) -> Option<[i32; 2]> {
         }
     };
     if modes[0] != modes[1] {
+        if bus == Bus::CanOpen {
+            op_modes::check(e, modes);
+        }
         return Some(modes);
     }
     let (at, found, allowed, instead) = match bus {

@@ -10,6 +10,7 @@ mod lag;
 mod limits;
 pub(crate) mod notes;
 mod offered;
+mod op_modes;
 mod velocities;
 mod window;
 pub(crate) mod words;
