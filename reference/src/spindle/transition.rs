@@ -140,9 +140,7 @@ pub fn has_slowed_down<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, v_actual: 
     let is_backward = state.v < R::ZERO;
     let v_magnitude = if is_backward { -state.v } else { state.v };
     let v_along = if is_backward { -v_actual } else { v_actual };
-    within(state.v, coeffs.v_position_control_on)
-        && v_along <= v_magnitude + coeffs.window
-        && -v_along <= coeffs.window
+    within(state.v, coeffs.v_position_control_on) && v_along <= v_magnitude + coeffs.window && -v_along <= coeffs.window
 }
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs

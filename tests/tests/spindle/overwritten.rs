@@ -111,7 +111,8 @@ fn an_impossible_state_is_error_3_and_stops() {
 #[test]
 fn memory_of_zeros_is_error_3() {
     for mut bench in Bench::both() {
-        bench.state = State { control: SpindleState::Position, control_copy: SpindleState::Position, ..State::default() };
+        bench.state =
+            State { control: SpindleState::Position, control_copy: SpindleState::Position, ..State::default() };
         (bench.x_actual, bench.v_actual) = (Some(90_000.0), Some(1000.0 * RPM));
         let o = bench.with_inputs(|i| i.drive_on = true);
         assert_eq!((o.error_id, o.spindle_state, o.loop_closed), (3, SpindleState::ToPosition, false));
