@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   5369b74557579d30889c31d5eef5a67f
- * checksum    f5c5fa346593766b80439f3999fec56b
+ * structure   cc95df405caec619406ea3760acb980d
+ * checksum    8d80d285aca3e4c44f95a3b05c35b849
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -125,7 +125,7 @@ AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
     state->check_forming_rest = 0.0f;
-    state->check_forming_left_over = false;
+    state->check_forming_is_covering = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -208,7 +208,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                 const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
                 uint32_t refusal_found;
                 if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
-                    state->check_forming_left_over = false;
+                    state->check_forming_is_covering = true;
                     state->check_forming_pieces = 0u;
                     state->check_forming_second = empty_second;
                     state->check_forming_first = empty_first;
@@ -302,9 +302,8 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                         }
                         if (check_is_in_order) {
                             const float check_number_2 = state->check_picked_number;
-                            const bool check_is_limit = state->check_turn < 3u;
                             float check_scaled;
-                            if (check_is_limit) {
+                            if (state->check_turn < 3u) {
                                 check_scaled = check_number_2 * limit_scale;
                             } else {
                                 check_scaled = check_number_2;
@@ -341,9 +340,8 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                             const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
                             if (check_forming_is_complete) {
                                 state->check_forming_pieces = 0u;
-                                const bool check_forming_is_covered = axis_x_ipc_is_zero(state->check_forming_rest);
-                                state->check_forming_left_over =
-                                    state->check_forming_left_over || !check_forming_is_covered;
+                                state->check_forming_is_covering =
+                                    state->check_forming_is_covering && axis_x_ipc_is_zero(state->check_forming_rest);
                             } else {
                                 state->check_forming_pieces = state->check_forming_pieces + 1u;
                             }
@@ -370,7 +368,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                                     check_set_id_2 = 0u;
                                 }
                                 const bool check_is_word =
-                                    check_set_id == check_set_id_2 && !state->check_forming_left_over;
+                                    check_set_id == check_set_id_2 && state->check_forming_is_covering;
                                 if (check_is_word) {
                                     refusal_found = AXIS_X_IPC_ERROR_NONE;
                                 } else {
