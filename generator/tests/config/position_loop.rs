@@ -1,6 +1,7 @@
-//! The gain from which a position loop in the CNC is unstable, against the loop itself, cycle by cycle.
+//! The gain from which a position loop in the CNC is unstable, against the loop itself, cycle by cycle; and what an analysis
+//! says of a loop without stages.
 
-use super::said_of_set;
+use super::{read_set, said_of_set};
 use std::collections::VecDeque;
 
 /// Whether a deviation grows in the loop with this Kv T: the position is the sum of the velocities up to the last cycle, and the
@@ -40,5 +41,20 @@ fn the_refused_gains_are_those_of_an_unstable_loop() {
         let rest = if time_constant_ms == 0 { 0.0 } else { (-1.0 / f64::from(time_constant_ms)).exp() };
         let [below, above] = [0.999, 1.001].map(|part| grows(limit / 1e5 * part, cycles, rest));
         assert_eq!([below, above], [false, true], "{drive}: {limit}");
+    }
+}
+
+/// An analysis names the gain of an axis whether a stage is active or not.
+#[test]
+fn an_analysis_names_the_gain_of_an_axis_without_a_stage() {
+    for (keys, position) in [
+        ("getriebe = [{ kv = 2000 }]", "position loop with Kv 20/s"),
+        ("getriebe = [{ dynamik.vb_max = 5000 }]", "without its position loop: Kv (P-AXIS-00099) is not given"),
+    ] {
+        let (set, report) = read_set(format!("cycle_time = '1ms'\n[axis.X]\n{keys}\ndrive.delay = 1\n"));
+        let set = set.unwrap_or_else(|| panic!("{report}"));
+        let lines =
+            format!("axis X: cycle 1000 us, {position}\n  no stage looks at v_motor: the stages close no loop\n");
+        assert_eq!(generator::analysis::text(&set.axes[0]), lines);
     }
 }
