@@ -77,15 +77,17 @@ impl Record {
         self.channels.first().map_or(0, |channel| channel.values.len())
     }
 
-    /// The command to the drive: `v_cmd`, or the sum of its parts.
+    /// The command to the drive: `v_cmd`, or the sum of its parts in the unit of `v_command`.
     #[must_use]
     pub fn v_cmd(&self) -> Option<Cow<'_, [f64]>> {
         if let Some(v_cmd) = self.get("v_cmd") {
             return Some(Cow::Borrowed(v_cmd));
         }
-        let mut sum = self.get("v_command")?.to_vec();
-        for part in ["v_add", "v_excite"].into_iter().filter_map(|name| self.get(name)) {
-            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        let command = self.channel("v_command")?;
+        let mut sum = command.values.clone();
+        for part in ["v_add", "v_excite"].into_iter().filter_map(|name| self.channel(name)) {
+            let ratio = part.ratio_to(command);
+            sum.iter_mut().zip(&part.values).for_each(|(sum, part)| *sum += ratio * part);
         }
         Some(Cow::Owned(sum))
     }
@@ -173,9 +175,16 @@ impl Record {
 
     /// The unit of `v_motor` divided by that of the command, if both are stated; else 1.
     pub(super) fn velocity_ratio(&self) -> f64 {
-        let stated = |name: &str| self.channel(name).filter(|channel| channel.is_stated)?.unit;
-        let command = stated("v_cmd").or_else(|| stated("v_command"));
-        stated("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.size / command.size)
+        let command = self.channel("v_cmd").or_else(|| self.channel("v_command"));
+        self.channel("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.ratio_to(command))
+    }
+
+    /// The unit of a signal divided by its unit in another recording; `None` if one of them is unknown, or if they differ and
+    /// are not both stated.
+    pub(super) fn unit_ratio(&self, other: &Self, signal: &str) -> Option<f64> {
+        let (own, other) = self.channel(signal).zip(other.channel(signal))?;
+        let units = (own.unit?, other.unit?);
+        (own.is_stated && other.is_stated || units.0 == units.1).then(|| units.0.size / units.1.size)
     }
 
     /// Reports sensors that are at their limit.
