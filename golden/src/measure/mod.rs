@@ -25,7 +25,7 @@ mod vibrations;
 pub use channels::{Channel, Timing, read};
 pub use excited::Excited;
 pub use record::Record;
-pub(crate) use record::is_same as is_same_interval;
+pub use record::is_same as is_same_interval;
 pub use relations::Offset;
 pub use unit::{Quantity, Unit};
 pub use verdict::Verdict;
@@ -115,6 +115,7 @@ pub fn measure(
     };
     let fits = record.find_units(verdicts);
     record.find_clipping(verdicts);
+    record.find_outliers(verdicts);
     for channel in &mut measured.channels {
         channel.unit = record.channel(channel.signal).map_or(channel.unit, |known| known.unit);
     }

@@ -7,6 +7,8 @@ use generator::codes;
 use portable::{Extreme, peak};
 use std::borrow::Cow;
 
+/// The signals of sensors.
+const SENSORS: [&str; 3] = ["v_motor", "v_direct", "a_load"];
 /// Times over which the command is smoothed twice [s]: for a planned position because of its digits, for a controller's
 /// output because of the vibration that it feeds back.
 const OF_POSITION: f64 = 0.01;
@@ -19,6 +21,9 @@ const MOVES: f64 = 3.0;
 /// A clipped channel stays at its largest value for this number of samples, this number of times, after a change of this
 /// part of its range in one sample.
 const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
+
+/// A sample is wrong if it is more than this multiple of all others.
+const OUTLIER: f64 = 10.0;
 
 /// All channels with one interval, from the latest first sample to the earliest last one.
 #[derive(Clone, Debug)]
@@ -109,6 +114,13 @@ impl Record {
         known.or_else(|| self.channel("x_command").filter(|_| signal == "following_error")?.unit)
     }
 
+    /// The unit of the following error divided by the distance that `v_motor` covers in 1 s with the value 1; `None` if one of
+    /// the units is unknown.
+    #[must_use]
+    pub fn error_unit(&self) -> Option<f64> {
+        Some(self.unit("following_error")?.size / self.unit("v_motor")?.size)
+    }
+
     /// The unit of the command, as a velocity.
     #[must_use]
     pub fn command_unit(&self) -> Option<String> {
@@ -189,10 +201,22 @@ impl Record {
 
     /// Reports sensors that are at their limit.
     pub(super) fn find_clipping(&self, verdicts: &mut Vec<Verdict>) {
-        for name in ["v_motor", "v_direct", "a_load"] {
+        for name in SENSORS {
             let Some(at) = self.get(name).and_then(clipped) else { continue };
             let found = format!("{name} stays at its largest value, first at {:.3} s", at as f64 * self.cycle);
             verdicts.push(Verdict::note(codes::CLIPPED, found, "choose a larger range of the sensor or the recorder"));
+        }
+    }
+
+    /// Refuses sensors with a wrong sample: its spectrum hides all lines.
+    pub(super) fn find_outliers(&self, verdicts: &mut Vec<Verdict>) {
+        for name in SENSORS {
+            let Some((at, value)) = self.get(name).and_then(outlier) else { continue };
+            let found = format!(
+                "one sample of {name} is more than {OUTLIER} times all others: {value} at {:.3} s",
+                at as f64 * self.cycle
+            );
+            verdicts.push(Verdict::refusal(codes::OUTLIER, found, "record again, or correct this sample in the file"));
         }
     }
 
@@ -211,12 +235,26 @@ impl Record {
 }
 
 /// Whether two intervals are almost equal.
-pub(crate) fn is_same(a: f64, b: f64) -> bool {
+#[must_use]
+pub fn is_same(a: f64, b: f64) -> bool {
     libm::fabs(a / b - 1.0) < SAME_INTERVAL
 }
 
 fn shown(interval: Option<f64>) -> String {
     interval.map_or_else(|| "an unknown number of".to_owned(), |interval| (interval * 1e3).to_string())
+}
+
+/// The sample that is more than a multiple of all others, and its value.
+fn outlier(values: &[f64]) -> Option<(usize, f64)> {
+    let (mut largest, mut second) = ((0, 0.0), 0.0);
+    for (at, value) in values.iter().copied().enumerate() {
+        if libm::fabs(value) > libm::fabs(largest.1) {
+            (largest, second) = ((at, value), libm::fabs(largest.1));
+        } else {
+            second = libm::fabs(value).larger(second);
+        }
+    }
+    (libm::fabs(largest.1) > OUTLIER * second).then_some(largest)
 }
 
 /// The sample in which a signal first stays at an end of its range, if it does so suddenly and repeatedly.
