@@ -3,13 +3,14 @@
 
 use crate::axis::{Filter, Stage};
 use crate::blocks::ipc::filter;
-use crate::blocks::{self, Design, Designed, Effect, Effects, IPC, differences};
+use crate::blocks::{self, Design, Designed, Effect, Effects, IPC, SET_DESIGN, differences};
 use crate::design::rounding::rounded;
 use crate::number::pair;
 use crate::parameters::words::{StageMode, Words};
 use compiler::leaves;
 use portable::{Literal, Real, RealKind, with_numbers};
 use reference::ipc::Coeffs as IpcCoeffs;
+use reference::set_design;
 use reference::tunable_ipc::{self, Coeffs, TunableIpc};
 
 /// The effect of a parameter set of the new version on the block on the machine, which was generated from the old one.
@@ -151,9 +152,13 @@ fn apart_from_set(of: &Designed) -> Effects {
 
 /// The other blocks of the axis that differ, each in words.
 fn other_blocks(old: &Designed, new: &Designed) -> Vec<String> {
+    // A set has the same numbers whatever the inputs of its design start with.
+    let design =
+        |of: &Designed| leaves(&set_design::Coeffs { generated: <_>::default(), set: <_>::default(), ..of.set_design });
     let others = |of: &Designed| -> Vec<(&'static str, Vec<Literal>)> {
         let kinds = blocks::of_axis(&of.axis).filter(|kind| kind.name() != IPC);
-        kinds.map(|kind| (kind.name(), kind.coefficients(of))).collect()
+        let numbers = |name: &str| (name == SET_DESIGN).then(|| design(of));
+        kinds.map(|kind| (kind.name(), numbers(kind.name()).unwrap_or_else(|| kind.coefficients(of)))).collect()
     };
     let (before, after) = (others(old), others(new));
     let changed = before.iter().filter(|of| !after.contains(of)).map(|(name, _)| *name);

@@ -30,8 +30,8 @@ pub struct Forming<R> {
     pub pieces: u32,
     /// what is left of that number after these pieces, scaled
     pub rest: R,
-    /// sum of what is left of all numbers: 0, unless a number is smaller than any coefficient
-    pub left_over: R,
+    /// whether the word covers every digit so far: a number that is smaller than any coefficient has more
+    pub is_covering: bool,
 }
 
 /// largest magnitude of a number of a parameter set, limits scaled by 2^-20
@@ -94,7 +94,7 @@ pub fn start<R: Real>(forming: &mut Forming<R>, first: i32, second: i32) {
     forming.first = first;
     forming.second = second;
     forming.pieces = 0u32;
-    forming.left_over = R::ZERO;
+    forming.is_covering = true;
 }
 
 /// A remainder as it is from 0 on.
@@ -117,7 +117,7 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
     let is_complete = forming.pieces >= last_piece::<R>();
     if is_complete {
         forming.pieces = 0u32;
-        forming.left_over = forming.left_over + forming.rest;
+        forming.is_covering = forming.is_covering && in_range(forming.rest, R::ZERO);
     } else {
         forming.pieces += 1u32;
     }
@@ -127,7 +127,7 @@ pub fn add<R: Real>(forming: &mut Forming<R>, number: R) -> bool {
 /// Whether the word is the number of the set, and no number has digits that it does not cover.
 #[portable]
 pub fn is_word<R: Real>(forming: &Forming<R>, set_id: u32) -> bool {
-    set_id == self::set_id(forming) && in_range(forming.left_over, R::ZERO)
+    set_id == self::set_id(forming) && forming.is_covering
 }
 
 /// The word as the number of a set; 0 if the memory was corrupted.

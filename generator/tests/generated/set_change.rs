@@ -47,6 +47,21 @@ fn a_set_brings_weights_frequencies_damping_and_a_smaller_limit() {
     }
 }
 
+/// A controller that designs its sets needs new code only for what its design does not read from an input.
+#[test]
+fn a_design_is_the_same_whatever_its_inputs_start_with() {
+    let designs = ("tunable = \"all\"", "tunable = \"parameters\"\nlowest_f0 = 8");
+    let old = axis(&[designs]);
+    for (changed, reasons) in [
+        (("q_factor = 10.0", "q_factor = 3.0"), &[][..]),
+        (("weight_fact_num = 150", "weight_fact_num = 90"), &[]),
+        (("v_add_max_fact = 500", "v_add_max_fact = 300"), &[]),
+        (("CRIT_DAMPING", "BESSEL"), &["the block set_design differs"]),
+    ] {
+        assert_eq!(judge(&old, &axis(&[designs, changed])).reasons(), reasons, "{changed:?}");
+    }
+}
+
 /// Both blocks start with the set of the new version, which both take over in the same cycle.
 fn assert_same_outputs(old: &Designed, new: &Designed) {
     let coeffs = TunableIpc::design;

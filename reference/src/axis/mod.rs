@@ -367,12 +367,17 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         follow(state, coeffs, inputs, outputs, position_control::error_of_actual(&coeffs.position_control));
     } else if !inputs.position_controlled || inputs.reset {
         follow(state, coeffs, inputs, outputs, error_none());
-    } else if coeffs.counts_turns && !in_range(inputs.v_interpolator, coeffs.v_largest) {
-        let too_fast = in_range(inputs.v_interpolator, sample_limit());
-        let why = if too_fast { error_half_turn() } else { error_v_interpolator() };
-        hold(state, coeffs, outputs, why);
+    } else if coeffs.counts_turns
+        && in_range(inputs.v_interpolator, sample_limit())
+        && !in_range(inputs.v_interpolator, coeffs.v_largest)
+    {
+        hold(state, coeffs, outputs, error_half_turn());
     } else {
         act(state, coeffs, inputs, outputs, true);
+        if coeffs.counts_turns && !in_range(inputs.v_interpolator, sample_limit()) {
+            note("the position command needs no velocity: it goes on");
+            fail(outputs, error_v_interpolator());
+        }
     }
 }
 

@@ -251,7 +251,11 @@ pub fn act<R: Real>(
 pub fn look_after<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, v_sum: R) {
     let upper = tuned_limit(coeffs, &state.tuning);
     let lower = tuned_lower_limit(coeffs, &state.tuning);
-    watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
+    if upper > R::ZERO {
+        watch::step(&mut state.watch, &coeffs.watch, v_sum, upper, lower);
+    } else {
+        watch::restart(&mut state.watch);
+    }
 }
 
 /// Fast path of `act`: mode ON, fade complete, tuning settled.
@@ -298,6 +302,8 @@ pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         }
     } else {
         runs = false;
+        // Nothing acts yet, whatever the memory says.
+        state.fade = 0u32;
         if inputs.mode != mode_off() {
             preset(state, coeffs, inputs);
             state.preset = true;
@@ -326,7 +332,8 @@ pub fn is_cycle_time<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 pub fn count_call<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle_counter: u32) {
     if coeffs.call_rate.active {
         let has_paused = call_rate::step(&mut state.call_rate, cycle_counter);
-        if has_paused {
+        // A corrupted state is reported first.
+        if has_paused && state.fade <= coeffs.fade_cycles {
             stop(state);
         }
     }

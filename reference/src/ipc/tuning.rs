@@ -80,7 +80,11 @@ pub fn are_followed<R: Real>(
 )]
 pub fn follow<R: Real>(factor: &mut Factor<R>, wanted: R, step: R, jumps: bool) -> bool {
     let mut is_held = true;
-    if !in_range(factor.now, R::ONE) {
+    let mut is_factor = false;
+    if in_range(factor.now, R::ONE) {
+        is_factor = factor.now >= R::ZERO;
+    }
+    if !is_factor {
         note("the factor was corrupted");
         factor.now = R::ZERO;
     }

@@ -8,6 +8,7 @@
 //! else both limits reached:                                                score - 1, at least 0
 //! else:                                                                    score = 0
 //! score >= alarm and span > 2 limit:                                       tripped
+//! limit 0:                                                                 nothing is counted: no loop is closed
 //! ```
 //!
 //! The vibration after a move, a shock or a burst of chatter decays: a block that is quieter than the previous one lowers the

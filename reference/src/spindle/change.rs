@@ -42,6 +42,7 @@ pub fn resynchronise<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: 
 #[portable]
 pub fn complete<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, cycle: &mut Cycle<R>) {
     state.takes_over = true;
+    state.is_moving = true;
     if coeffs.only_velocity {
         note("TO_POSITION -> VELOCITY: the drive has no position control");
         cycle.next = SpindleState::Velocity;

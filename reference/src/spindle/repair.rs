@@ -47,7 +47,8 @@ pub fn is_request<R: Real>(request: &Request<R>) -> bool {
     is_job(request) && in_range(request.speed, sample_limit()) && in_range(request.position, position_limit())
 }
 
-/// Whether the state of the changeover exists, and is that of its copy.
+/// Whether the state of the changeover exists, and is that of its copy. Only at the start the block does not move the spindle:
+/// memory of zeros, without `init`, is not position control.
 #[portable]
 pub fn is_state<R: Real>(state: &State<R>) -> bool {
     (state.control == SpindleState::Position
@@ -56,6 +57,7 @@ pub fn is_state<R: Real>(state: &State<R>) -> bool {
         || state.control == SpindleState::Brake
         || state.control == SpindleState::ToPosition)
         && state.control_copy == state.control
+        && (state.is_moving || state.control == SpindleState::ToPosition)
 }
 
 /// Limits the counts to their ranges: no count may take for ever.

@@ -71,8 +71,10 @@ pub fn follow<R: Real>(
         }
     }
     let is_found = in_range(inputs.x_actual, position_limit());
-    if is_found && (is_known || !inputs.drive_on) {
-        show(state, coeffs, inputs, cycle.v_turning);
+    if is_found {
+        // Without a sample of the velocity a drive that is on keeps the last one.
+        let v_shown = if inputs.drive_on { state.v } else { cycle.v_turning };
+        show(state, coeffs, inputs, v_shown);
     } else if inputs.drive_on {
         advance(state, coeffs);
     }

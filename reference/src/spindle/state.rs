@@ -37,7 +37,7 @@ pub struct Coeffs<R> {
     pub v_position_control_on: R,
     /// -Voff [0.001 deg/s]
     pub v_position_control_on_negative: R,
-    /// largest excess of |v_actual| over |v_spindle| at which position control is taken up [0.001 deg/s]
+    /// by how much v_actual may lie outside 0 to v_spindle where position control is taken up [0.001 deg/s]
     pub window: R,
     /// Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s]
     pub v_taken_up: R,

@@ -133,11 +133,14 @@ pub fn interpolated<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &
     }
 }
 
-/// Whether the previous velocity command is at most Voff, and the actual velocity exceeds it by at most the window.
+/// Whether the previous velocity command is at most Voff, and the actual velocity is between 0 and it, or beyond by at most the
+/// window. A spindle that still turns the other way has not slowed down: position control would reverse it.
 #[portable]
 pub fn has_slowed_down<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, v_actual: R) -> bool {
-    let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
-    within(state.v, coeffs.v_position_control_on) && within(v_actual, v_magnitude + coeffs.window)
+    let is_backward = state.v < R::ZERO;
+    let v_magnitude = if is_backward { -state.v } else { state.v };
+    let v_along = if is_backward { -v_actual } else { v_actual };
+    within(state.v, coeffs.v_position_control_on) && v_along <= v_magnitude + coeffs.window && -v_along <= coeffs.window
 }
 
 /// BRAKE: down to Voff, until the actual velocity has been there for three cycles. A spindle that was caught needs

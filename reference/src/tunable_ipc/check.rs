@@ -81,8 +81,7 @@ pub fn is_sound<R: Real>(state: &State<R>, coeffs: &ipc::Coeffs<R>) -> bool {
 #[portable]
 pub fn add<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) -> bool {
     let number = state.picked.number;
-    let is_limit = state.turn < numbers::limits(&coeffs.ipc);
-    let scaled = if is_limit { number * limit_scale() } else { number };
+    let scaled = if state.turn < numbers::limits(&coeffs.ipc) { number * limit_scale() } else { number };
     let is_number_done = check_word::add(&mut state.forming, scaled);
     let mut is_done = false;
     if is_number_done {

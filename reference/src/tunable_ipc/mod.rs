@@ -174,25 +174,31 @@ pub fn offer<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, params: &Params<
     if state.offered_set == state.set_id && state.set_id != 0u32 {
         state.acting_set = state.set_id;
         state.check.set_id = 0u32;
-    } else if must_wait {
-        state.pause -= 1u32;
-        reason = state.refused;
-    } else if !leaves {
-        reason = look_at(state, coeffs, params);
-        if reason != error_none() {
-            state.refused = reason;
-            state.refused_set = state.offered_set;
-            state.pause = coeffs.ipc.fade_cycles;
-            state.acting_set = state.set_id;
-            state.copied_set = 0u32;
-            state.check.set_id = 0u32;
-        } else {
-            // It is checked again, and is refused until it has passed.
-            let stays_refused = is_refused(state);
-            reason = if stays_refused { state.refused } else { error_none() };
+    } else {
+        if must_wait {
+            state.pause -= 1u32;
+        } else if !leaves {
+            let refusal_found = look_at(state, coeffs, params);
+            if refusal_found != error_none() {
+                refuse(state, coeffs, refusal_found);
+            }
         }
+        // A set that was refused stays so until it has passed a check.
+        let stays_refused = is_refused(state);
+        reason = if stays_refused { state.refused } else { error_none() };
     }
     reason
+}
+
+/// Refuses the offered set for this reason. The set in use stays, or acts again.
+#[portable]
+pub fn refuse<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, refusal: u32) {
+    state.refused = refusal;
+    state.refused_set = state.offered_set;
+    state.pause = coeffs.ipc.fade_cycles;
+    state.acting_set = state.set_id;
+    state.copied_set = 0u32;
+    state.check.set_id = 0u32;
 }
 
 /// No set is in use, and an offered set is checked without a pause.

@@ -41,7 +41,7 @@ pub enum Rule {
     SlowEnough,
     /// at the start position control is taken up after three cycles in which the spindle was slow enough, and a faster one is caught
     Begins,
-    /// a drive changes to position control at Voff + window or below
+    /// a drive changes to position control at Voff + window or below, and in the direction of the command
     Obeys,
     /// the velocity command of a spindle that the block does not move yet is not against its direction
     Forward,
@@ -196,10 +196,8 @@ fn advances(edge: &Edge<'_>) -> bool {
     let lead = |v: f64| v * (coeffs.lead_time - coeffs.cycle_time);
     let turning = edge.turning();
     // What the start puts out, from which an error that comes there stops the spindle.
-    let accompanied = match turning {
-        Some(v) if is_found => i.x_actual + lead(v),
-        _ => old + turning.unwrap_or(edge.before.block.v) * coeffs.cycle_time,
-    };
+    let v = turning.unwrap_or(edge.before.block.v);
+    let accompanied = if is_found { i.x_actual + lead(v) } else { old + v * coeffs.cycle_time };
     match edge.inside {
         _ if edge.is_off && is_found => o.x_spindle == wrap(i.x_actual + lead(turning.unwrap_or(0.0))),
         _ if edge.is_off => o.x_spindle == old,
@@ -248,8 +246,9 @@ fn begins_slowly(edge: &Edge<'_>) -> bool {
 fn obeys_slowly(edge: &Edge<'_>) -> bool {
     let is_asked = edge.before.node == Node::ToPosition || edge.before.is_idle;
     let changes = is_asked && edge.before.drive.velocity_control.mode && !edge.after.drive.velocity_control.mode;
-    let end = edge.coeffs.v_position_control_on + edge.coeffs.window;
-    !changes || edge.before.drive.velocity.v.abs() <= end
+    let (end, v) = (edge.coeffs.v_position_control_on + edge.coeffs.window, edge.before.drive.velocity.v);
+    let is_along = v * edge.before.block.v >= 0.0 || v.abs() <= edge.coeffs.window;
+    !changes || v.abs() <= end && is_along
 }
 
 fn goes_forward(edge: &Edge<'_>) -> bool {

@@ -226,9 +226,11 @@ impl Edge<'_> {
     /// Cycles in a row in which BRAKE has been settled, this one included.
     #[must_use]
     pub fn settled(&self) -> u32 {
-        let v_before = self.before.block.v.abs();
-        let is_slow = v_before <= self.coeffs.v_position_control_on;
-        let is_settled = is_slow && self.inputs.v_actual.abs() <= v_before + self.coeffs.window;
+        let v_before = self.before.block.v;
+        let is_slow = v_before.abs() <= self.coeffs.v_position_control_on;
+        // From 0 to the command, and a window more on both sides.
+        let ends = [v_before.min(0.0) - self.coeffs.window, v_before.max(0.0) + self.coeffs.window];
+        let is_settled = is_slow && (ends[0]..=ends[1]).contains(&self.inputs.v_actual);
         let before = if self.before.node == Node::Brake { self.before.settled } else { 0 };
         if self.inside == Node::Brake && is_settled { before + 1 } else { 0 }
     }

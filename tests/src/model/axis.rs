@@ -37,22 +37,16 @@ pub struct Found {
     pub is_tripped: bool,
 }
 
-/// A spindle whose drive controls the position turns by less than half a turn in a cycle: 44, or 14 where the velocity is
-/// not a sample.
+/// A spindle whose drive controls the position.
+fn counts_turns(p: &Parameters, c: &Coefficients) -> bool {
+    p.kind == SPINDLE && c.location != Location::Cnc
+}
+
+/// It turns by less than half a turn in a cycle: else 44.
 fn half_turn(p: &Parameters, c: &Coefficients, inputs: &Inputs) -> u32 {
     let v = inputs.v_interpolator;
     let degrees = v.abs() * f64::from(p.cycle_ns) * 1e-9 / 1000.0;
-    match () {
-        () if p.kind != SPINDLE || c.location == Location::Cnc => 0,
-        () if !is_in_range(c, v) => 14,
-        () => {
-            if degrees >= 180.0 {
-                44
-            } else {
-                0
-            }
-        }
-    }
+    if counts_turns(p, c) && is_in_range(c, v) && degrees >= 180.0 { 44 } else { 0 }
 }
 
 /// P-AXIS-00018.
@@ -123,6 +117,9 @@ impl Axis {
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,
         };
+        // Without that velocity half a turn would go unseen: this is told, and the position goes on.
+        let is_unseen = acts && counts_turns(p, c) && !is_in_range(c, inputs.v_interpolator);
+        let error_id = if is_unseen { 14 } else { error_id };
         let is_fault = error_id != 0;
         let error_id = if error_id == 0 && is_tuning_held { 4 } else { error_id };
         let is_tripped = self.ipc.is_tripped();

@@ -57,6 +57,9 @@ impl Watch {
         if self.tripped {
             return;
         }
+        if limit <= 0.0 {
+            return self.restart();
+        }
         self.sums = match (self.cycles, self.sums) {
             (0, _) => [v_sum; 2],
             (_, [high, low]) => [high.max(v_sum), low.min(v_sum)],

@@ -132,6 +132,25 @@ fn a_block_goes_on_with_nothing_that_it_held_before_a_pause() {
     assert_eq!(behind_a_pause(&mut Bench::new(&read("cycle_counter = true"))), [0.0; 10]);
 }
 
+/// A pause does not hide a corrupted state: the cycle after it reports the fault, and no set is in use.
+#[test]
+fn a_pause_hides_no_fault() {
+    let mut block = Bench::<tunable_ipc::TunableIpc>::new(&read("cycle_counter = true\ntunable = 'all'"));
+    for more in [1, 50] {
+        let start = block.inputs.cycle_counter;
+        for cycle in start + 1..start + 1000 {
+            (block.inputs.v_motor, block.inputs.cycle_counter) = (1e4 * vibration(cycle), cycle);
+            block.call();
+        }
+        block.state.ipc.stage[0].filter[0].section[0].s1 = 1e30;
+        block.inputs.cycle_counter += 1;
+        assert_eq!((block.call().v_add, block.state.set_id != 0), (0.0, true));
+        block.inputs.cycle_counter += more;
+        let outputs = block.call();
+        assert_eq!((outputs.fault, outputs.error_id, outputs.active_set), (true, 3, 0), "{more} cycles later");
+    }
+}
+
 /// A block that has paused puts out what a new one puts out.
 fn assert_like_new<B: Block<f64>>(designed: &Designed, set: impl Fn(&mut B::Inputs, u32)) {
     let run = |block: &mut Bench<B>, cycles: std::ops::Range<u32>| -> Vec<_> {

@@ -218,6 +218,26 @@ fn a_drive_keeps_its_position_without_a_command_in_range() {
     assert_eq!([loose, block.step(&at(f64::NAN)).value("x_drive")], [700.0; 2]);
 }
 
+/// A spindle whose drive controls the position: a velocity that is no sample is told (14), and the position goes on; half a turn in a
+/// cycle is error 44, and the position is held.
+#[test]
+fn a_spindle_goes_on_without_its_velocity_and_holds_at_half_a_turn() {
+    for feedforward in ["", "vorsteuer.vorsteuerung = \"VEL\""] {
+        let lines = "kenngr.achs_typ = \"ACHSTYP_SPINDEL\"\nkenngr.antr_typ = \"SERCOS\"\ngetriebe = [{ kv = 3000, dynamik.vb_max = 100000000 }]";
+        let mut block = Block::new(2, &format!("{lines}\n{feedforward}"));
+        let mut step = |x_command: f64, v_interpolator: f64| {
+            let found = block.step(&Inputs { x_command, v_interpolator, feedforward_active: false, ..Inputs::USUAL });
+            ["x_drive", "error_id", "fault"].map(|output| found.value(output))
+        };
+        assert_eq!(step(1000.0, 1e8), [1000.0, 0.0, 0.0], "{feedforward}");
+        for none in [f64::NAN, f64::INFINITY, -1e16] {
+            assert_eq!(step(2000.0, none), [2000.0, 14.0, 1.0], "{feedforward}, {none}");
+        }
+        assert_eq!(step(3000.0, -1.8e8), [2000.0, 44.0, 1.0], "{feedforward}");
+        assert_eq!(step(3000.0, 1.79e8), [3000.0, 0.0, 0.0], "{feedforward}");
+    }
+}
+
 /// A torque is limited where the number is rounded beyond INT16, not before. A kilogram, a newton at 1000 increments:
 /// 1000 um/s^2 an increment.
 #[test]

@@ -189,3 +189,34 @@ fn a_set_that_is_damaged_while_the_block_fades_out_is_never_in_use() {
     assert!(told.contains(&[0.0, 8.0, 1.0]), "{told:?}");
     assert_eq!(told.last(), Some(&[other.input("params.set_id"), 0.0, 0.0]));
 }
+
+/// "With the limit 0, nothing is added, no loop is closed, and the watch has no effect": noise trips nothing, and the block acts as
+/// soon as the limit is raised.
+#[test]
+fn with_the_limit_0_the_watch_has_no_effect() {
+    let mut block = axis("weights", "watch = true");
+    block.set("tuning_limit", 0.0);
+    for cycle in 1..800 {
+        block.step(&at(swing(cycle, 5.0)));
+        assert_eq!(["tripped", "error_id"].map(|output| block.get(output)), [0.0; 2], "cycle {cycle}");
+    }
+    block.set("tuning_limit", 1.0);
+    (800..900).for_each(|cycle| _ = block.step(&at(swing(cycle, 1000.0))));
+    assert!((900..905).any(|cycle| block.step(&at(swing(cycle, 1000.0))).abs() > 500.0));
+}
+
+/// A refused set "stays refused as long as it is offered": also while the block fades out because the watch has tripped.
+#[test]
+fn the_id_of_a_refused_set_stays_during_a_trip() {
+    let mut block = axis("all", "watch = true");
+    block.set("params.set_id", 77.0);
+    let ids: Vec<f64> = (1..600)
+        .map(|cycle| {
+            block.step(&at(swing(cycle, 4.0 * LIMIT)));
+            block.get("error_id")
+        })
+        .collect();
+    assert_eq!(block.get("tripped"), 1.0);
+    let refused = ids.iter().position(|id| *id == 8.0).expect("it is refused");
+    assert!(ids[refused..].iter().all(|id| *id == 8.0), "{:?}", &ids[refused..]);
+}

@@ -52,7 +52,7 @@ impl Table {
     }
 }
 
-/// Every `every`th bit of a state, from the first on: the place of its value, and the bit.
+/// Every `every`th bit of a state, from the first on, and each sign: the place of its value, and the bit.
 pub fn flips(state: &[Literal], every: usize) -> Vec<(usize, usize)> {
     let bits = |value: &Literal| match value {
         Literal::Bool(_) => 1,
@@ -60,7 +60,8 @@ pub fn flips(state: &[Literal], every: usize) -> Vec<(usize, usize)> {
         _ => 32,
     };
     let all = state.iter().enumerate().flat_map(|(at, value)| (0..bits(value)).map(move |bit| (at, bit)));
-    all.step_by(every).collect()
+    let is_sign = |(at, bit): (usize, usize)| bit > 0 && bit + 1 == bits(&state[at]);
+    all.enumerate().filter(|(index, flip)| index % every == 0 || is_sign(*flip)).map(|(_, flip)| flip).collect()
 }
 
 /// A block with its inputs, and what it does undisturbed.
@@ -194,10 +195,28 @@ impl<'b> Bench<'b> {
         })
     }
 
-    /// By how much an output may deviate without a report: by twice the limit of what it adds; where a block starts anew as after a
-    /// reset, by what its delays hold.
+    /// Whether a set is in use after this cycle, with a bit that has flipped before another one.
+    pub fn takes_a_set(&self, (at, bit): (usize, usize), before: usize, end: usize) -> bool {
+        let mut machine = Machine::start(self.program);
+        let mut answers = Vec::new();
+        for (cycle, given) in self.inputs[..=end].iter().enumerate() {
+            if cycle == before {
+                let mut state = machine.state().to_vec();
+                state[at] = flipped(state[at], bit);
+                machine.set_state(&state);
+            }
+            machine.step(given, &mut answers);
+        }
+        let active = self.program.outputs.iter().position(|output| output.path == "active_set");
+        active.is_some_and(|active| number(answers[active]) != 0.0)
+    }
+
+    /// By how much an output may deviate without a report: by twice the limit of what it adds, by the limit where a fraction that
+    /// the caller tunes is 0 for it; where a block starts anew as after a reset, by what its delays hold.
     fn allowed(&self, flipped: usize, output: usize, cycle: usize) -> f64 {
-        let added = if WITH_ADDITION.contains(&&*self.program.outputs[output].path) { 2.0 * self.limit } else { 0.0 };
+        let limits = if self.program.state[flipped].path.starts_with("tuning.") { 1.0 } else { 2.0 };
+        let is_with_addition = WITH_ADDITION.contains(&&*self.program.outputs[output].path);
+        let added = if is_with_addition { limits * self.limit } else { 0.0 };
         let held =
             |away: usize| (number(self.outputs[cycle][output]) - number(self.outputs[cycle - away][output])).abs();
         let starts_anew = self.program.state[flipped].path.ends_with("preset");

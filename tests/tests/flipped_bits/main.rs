@@ -81,6 +81,24 @@ fn every() -> usize {
     }
 }
 
+/// A set that is offered is taken over in the end, whatever bit flips in its first check, in the check of the copy, or in the fade.
+#[test]
+fn a_flipped_bit_keeps_no_set_away() {
+    let mut away = Vec::new();
+    for (name, designed, block) in subjects().into_iter().filter(|(name, ..)| name.ends_with("tunable all")) {
+        let bench = Bench::of(&designed, &block);
+        for before in [5, 60, 150] {
+            let lost = |flip: &(usize, usize)| !bench.takes_a_set(*flip, before, 700);
+            let flips: Vec<_> = bench.flips(every()).into_par_iter().filter(lost).collect();
+            away.extend(flips.iter().map(|(at, bit)| {
+                let path = &block.program.state[*at].path;
+                format!("{name}: bit {bit} of {path} before cycle {before}")
+            }));
+        }
+    }
+    assert!(away.is_empty(), "{} sets:\n{}", away.len(), away.join("\n"));
+}
+
 #[test]
 fn a_flipped_bit_of_the_state_is_reported_or_harmless() {
     let mut silent = Vec::new();

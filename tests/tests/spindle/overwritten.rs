@@ -107,6 +107,29 @@ fn an_impossible_state_is_error_3_and_stops() {
     }
 }
 
+/// Memory of zeros, which `init` has not prepared, is not POSITION, at rest or while the spindle turns.
+#[test]
+fn memory_of_zeros_is_error_3() {
+    for mut bench in Bench::both() {
+        bench.state =
+            State { control: SpindleState::Position, control_copy: SpindleState::Position, ..State::default() };
+        (bench.x_actual, bench.v_actual) = (Some(90_000.0), Some(1000.0 * RPM));
+        let o = bench.with_inputs(|i| i.drive_on = true);
+        assert_eq!((o.error_id, o.spindle_state, o.loop_closed), (3, SpindleState::ToPosition, false));
+        assert_eq!(o.v_spindle, 1000.0 * RPM, "it is braked from the velocity that it has");
+    }
+}
+
+/// A drive that is on, and no sample of the velocity since the start: the position command is where the spindle is.
+#[test]
+fn without_a_velocity_the_start_shows_the_actual_position() {
+    for mut bench in Bench::both() {
+        (bench.x_actual, bench.v_actual) = (Some(123_000.0), Some(f64::NAN));
+        let o = bench.with_inputs(|i| i.drive_on = true);
+        assert_eq!((o.x_spindle, o.v_spindle, o.error_id), (123_000.0, 0.0, 23));
+    }
+}
+
 #[test]
 fn an_error_that_may_not_stay_becomes_error_3() {
     for id in (0..200).chain([u32::MAX, 1 << 31]) {

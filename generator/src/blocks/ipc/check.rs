@@ -222,11 +222,12 @@ fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Opt
     let longest = Ipc::MAX_FADE_CYCLES * f64::from(ns) / 1e9;
     let time = time_text(u64::from(ns));
     if ipc.fade_time() > ipc.fade {
-        let key = lowest(ipc)?;
+        let designs = ipc.lowest_f0().is_some();
+        let (key, name) = if designs { (key(Name::LowestF0), "lowest_f0") } else { (lowest(ipc)?, "fg_f0") };
         let f0 = e.real(key)?;
         let found = format!("{} is {} Hz: the fade lasts at least one period of it", e.title(key), real_text(f0));
         let least = (1e6 / longest).ceil() / 1e6;
-        let allowed = format!("fg_f0 >= {least} Hz at a cycle time of {time}: {} cycles", Ipc::MAX_FADE_CYCLES);
+        let allowed = format!("{name} >= {least} Hz at a cycle time of {time}: {} cycles", Ipc::MAX_FADE_CYCLES);
         e.refuse(codes::FADE, key, found, [Some(allowed), Some("a longer cycle time".to_owned())]);
         return None;
     }

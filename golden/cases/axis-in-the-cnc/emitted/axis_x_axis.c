@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
- * structure   806ca9fc8cc7c36597682a5b0d865575
- * checksum    7745d1aac45e58aa8fd6ff9c777fbecf
+ * structure   1b72af2b845220e7c7fa346520b000dd
+ * checksum    1d20615ccaf278679db93da09cef0901
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -281,6 +281,7 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
                 }
                 ipc_runs = true;
             } else {
+                state->ipc_fade = 0u;
                 if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   b41c8775ed9e21387de39080522e0626
- * checksum    a7c982b6e6654596a2ec8699e4440d07
+ * structure   cc95df405caec619406ea3760acb980d
+ * checksum    8d80d285aca3e4c44f95a3b05c35b849
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -125,7 +125,7 @@ AXGEN_CODE_SECTION void axis_x_ipc_init(axis_x_ipc_state *fresh)
     state->check_forming_second = 0;
     state->check_forming_pieces = 0u;
     state->check_forming_rest = 0.0f;
-    state->check_forming_left_over = 0.0f;
+    state->check_forming_is_covering = false;
     state->ipc_preset = false;
     state->ipc_fade = 0u;
     state->ipc_source_v_motor_before = 0.0f;
@@ -201,244 +201,243 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
             state->acting_set = state->set_id;
             state->check_set_id = 0u;
             reason = AXIS_X_IPC_ERROR_NONE;
-        } else if (must_wait) {
-            state->pause = state->pause - 1u;
-            reason = state->refused;
-        } else if (leaves) {
-            reason = AXIS_X_IPC_ERROR_NONE;
         } else {
-            const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
-            uint32_t refusal_found;
-            if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
-                state->check_forming_left_over = 0.0f;
-                state->check_forming_pieces = 0u;
-                state->check_forming_second = empty_second;
-                state->check_forming_first = empty_first;
-                state->check_turn = 0u;
-                if (is_copied) {
-                    state->turn = 0u;
-                }
-                const uint32_t set_id = state->offered_set;
-                state->check_set_id = set_id;
-                if (inputs->params->structure != structure || state->offered_set == 0u) {
-                    refusal_found = AXIS_X_IPC_ERROR_SET_STRUCTURE;
-                } else {
-                    refusal_found = AXIS_X_IPC_ERROR_NONE;
-                }
-            } else {
-                if (is_copied) {
-                    state->check_picked_number = state->picked_number;
-                } else {
-                    const uint32_t turn_2 = state->check_turn;
-                    state->check_picked_role = role_coefficient;
-                    switch (turn_2) {
-                    case 0u: {
-                        state->check_picked_number = inputs->params->limit;
-                        state->check_picked_role = role_limit;
-                        break;
-                    }
-                    case 1u: {
-                        state->check_picked_number = inputs->params->lower_limit;
-                        state->check_picked_role = role_lower_limit;
-                        break;
-                    }
-                    case 2u: {
-                        state->check_picked_number = inputs->params->sum_limit;
-                        state->check_picked_role = role_sum_limit;
-                        break;
-                    }
-                    case 3u: {
-                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
-                        break;
-                    }
-                    case 4u: {
-                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
-                        break;
-                    }
-                    case 5u: {
-                        state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
-                        state->check_picked_role = role_c;
-                        break;
-                    }
-                    case 6u: {
-                        state->check_picked_number = inputs->params->stage0_gain;
-                        state->check_picked_role = role_gain;
-                        break;
-                    }
-                    default: { /* no action */ break; }
-                    }
-                }
-                if (state->check_turn < 7u) {
-                    bool check_is_in_order;
+            if (must_wait) {
+                state->pause = state->pause - 1u;
+            } else if (!leaves) {
+                const bool is_copied = state->copied_set == state->offered_set && state->set_id == 0u;
+                uint32_t refusal_found;
+                if (state->check_set_id != state->offered_set || state->offered_set == 0u) {
+                    state->check_forming_is_covering = true;
+                    state->check_forming_pieces = 0u;
+                    state->check_forming_second = empty_second;
+                    state->check_forming_first = empty_first;
+                    state->check_turn = 0u;
                     if (is_copied) {
-                        check_is_in_order = true;
-                    } else {
-                        const float check_number = state->check_picked_number;
-                        const int32_t check_role = state->check_picked_role;
-                        if (check_role == role_limit) {
-                            check_is_in_order =
-                                axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
-                        } else if (check_role == role_lower_limit) {
-                            check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
-                        } else if (check_role == role_sum_limit) {
-                            check_is_in_order =
-                                axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
-                                    && check_number >= state->check_two_before;
-                        } else if (check_role == role_gain) {
-                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
-                        } else if (check_role == role_c) {
-                            const float check_a = state->check_two_before;
-                            const float check_b = state->check_before;
-                            if (axis_x_ipc_magnitude(check_a) <= largest_number
-                                    && axis_x_ipc_magnitude(check_b) <= pole_limit
-                                    && axis_x_ipc_magnitude(check_number) <= largest_number) {
-                                const float check_product = check_a * check_number;
-                                check_is_in_order =
-                                    0.0f < check_product && check_product < check_b && check_b < pole_limit;
-                            } else {
-                                check_is_in_order = false;
-                            }
-                        } else {
-                            check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
-                        }
-                    }
-                    if (check_is_in_order) {
-                        const float check_number_2 = state->check_picked_number;
-                        const bool check_is_limit = state->check_turn < 3u;
-                        float check_scaled;
-                        if (check_is_limit) {
-                            check_scaled = check_number_2 * limit_scale;
-                        } else {
-                            check_scaled = check_number_2;
-                        }
-                        float check_forming_rest;
-                        if (state->check_forming_pieces == 0u) {
-                            check_forming_rest = check_scaled * first_cut;
-                        } else {
-                            check_forming_rest = state->check_forming_rest;
-                        }
-                        int32_t check_forming_piece;
-                        if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
-                            check_forming_piece = (int32_t)check_forming_rest;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            check_forming_piece = 0;
-                        }
-                        state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
-                        const int32_t check_forming_remainder = check_forming_piece % 46337;
-                        int32_t check_forming_part;
-                        if (check_forming_remainder < 0) {
-                            check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
-                        } else {
-                            check_forming_part = check_forming_remainder;
-                        }
-                        const int32_t check_forming_first =
-                            (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
-                        const int32_t check_forming_second =
-                            (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
-                        state->check_forming_first =
-                            ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
-                        state->check_forming_second =
-                            ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
-                        const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
-                        if (check_forming_is_complete) {
-                            state->check_forming_pieces = 0u;
-                            state->check_forming_left_over = state->check_forming_left_over + state->check_forming_rest;
-                        } else {
-                            state->check_forming_pieces = state->check_forming_pieces + 1u;
-                        }
-                        bool check_is_done;
-                        if (check_forming_is_complete) {
-                            state->check_two_before = state->check_before;
-                            state->check_before = check_number_2;
-                            state->check_turn = state->check_turn + 1u;
-                            check_is_done = state->check_turn >= 7u;
-                        } else {
-                            check_is_done = false;
-                        }
-                        if (check_is_done) {
-                            const uint32_t check_set_id = state->check_set_id;
-                            const int32_t check_upper =
-                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)46337);
-                            const int32_t check_lower =
-                                (int32_t)((uint32_t)(state->check_forming_second % 46337) + (uint32_t)46337);
-                            const int32_t check_word = (int32_t)((uint32_t)check_upper + (uint32_t)check_lower);
-                            uint32_t check_set_id_2;
-                            if (check_word >= 0) {
-                                check_set_id_2 = (uint32_t)check_word;
-                            } else {
-                                check_set_id_2 = 0u;
-                            }
-                            const bool check_is_word =
-                                check_set_id == check_set_id_2 && axis_x_ipc_is_zero(state->check_forming_left_over);
-                            if (check_is_word) {
-                                refusal_found = AXIS_X_IPC_ERROR_NONE;
-                            } else {
-                                refusal_found = AXIS_X_IPC_ERROR_SET_DAMAGED;
-                            }
-                        } else {
-                            refusal_found = AXIS_X_IPC_ERROR_NONE;
-                        }
-                    } else {
-                        refusal_found = AXIS_X_IPC_ERROR_SET_UNSOUND;
-                    }
-                    if (is_copied) {
-                        state->turn = state->check_turn;
-                    }
-                } else {
-                    if (is_copied) {
-                        state->copied_set = 0u;
                         state->turn = 0u;
-                        state->set_id = state->offered_set;
-                        state->acting_set = state->offered_set;
+                    }
+                    const uint32_t set_id = state->offered_set;
+                    state->check_set_id = set_id;
+                    if (inputs->params->structure != structure || state->offered_set == 0u) {
+                        refusal_found = AXIS_X_IPC_ERROR_SET_STRUCTURE;
                     } else {
-                        state->refused = AXIS_X_IPC_ERROR_NONE;
-                        if (state->ipc_fade == 0u) {
-                            /* the offered set is copied; it is in use as soon as the copy has been checked */
-                            state->now[0] = inputs->params->limit;
-                            state->now[1] = inputs->params->lower_limit;
-                            state->now[2] = inputs->params->sum_limit;
-                            state->now[3] = inputs->params->stage0_filter0_bandpass0_a;
-                            state->now[4] = inputs->params->stage0_filter0_bandpass0_b;
-                            state->now[5] = inputs->params->stage0_filter0_bandpass0_c;
-                            state->now[6] = inputs->params->stage0_gain;
-                            state->copy[0] = state->now[0];
-                            state->copy[1] = state->now[1];
-                            state->copy[2] = state->now[2];
-                            state->copy[3] = state->now[3];
-                            state->copy[4] = state->now[4];
-                            state->copy[5] = state->now[5];
-                            state->copy[6] = state->now[6];
-                            state->copied_set = state->offered_set;
-                            state->check_set_id = 0u;
-                            state->set_id = 0u;
-                            state->acting_set = 0u;
-                            state->turn = 0u;
-                            state->ipc_preset = false;
-                        } else {
-                            state->acting_set = 0u;
+                        refusal_found = AXIS_X_IPC_ERROR_NONE;
+                    }
+                } else {
+                    if (is_copied) {
+                        state->check_picked_number = state->picked_number;
+                    } else {
+                        const uint32_t turn_2 = state->check_turn;
+                        state->check_picked_role = role_coefficient;
+                        switch (turn_2) {
+                        case 0u: {
+                            state->check_picked_number = inputs->params->limit;
+                            state->check_picked_role = role_limit;
+                            break;
+                        }
+                        case 1u: {
+                            state->check_picked_number = inputs->params->lower_limit;
+                            state->check_picked_role = role_lower_limit;
+                            break;
+                        }
+                        case 2u: {
+                            state->check_picked_number = inputs->params->sum_limit;
+                            state->check_picked_role = role_sum_limit;
+                            break;
+                        }
+                        case 3u: {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_a;
+                            break;
+                        }
+                        case 4u: {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_b;
+                            break;
+                        }
+                        case 5u: {
+                            state->check_picked_number = inputs->params->stage0_filter0_bandpass0_c;
+                            state->check_picked_role = role_c;
+                            break;
+                        }
+                        case 6u: {
+                            state->check_picked_number = inputs->params->stage0_gain;
+                            state->check_picked_role = role_gain;
+                            break;
+                        }
+                        default: { /* no action */ break; }
                         }
                     }
-                    refusal_found = AXIS_X_IPC_ERROR_NONE;
+                    if (state->check_turn < 7u) {
+                        bool check_is_in_order;
+                        if (is_copied) {
+                            check_is_in_order = true;
+                        } else {
+                            const float check_number = state->check_picked_number;
+                            const int32_t check_role = state->check_picked_role;
+                            if (check_role == role_limit) {
+                                check_is_in_order =
+                                    axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
+                            } else if (check_role == role_lower_limit) {
+                                check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
+                            } else if (check_role == role_sum_limit) {
+                                check_is_in_order =
+                                    axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
+                                        && check_number >= state->check_two_before;
+                            } else if (check_role == role_gain) {
+                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
+                            } else if (check_role == role_c) {
+                                const float check_a = state->check_two_before;
+                                const float check_b = state->check_before;
+                                if (axis_x_ipc_magnitude(check_a) <= largest_number
+                                        && axis_x_ipc_magnitude(check_b) <= pole_limit
+                                        && axis_x_ipc_magnitude(check_number) <= largest_number) {
+                                    const float check_product = check_a * check_number;
+                                    check_is_in_order =
+                                        0.0f < check_product && check_product < check_b && check_b < pole_limit;
+                                } else {
+                                    check_is_in_order = false;
+                                }
+                            } else {
+                                check_is_in_order = axis_x_ipc_magnitude(check_number) <= largest_number;
+                            }
+                        }
+                        if (check_is_in_order) {
+                            const float check_number_2 = state->check_picked_number;
+                            float check_scaled;
+                            if (state->check_turn < 3u) {
+                                check_scaled = check_number_2 * limit_scale;
+                            } else {
+                                check_scaled = check_number_2;
+                            }
+                            float check_forming_rest;
+                            if (state->check_forming_pieces == 0u) {
+                                check_forming_rest = check_scaled * first_cut;
+                            } else {
+                                check_forming_rest = state->check_forming_rest;
+                            }
+                            int32_t check_forming_piece;
+                            if (axis_x_ipc_magnitude(check_forming_rest) <= largest_piece) {
+                                check_forming_piece = (int32_t)check_forming_rest;
+                            } else {
+                                /* reached only if the block's memory was corrupted */
+                                check_forming_piece = 0;
+                            }
+                            state->check_forming_rest = (check_forming_rest - (float)check_forming_piece) * next_cut;
+                            const int32_t check_forming_remainder = check_forming_piece % 46337;
+                            int32_t check_forming_part;
+                            if (check_forming_remainder < 0) {
+                                check_forming_part = (int32_t)((uint32_t)check_forming_remainder + (uint32_t)46337);
+                            } else {
+                                check_forming_part = check_forming_remainder;
+                            }
+                            const int32_t check_forming_first =
+                                (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)31337);
+                            const int32_t check_forming_second =
+                                (int32_t)((uint32_t)(state->check_forming_second % 46337) * (uint32_t)17389);
+                            state->check_forming_first =
+                                ((int32_t)((uint32_t)check_forming_first + (uint32_t)check_forming_part)) % 46337;
+                            state->check_forming_second =
+                                ((int32_t)((uint32_t)check_forming_second + (uint32_t)check_forming_part)) % 46337;
+                            const bool check_forming_is_complete = state->check_forming_pieces >= last_piece;
+                            if (check_forming_is_complete) {
+                                state->check_forming_pieces = 0u;
+                                state->check_forming_is_covering =
+                                    state->check_forming_is_covering && axis_x_ipc_is_zero(state->check_forming_rest);
+                            } else {
+                                state->check_forming_pieces = state->check_forming_pieces + 1u;
+                            }
+                            bool check_is_done;
+                            if (check_forming_is_complete) {
+                                state->check_two_before = state->check_before;
+                                state->check_before = check_number_2;
+                                state->check_turn = state->check_turn + 1u;
+                                check_is_done = state->check_turn >= 7u;
+                            } else {
+                                check_is_done = false;
+                            }
+                            if (check_is_done) {
+                                const uint32_t check_set_id = state->check_set_id;
+                                const int32_t check_upper =
+                                    (int32_t)((uint32_t)(state->check_forming_first % 46337) * (uint32_t)46337);
+                                const int32_t check_lower =
+                                    (int32_t)((uint32_t)(state->check_forming_second % 46337) + (uint32_t)46337);
+                                const int32_t check_word = (int32_t)((uint32_t)check_upper + (uint32_t)check_lower);
+                                uint32_t check_set_id_2;
+                                if (check_word >= 0) {
+                                    check_set_id_2 = (uint32_t)check_word;
+                                } else {
+                                    check_set_id_2 = 0u;
+                                }
+                                const bool check_is_word =
+                                    check_set_id == check_set_id_2 && state->check_forming_is_covering;
+                                if (check_is_word) {
+                                    refusal_found = AXIS_X_IPC_ERROR_NONE;
+                                } else {
+                                    refusal_found = AXIS_X_IPC_ERROR_SET_DAMAGED;
+                                }
+                            } else {
+                                refusal_found = AXIS_X_IPC_ERROR_NONE;
+                            }
+                        } else {
+                            refusal_found = AXIS_X_IPC_ERROR_SET_UNSOUND;
+                        }
+                        if (is_copied) {
+                            state->turn = state->check_turn;
+                        }
+                    } else {
+                        if (is_copied) {
+                            state->copied_set = 0u;
+                            state->turn = 0u;
+                            state->set_id = state->offered_set;
+                            state->acting_set = state->offered_set;
+                        } else {
+                            state->refused = AXIS_X_IPC_ERROR_NONE;
+                            if (state->ipc_fade == 0u) {
+                                /* the offered set is copied; it is in use as soon as the copy has been checked */
+                                state->now[0] = inputs->params->limit;
+                                state->now[1] = inputs->params->lower_limit;
+                                state->now[2] = inputs->params->sum_limit;
+                                state->now[3] = inputs->params->stage0_filter0_bandpass0_a;
+                                state->now[4] = inputs->params->stage0_filter0_bandpass0_b;
+                                state->now[5] = inputs->params->stage0_filter0_bandpass0_c;
+                                state->now[6] = inputs->params->stage0_gain;
+                                state->copy[0] = state->now[0];
+                                state->copy[1] = state->now[1];
+                                state->copy[2] = state->now[2];
+                                state->copy[3] = state->now[3];
+                                state->copy[4] = state->now[4];
+                                state->copy[5] = state->now[5];
+                                state->copy[6] = state->now[6];
+                                state->copied_set = state->offered_set;
+                                state->check_set_id = 0u;
+                                state->set_id = 0u;
+                                state->acting_set = 0u;
+                                state->turn = 0u;
+                                state->ipc_preset = false;
+                            } else {
+                                state->acting_set = 0u;
+                            }
+                        }
+                        refusal_found = AXIS_X_IPC_ERROR_NONE;
+                    }
                 }
-            }
-            if (refusal_found != AXIS_X_IPC_ERROR_NONE) {
-                state->refused = refusal_found;
-                state->refused_set = state->offered_set;
-                state->pause = axis_x_ipc_ipc_fade_cycles;
-                state->acting_set = state->set_id;
-                state->copied_set = 0u;
-                state->check_set_id = 0u;
-                reason = refusal_found;
+                if (refusal_found != AXIS_X_IPC_ERROR_NONE) {
+                    state->refused = refusal_found;
+                    state->refused_set = state->offered_set;
+                    state->pause = axis_x_ipc_ipc_fade_cycles;
+                    state->acting_set = state->set_id;
+                    state->copied_set = 0u;
+                    state->check_set_id = 0u;
+                }
             } else {
-                const bool stays_refused =
-                    state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
-                        && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
-                if (stays_refused) {
-                    reason = state->refused;
-                } else {
-                    reason = AXIS_X_IPC_ERROR_NONE;
-                }
+                /* no action */
+            }
+            const bool stays_refused =
+                state->offered_set == state->refused_set && state->refused >= AXIS_X_IPC_ERROR_SET_STRUCTURE
+                    && state->refused <= AXIS_X_IPC_ERROR_SET_DAMAGED;
+            if (stays_refused) {
+                reason = state->refused;
+            } else {
+                reason = AXIS_X_IPC_ERROR_NONE;
             }
         }
         if (state->set_id == 0u
@@ -498,6 +497,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                 }
                 ipc_runs = true;
             } else {
+                state->ipc_fade = 0u;
                 if (mode != AXIS_X_IPC_MODE_OFF) {
                     state->ipc_source_v_motor_before = inputs->v_motor;
                     /* as generated: DIRECT (P-AXIS-00753) from v_motor, weight 3/1 = 3 (P-AXIS-00754/00755) */

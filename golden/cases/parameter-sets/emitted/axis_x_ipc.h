@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   b41c8775ed9e21387de39080522e0626
- * checksum    0243d7de0862f47f7c1a94556eca8b57
+ * structure   cc95df405caec619406ea3760acb980d
+ * checksum    c162b8b93eb3f2ee2637853504514e92
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,14 +49,14 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0xb41c8775u
-#define AXIS_X_IPC_STRUCTURE_1 0xed9e2138u
-#define AXIS_X_IPC_STRUCTURE_2 0x7de39080u
-#define AXIS_X_IPC_STRUCTURE_3 0x522e0626u
+#define AXIS_X_IPC_STRUCTURE_0 0xcc95df40u
+#define AXIS_X_IPC_STRUCTURE_1 0x5caec619u
+#define AXIS_X_IPC_STRUCTURE_2 0x406ea376u
+#define AXIS_X_IPC_STRUCTURE_3 0x0acb980du
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u
-#define AXIS_X_IPC_STATE_SIZE 160u
+#define AXIS_X_IPC_STATE_SIZE 156u
 
 /* The results and the layout of the structs depend on a float with 32 bits. Nothing else is asserted: the ABI defines the
  * alignment of members. */
@@ -166,8 +166,8 @@ typedef struct {
     int32_t check_forming_second; /* check word: the pieces as a polynomial at 17389, modulo 46337 */
     uint32_t check_forming_pieces; /* pieces of the number whose turn it is that the check word contains */
     float check_forming_rest; /* what is left of that number after these pieces, scaled */
-    /* sum of what is left of all numbers: 0, unless a number is smaller than any coefficient */
-    float check_forming_left_over;
+    /* whether the word covers every digit so far: a number that is smaller than any coefficient has more */
+    bool check_forming_is_covering;
     bool ipc_preset; /* TRUE after the filter sections have been preset to the steady state of the input */
     /* position of the fade [cycles]: 0 off, fade_cycles fully on, above fade_cycles: a state was corrupted */
     uint32_t ipc_fade;

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
- * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    34c4a072da4bd0c30818b202c2fade5d
+ * structure   c9d4acbedc3b267d3db7d29c4a0cc981
+ * checksum    85843cd77d60b00c8b661b5f534656f3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -177,6 +177,7 @@ AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_step(
                 }
                 runs = true;
             } else {
+                state->fade = 0u;
                 if (inputs->mode != AXIS_RACK_AND_PINION_IPC_MODE_OFF) {
                     /* DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755) */
                     /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),

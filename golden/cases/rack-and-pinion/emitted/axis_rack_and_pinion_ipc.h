@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
- * structure   ab1fc7d6ae031da803a122fb0c80af1b
- * checksum    1cb47f656b938b5b7da5ee57ebf8799e
+ * structure   c9d4acbedc3b267d3db7d29c4a0cc981
+ * checksum    cabfd96aacfd1b687ceebf2100c9ed6b
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -48,10 +48,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xdfd3932cu
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xa6046864u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xab1fc7d6u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xae031da8u
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x03a122fbu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x0c80af1bu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xc9d4acbeu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xdc3b267du
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x3db7d29cu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x4a0cc981u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

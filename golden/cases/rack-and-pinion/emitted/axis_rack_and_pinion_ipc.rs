@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    0bea23934ea4cd4f99a584d0ecfe16e0
+// checksum    1d57e86bfc8038d49e861d9fda15c00d
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 //! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -164,7 +164,7 @@ pub const BOUND: f64 = 2308249.013526049;
 /// digest of the parameters, as in the head of this file
 pub const PARAMETERS: u128 = 0xadd150623ccfc280dfd3932ca6046864;
 /// digest of the structure: equal for blocks that differ only in the values of their coefficients
-pub const STRUCTURE: u128 = 0xab1fc7d6ae031da803a122fb0c80af1b;
+pub const STRUCTURE: u128 = 0xc9d4acbedc3b267d3db7d29c4a0cc981;
 
 // values of the input mode
 /// the block is off
@@ -377,6 +377,7 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
                 }
                 runs = true;
             } else {
+                state.fade = 0;
                 if inputs.mode != MODE_OFF {
                     // DIRECT (P-AXIS-00753) from v_motor, weight 300/100 = 3 (P-AXIS-00754/00755)
                     // BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),

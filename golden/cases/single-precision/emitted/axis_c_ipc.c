@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
- * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    a53d1bab985c9959a29dc4625fe9ca7e
+ * structure   cc9050558208290afcc2ac91ee00688e
+ * checksum    142ea6fc2539ce99c619cbf8a07c1650
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -253,6 +253,7 @@ AXGEN_CODE_SECTION void axis_c_ipc_step(
                 }
                 runs = true;
             } else {
+                state->fade = 0u;
                 if (inputs->mode != AXIS_C_IPC_MODE_OFF) {
                     state->source_v_command_before = inputs->v_command;
                     state->source_v_motor_before = inputs->v_motor;

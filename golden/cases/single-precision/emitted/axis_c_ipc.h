@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
- * structure   3e99e516dbb85b625e4116a6e39a1e8e
- * checksum    e3fbeed3c0fdf60e5c47c95ce0a11cec
+ * structure   cc9050558208290afcc2ac91ee00688e
+ * checksum    64e4c4e1dc326f3ad29b2520118ec3ea
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -54,10 +54,10 @@ extern "C" {
 #define AXIS_C_IPC_PARAMETERS_2 0x89736648u
 #define AXIS_C_IPC_PARAMETERS_3 0xcbf9f148u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_C_IPC_STRUCTURE_0 0x3e99e516u
-#define AXIS_C_IPC_STRUCTURE_1 0xdbb85b62u
-#define AXIS_C_IPC_STRUCTURE_2 0x5e4116a6u
-#define AXIS_C_IPC_STRUCTURE_3 0xe39a1e8eu
+#define AXIS_C_IPC_STRUCTURE_0 0xcc905055u
+#define AXIS_C_IPC_STRUCTURE_1 0x8208290au
+#define AXIS_C_IPC_STRUCTURE_2 0xfcc2ac91u
+#define AXIS_C_IPC_STRUCTURE_3 0xee00688eu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

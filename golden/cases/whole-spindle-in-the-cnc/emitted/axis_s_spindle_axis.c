@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   35984cbae348854795e867e977de15ae
- * checksum    1dfc247a7f8f8a03469a831419cbf4d8
+ * structure   9e03940c14aa5bc9dc63d949d7a69167
+ * checksum    e52015fe48dca831d4a9e5bfbb943c9e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -247,7 +247,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const double spindle_v_position_control_on_negative = -300000.0; /* -Voff [0.001 deg/s] */
 
     /* 1 rpm (key spindle.window) */
-    /* largest excess of |v_actual| over |v_spindle| at which position control is taken up [0.001 deg/s] */
+    /* by how much v_actual may lie outside 0 to v_spindle where position control is taken up [0.001 deg/s] */
     static const double spindle_window = 6000.0;
     /* Voff + window: a spindle that turns faster when the drive comes on is caught [0.001 deg/s] */
     static const double spindle_v_taken_up = 306000.0;
@@ -316,7 +316,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
-            && state->spindle_control_copy == state->spindle_control;
+            && state->spindle_control_copy == state->spindle_control
+            && (state->spindle_is_moving || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION);
     const bool spindle_is_motion_sound =
         state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
             && state->spindle_x_start < axis_s_spindle_axis_full_turn
@@ -599,7 +600,13 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         }
         const bool spindle_is_found =
             axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-        if (spindle_is_found && (spindle_is_known || !inputs->drive_on)) {
+        if (spindle_is_found) {
+            double spindle_v_shown;
+            if (inputs->drive_on) {
+                spindle_v_shown = state->spindle_v;
+            } else {
+                spindle_v_shown = spindle_v_turning;
+            }
             double spindle_lead;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 int32_t spindle_percentage;
@@ -613,7 +620,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 spindle_lead = spindle_lead_time;
             }
             const double spindle_lead_shown = spindle_lead - spindle_cycle_time;
-            const double spindle_way = spindle_v_turning * spindle_lead_shown;
+            const double spindle_way = spindle_v_shown * spindle_lead_shown;
             double spindle_ahead;
             if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
                 spindle_ahead = inputs->x_actual + spindle_way;
@@ -769,16 +776,23 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
                 bool spindle_has_slowed;
                 if (spindle_is_known) {
+                    const bool spindle_is_backward = state->spindle_v < 0.0;
                     double spindle_v_magnitude_2;
-                    if (state->spindle_v < 0.0) {
+                    if (spindle_is_backward) {
                         spindle_v_magnitude_2 = -state->spindle_v;
                     } else {
                         spindle_v_magnitude_2 = state->spindle_v;
                     }
+                    double spindle_v_along;
+                    if (spindle_is_backward) {
+                        spindle_v_along = -inputs->v_actual;
+                    } else {
+                        spindle_v_along = inputs->v_actual;
+                    }
                     spindle_has_slowed =
                         axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
-                            && axis_s_spindle_axis_magnitude(inputs->v_actual)
-                            <= spindle_v_magnitude_2 + spindle_window;
+                            && spindle_v_along <= spindle_v_magnitude_2 + spindle_window
+                            && -spindle_v_along <= spindle_window;
                 } else {
                     spindle_has_slowed = false;
                 }
@@ -858,6 +872,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 }
                 if (spindle_completes) {
                     state->spindle_takes_over = true;
+                    state->spindle_is_moving = true;
                     /* TO_POSITION -> POSITION: the CNC closes its position loop */
                     spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
                 } else {
@@ -1209,6 +1224,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     }
                     axis_ipc_runs = true;
                 } else {
+                    state->axis_ipc_fade = 0u;
                     if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
                         /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
                         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   35984cbae348854795e867e977de15ae
- * checksum    ec82acfc55eb3f3cb098645371645d90
+ * structure   9e03940c14aa5bc9dc63d949d7a69167
+ * checksum    0d26ff4b113141d3545add04d0ebd9da
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x35984cbau
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xe3488547u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x95e867e9u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x77de15aeu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x9e03940cu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x14aa5bc9u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xdc63d949u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xd7a69167u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u

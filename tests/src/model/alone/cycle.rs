@@ -135,15 +135,13 @@ impl<'d> Alone<'d> {
             refused.left -= 1;
             return refused.why;
         }
-        if self.ipc.is_open() && (self.leaves || self.ipc.is_tripped()) {
-            return 0;
-        }
-        let why = self.go_on(offered);
+        let fades_out = self.ipc.is_open() && (self.leaves || self.ipc.is_tripped());
+        let why = if fades_out { 0 } else { self.go_on(offered) };
         if why != 0 {
             self.refused = Some(Refused { set: offered.set_id, why, left: self.ipc.fade_cycles() });
             (self.leaves, self.checking, self.copied) = (false, None, None);
         }
-        // While it is checked again it stays refused.
+        // While it is checked again, and during a fade-out, it stays refused.
         let same = self.refused.filter(|refused| refused.set == offered.set_id);
         same.map_or(why, |refused| refused.why)
     }

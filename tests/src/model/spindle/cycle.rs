@@ -190,7 +190,7 @@ impl Model {
             let is_fast = v.abs() > self.p.v_off + self.p.window;
             self.mode = if is_fast && !self.p.only_position { self.p.velocity_mode } else { self.p.position_mode };
         }
-        self.x = if is_known && is_position(inputs.x_actual) {
+        self.x = if is_position(inputs.x_actual) {
             ahead(inputs.x_actual, self.v, lead_time(&self.p, inputs) - self.p.cycle)
         } else {
             wrap(self.x + self.v * self.p.cycle)
@@ -240,7 +240,8 @@ impl Model {
             _ => false,
         };
         // The velocity that is put out is the one of the cycle before; no number is not slow.
-        let is_slow = self.v.abs() <= p.v_off && inputs.v_actual.abs() <= self.v.abs() + p.window;
+        let along = if self.v < 0.0 { -inputs.v_actual } else { inputs.v_actual };
+        let is_slow = self.v.abs() <= p.v_off && (-p.window..=self.v.abs() + p.window).contains(&along);
         if state == BRAKE && !is_slow {
             self.unsettled_at = self.now;
         }
