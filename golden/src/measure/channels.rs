@@ -89,13 +89,14 @@ pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> 
         return Err(mistakes);
     }
     let timings: Vec<Timing> = times.iter().map(timing).collect();
-    let channel = |(((column, signal), unit), values): ((&(&Column<'_>, usize), Option<Unit>), Vec<f64>)| {
+    let channel = |(k, values): (usize, Vec<f64>)| {
+        let ((column, signal), unit) = (chosen[k], units[k]);
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
-        let (signal, quantity) = SIGNALS[*signal];
+        let (signal, quantity) = SIGNALS[signal];
         Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing }
     };
-    let mut channels: Vec<Channel> = chosen.iter().zip(units).zip(values).map(channel).collect();
+    let mut channels: Vec<Channel> = values.into_iter().enumerate().map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
     Ok(channels)
 }

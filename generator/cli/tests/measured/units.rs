@@ -11,8 +11,11 @@ use std::sync::LazyLock;
 static MOVES: LazyLock<Columns> = LazyLock::new(moves);
 static EXCITED: LazyLock<Columns> = LazyLock::new(|| excited(8, 0.02));
 
+/// A column, its name, and a factor.
+type Change<'a> = (usize, &'a str, f64);
+
 /// Columns of um/s, mm and m/s^2, some of them under another name and multiplied by a factor.
-fn scaled(columns: &Columns, of: &[usize], changes: &[(usize, &str, f64)]) -> String {
+fn scaled(columns: &Columns, of: &[usize], changes: &[Change<'_>]) -> String {
     let mut columns = columns.clone();
     let mut names = [
         "x_command [mm]",
@@ -54,7 +57,7 @@ fn units_change_neither_the_response_nor_the_side() {
     let ([re, im], side) = results(&measure(&plain, &scaled(&EXCITED, &OF_EXCITED, &[])));
     assert_eq!(side, "motor");
     let parts = [V_COMMAND, V_MOTOR, V_EXCITE, A_LOAD];
-    let cases: [(&[usize], &[(usize, &str, f64)]); 4] = [
+    let cases: [(&[usize], &[Change<'_>]); 4] = [
         (&OF_EXCITED, &[(V_MOTOR, "v_motor [mm/min]", 0.06)]),
         (&OF_EXCITED, &[(V_MOTOR, "v_motor [mm/s]", 1e-3), (A_LOAD, "a_load [g]", 1.0 / 9.80665)]),
         // Without v_cmd, the sum of its parts in two units.
