@@ -56,7 +56,7 @@ fn ms_exceeds_2_above_the_largest_calm_weight_and_not_below() {
         let set = format!("cycle_time = \"{cycle}us\"\n{}", axis("X", keys, "DRYRUN", &stages));
         let (axes, report) = read(&set);
         let designed = axes.unwrap_or_else(|| panic!("{report}\n{set}")).remove(0);
-        let delay_cycles = Some([1.0, 1.5, 2.0, 3.0][rng.below(4) as usize]);
+        let delay_cycles = Some([1.0, 1.5, 2.0, 3.0][rng.below(4)]);
         let time_constant = rng.chance(50).then_some(3e-3);
         let model = DriveModel { delay_cycles, time_constant, ..designed.axis.drive.clone() };
         let calm = analyze(&designed, &model).drives[0].stages[0].largest_weight;
