@@ -139,6 +139,8 @@ pub fn set_id<R: Real>(forming: &Forming<R>) -> u32 {
     let mut set_id = 0u32;
     if word >= 0i32 {
         set_id = unsigned(word);
+    } else {
+        note("reached only if the block's memory was corrupted");
     }
     set_id
 }

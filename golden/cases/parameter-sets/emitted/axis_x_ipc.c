@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   cc95df405caec619406ea3760acb980d
- * checksum    8d80d285aca3e4c44f95a3b05c35b849
+ * checksum    fa5b3369d9c7198692ab22a0521d4859
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -365,6 +365,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                                 if (check_word >= 0) {
                                     check_set_id_2 = (uint32_t)check_word;
                                 } else {
+                                    /* reached only if the block's memory was corrupted */
                                     check_set_id_2 = 0u;
                                 }
                                 const bool check_is_word =
