@@ -742,4 +742,7 @@ codes! {
     FOREIGN_LINE = "AX526", "a response with a line that the excitation does not make",
         "Something that turns with the axis, such as the mesh of a pinion, makes a line of its own. It repeats with the excitation, so \
          that its coherence is high, while the response is wrong there by up to 18 dB. Excite at another speed.";
+    OUTLIER = "AX527", "a wrong sample in a recording",
+        "One sample of a sensor is more than 10 times all others, as after a lost frame or a loose contact. It hides all lines of the \
+         spectrum, and makes wrong which side a vibration comes from. Record again, or correct the sample in the file.";
 }

@@ -10,7 +10,7 @@ use commands::json;
 use commands::measure::{self, Reading, Recorded, Recordings};
 use commands::words::{TIMES, seconds};
 use generator::codes;
-use golden::measure::{Excitation, Measured, picture, text};
+use golden::measure::{Excitation, Measured, is_same_interval, picture, text};
 use golden::svg;
 use std::path::{Path, PathBuf};
 
@@ -54,6 +54,7 @@ pub fn run(of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
     }
     let reading = Reading { map: &of.map, cycle_time: of.cycle_time, excitation: of.excitation };
     let all = read(recording, of.excited.as_deref(), &reading)?;
+    agrees(&all, of.cycle_time)?;
     write(&all, of, rules)?;
     if of.json {
         output::line(json::text(&measure::results(&all)))?;
@@ -64,6 +65,19 @@ pub fn run(of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
         output::say(&messages::text(&all.said(), format));
     }
     Ok(if all.measured().any(Measured::refuses) { Exit::Different } else { Exit::Done })
+}
+
+/// Refuses a `--cycle-time` that contradicts the times of a recording.
+fn agrees(all: &Recordings, cycle_time: Option<f64>) -> Result<(), Exit> {
+    let Some(stated) = cycle_time else { return Ok(()) };
+    let mut intervals = all.measured().flat_map(|of| &of.channels).filter_map(|channel| channel.timing.interval);
+    let is_other = |interval: &f64| !is_same_interval(*interval, stated);
+    intervals.find(is_other).map_or(Ok(()), |interval| {
+        let [stated, interval] = [stated, interval].map(|seconds| seconds * 1e3);
+        let said =
+            format!("{stated} ms contradicts the times of the recording, every {interval} ms: leave one of them out");
+        Err(Exit::input(codes::USAGE, "--cycle-time", said))
+    })
 }
 
 /// Reads and measures a recording, and optionally a second one.

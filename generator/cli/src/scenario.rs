@@ -43,7 +43,7 @@ pub fn run(of: &ScenarioArguments, format: Format) -> Result<Exit, Exit> {
     output::print(scenario::table(&scenario, designed, &block))?;
     let Some(message) = scenario.oscillation.message() else { return Ok(Exit::Done) };
     output::print(format!("{message}\n"))?;
-    Ok(if scenario.oscillation.is_stable { Exit::Done } else { Exit::Different })
+    Ok(if scenario.oscillation.is_stable == Some(true) { Exit::Done } else { Exit::Different })
 }
 
 /// Whether a file begins with the names of some of these signals, as a stimulus does.

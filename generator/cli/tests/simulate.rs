@@ -74,6 +74,40 @@ fn little_damping_is_unstable() {
     assert!(text.contains("the loop is unstable") && text.contains("unstable\n"), "{text}");
 }
 
+/// A stage with the input `v_direct` closes the loop, too: a drive without mechanics has one velocity. Of the plant it is not
+/// known whether it is stable.
+#[test]
+fn a_stage_at_the_load_is_judged() {
+    let folder = tempfile::tempdir().unwrap();
+    let set = |weight: u32| {
+        format!(
+            "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\ngetriebe = [{{ dynamik.vb_max = 530000, kv = 2000 }}]\n\
+             [axis.X.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 100\n\
+             stage = [{{ mode = \"DIRECT\", direct_source = \"v_direct\", weight_fact_num = {weight}, weight_fact_denom = 100, \
+             filter = [{{ fg_f0 = 60, q_factor = 1, order = 3 }}] }}]\n"
+        )
+    };
+    for (weight, options, expected) in [
+        (300, "--delay 1.5", Some("all: v_add at its limit for 2.5 s: the loop is unstable")),
+        (30, "--delay 1.5", None),
+        (
+            300,
+            "--plant demonstration",
+            Some("all: whether the loop is stable is not known: a stage has the input v_direct"),
+        ),
+    ] {
+        fs::write(folder.path().join("set.toml"), set(weight)).unwrap();
+        let (code, text) = simulate_set(folder.path(), &format!("set.toml {options}"));
+        assert_eq!(code, i32::from(expected.is_some()), "{text}");
+        let remark = text.lines().skip(1).find(|line| line.starts_with("all:"));
+        assert_eq!(remark, expected, "{text}");
+    }
+    fs::write(folder.path().join("set.toml"), set(300)).unwrap();
+    fs::write(folder.path().join("p.nc"), "N10 G01 X500 F20000\nN20 G04 X2\nM30\n").unwrap();
+    let (code, out, _) = words(folder.path(), "scenario set.toml p.nc --stimulus s.csv --delay 1.5");
+    assert!(code == 1 && out.contains("the loop is unstable"), "{out}");
+}
+
 /// A ripple that no command asked for becomes |S| times as large.
 #[test]
 fn a_drive_answers_a_ripple_as_its_sensitivity_says() {

@@ -97,7 +97,7 @@ fn measured(
 pub fn say(report: &mut Report, of: impl Display, verdicts: &[Verdict]) {
     for verdict in verdicts {
         let said = if verdict.refuses { Diagnostic::error } else { Diagnostic::warning };
-        report.push(said(verdict.code, Place::whole(&of), verdict.found.clone()).instead(verdict.instead));
+        report.push(said(verdict.code, Place::whole(&of), verdict.found.clone()).instead(verdict.instead.clone()));
     }
 }
 

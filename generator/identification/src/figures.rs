@@ -23,8 +23,8 @@ pub struct Vibration {
     /// [Hz]
     pub hz: f64,
     pub when: When,
-    /// the channel of the record that shows it
-    pub channel: usize,
+    /// the channel of the record that shows it; `None` for the following error
+    pub channel: Option<usize>,
 }
 
 /// A record with the stages off: at rest at both ends, all signals of one length, sampled at T.
@@ -33,7 +33,7 @@ pub struct Record<'a> {
     /// the examined signals: of the load, or of the motor
     pub channels: &'a [&'a [f64]],
     pub v_motor: &'a [f64],
-    /// following error: command minus position of the motor
+    /// following error: command minus position of the motor, in the unit of the way of `v_motor`
     pub error: Option<&'a [f64]>,
     /// the ramps: the samples of each
     pub ramps: &'a [Range<usize>],
@@ -53,6 +53,11 @@ const PADDED: f64 = 8.0;
 /// The highest frequency for the figures, relative to that of a vibration: an amplitude needs little above it, a peak needs
 /// 16 samples per period.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
+
+/// The signals of the record: the following error, the velocity of the motor, and after them the channels.
+const ERROR: usize = 0;
+const MOTOR: usize = 1;
+const BEFORE: usize = 2;
 
 /// Stages that leave more than that of every vibration are useless.
 const USELESS: f64 = 0.8;
@@ -113,9 +118,10 @@ impl<'a> Judge<'a> {
     pub fn new(axis: Axis<'a>, record: Record<'a>, vibrations: &'a [Vibration]) -> Option<Self> {
         let needed = |vibration: &Vibration| vibration.hz * HIGHEST[usize::from(vibration.when == When::Ramps)];
         let highest = vibrations.iter().map(needed).fold(0.0, f64::larger);
-        let is_there = |vibration: &Vibration| vibration.channel < record.channels.len() && vibration.hz > 0.0;
-        vibrations.iter().all(is_there).then_some(())?;
-        let what_if = WhatIf::new(axis, record.channels, Some(highest));
+        let has = |channel: Option<usize>| channel.map_or(record.error.is_some(), |at| at < record.channels.len());
+        vibrations.iter().all(|vibration| has(vibration.channel) && vibration.hz > 0.0).then_some(())?;
+        let all = [&[record.error.unwrap_or_default(), record.v_motor], record.channels].concat();
+        let what_if = WhatIf::new(axis, &all, Some(highest));
         let place = |seconds: f64| whole((seconds / what_if.step()).larger(0.0));
         let cycle = axis.cycle_time;
         let about = |window: [f64; 2], of: fn(&Range<usize>) -> usize| {
@@ -146,11 +152,14 @@ impl<'a> Judge<'a> {
         Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
     }
 
-    /// Amplitude and ring-down of each vibration after applying a response at the lines.
-    fn amplitudes(&self, response: &[Complex64]) -> Vec<[f64; 2]> {
+    /// Amplitude and ring-down of each vibration with the stages that leave R, given at the lines.
+    fn amplitudes(&self, left: &[Complex64]) -> Vec<[f64; 2]> {
         let of = |vibration: &Vibration| {
-            let [signal, ringing] =
-                self.what_if.signal(vibration.channel, response, 1.0, OF_RING.map(|part| part * vibration.hz));
+            let band = OF_RING.map(|part| part * vibration.hz);
+            let [signal, ringing] = match vibration.channel {
+                Some(channel) => self.what_if.signal(BEFORE + channel, left, 1.0, band),
+                None => self.what_if.error([ERROR, MOTOR], left, band),
+            };
             match vibration.when {
                 When::Driving => [self.amplitude(&signal, &self.dwells, OF_DWELL.map(|part| part * vibration.hz)), 1.0],
                 When::Ramps => {

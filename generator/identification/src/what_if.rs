@@ -123,12 +123,31 @@ impl<'a> WhatIf<'a> {
     /// this line is not part of a band.
     #[must_use]
     pub fn signal(&self, signal: usize, response: &[Complex64], at_0: f64, band: [f64; 2]) -> [Vec<f64>; 2] {
+        let lines = &self.signals[signal];
+        self.samples(lines[0] * at_0, lines[1..].iter().zip(response).map(|(line, response)| line * response), band)
+    }
+
+    /// The following error, a signal, with the stages that leave R: e + T sum(v - R v), where v is the velocity of the motor,
+    /// another signal; completely and within a band [Hz] only.
+    ///
+    /// The sum is 1/(1 - z^-1) = (1 + 1/(j t))/2.
+    #[must_use]
+    pub fn error(&self, [error, motor]: [usize; 2], left: &[Complex64], band: [f64; 2]) -> [Vec<f64>; 2] {
+        let [error, motor] = [error, motor].map(|signal| &self.signals[signal]);
+        let lag = |((v, left), t): ((&Complex64, &Complex64), &f64)| {
+            v * (1.0 - left) * Complex64::new(0.5, -0.5 / t) * self.axis.cycle_time
+        };
+        let lags = motor[1..].iter().zip(left).zip(&self.t).map(lag);
+        self.samples(error[0], error[1..].iter().zip(lags).map(|(error, lag)| error + lag), band)
+    }
+
+    /// The samples of a signal from its lines, completely and within a band [Hz] only.
+    fn samples(&self, at_0: Complex64, lines: impl Iterator<Item = Complex64>, band: [f64; 2]) -> [Vec<f64>; 2] {
         let length = self.inverse.length();
         let mut values = vec![ZERO; length];
-        values[0] = self.signals[signal][0] * at_0;
-        for (k, (line, response)) in self.signals[signal].iter().skip(1).zip(response).enumerate() {
+        values[0] = at_0;
+        for (k, value) in lines.enumerate() {
             let hz = (k + 1) as f64 * self.spacing();
-            let value = line * response;
             let inside = if (band[0]..=band[1]).contains(&hz) { value } else { ZERO };
             // Two real signals are the real and the imaginary part of one transform.
             let turned = |value: Complex64| Complex64::new(-value.im, value.re);

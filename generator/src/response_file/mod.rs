@@ -153,6 +153,22 @@ pub fn read(file: &str, bytes: &[u8], from: From, cycle_time: f64, bands: &[Band
     Ok(Measured { response, said: said.report, lines: points.len(), has_errors, dead_time })
 }
 
+/// The messages about the lowest lines of a response from the commanded velocity to the motor's that was not read from a file:
+/// frequencies [Hz], values, standard errors.
+#[must_use]
+pub fn of_lowest_lines(hz: &[f64], response: &[Complex64], error: &[f64]) -> Vec<Diagnostic> {
+    let point = |((hz, response), error): ((&f64, &Complex64), &f64)| Point {
+        line: 0,
+        hz: *hz,
+        response: *response,
+        error: error / magnitude(*response),
+    };
+    let points: Vec<Point> = hz.iter().zip(response).zip(error).map(point).collect();
+    let mut said = Said { file: "", report: Report::default() };
+    low_end::check(&points, [0, 0], From::Command { delay: 0.0 }, &mut said);
+    said.report.diagnostics
+}
+
 /// The lines of a table.
 fn of_table<'t>(text: &'t str, said: &mut Said<'_>) -> Result<Reading<'t>, Report> {
     let table = table::Table::read(text).map_err(|mistake| mistake.diagnostic(said))?;

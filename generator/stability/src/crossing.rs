@@ -25,6 +25,12 @@ pub struct Line {
 /// The smaller root of a quadratic equation, without cancellation. 0 if the rest itself is too close to 0.
 #[must_use]
 pub fn largest_within(line: &Line, distance: f64, most: f64) -> f64 {
+    within(line, distance, most).smaller(most)
+}
+
+/// [`largest_within`]; if it is `most`, `most` and the least value up to there of c + 2 B w + A w^2, which would be 0: a search
+/// between two frequencies at which all weights are allowed then finds one between them at which they are not.
+fn within(line: &Line, distance: f64, most: f64) -> f64 {
     let Line { rest, part, uncertainty } = line;
     let c = rest.norm_sqr() - distance * distance;
     if c <= 0.0 {
@@ -33,10 +39,17 @@ pub fn largest_within(line: &Line, distance: f64, most: f64) -> f64 {
     let b = (rest * part.conj()).re - distance * uncertainty * magnitude(*part);
     let a = part.norm_sqr() * (1.0 - uncertainty * uncertainty);
     let discriminant = b * b - a * c;
-    if b >= 0.0 && a >= 0.0 || discriminant <= 0.0 {
-        return most;
+    if b >= 0.0 && a >= 0.0 {
+        return most + c;
     }
-    (c / (discriminant.sqrt() - b)).smaller(most)
+    if discriminant > 0.0 {
+        let weight = c / (discriminant.sqrt() - b);
+        if weight < most {
+            return weight;
+        }
+    }
+    let nearest = if a > 0.0 { (-b / a).smaller(most) } else { most };
+    most + (c + nearest * (2.0 * b + a * nearest)).larger(0.0)
 }
 
 /// Steps of the search if the response is uncertain.
@@ -53,17 +66,19 @@ impl Line {
     /// The least distance of the loop from -1 with a weight.
     pub(crate) fn distance(&self, weight: f64) -> f64 {
         let distance = self.at(weight);
-        magnitude(distance) - self.uncertainty * magnitude(distance - 1.0)
+        let uncertain = if self.uncertainty > 0.0 { self.uncertainty * magnitude(distance - 1.0) } else { 0.0 };
+        magnitude(distance) - uncertain
     }
 
-    /// The least weight, up to `most`, at which the distance is `distance`; `most` if there is none.
+    /// The least weight, up to `most`, at which the distance is `distance`; if there is none, `most` and how far from it the
+    /// loop stays.
     ///
     /// Without uncertainty in closed form.
     pub(crate) fn largest_weight(&self, distance: f64, most: f64) -> f64 {
         if self.uncertainty > 0.0 {
             return self.uncertain(distance, most);
         }
-        largest_within(self, distance, most)
+        within(self, distance, most)
     }
 
     /// A change of the weight by 1 changes the distance by at most (1 + uncertainty) |part|, so the steps never pass the
@@ -71,7 +86,7 @@ impl Line {
     fn uncertain(&self, distance: f64, most: f64) -> f64 {
         let steepest = (1.0 + self.uncertainty) * magnitude(self.part);
         if steepest == 0.0 {
-            return if self.distance(0.0) > distance { most } else { 0.0 };
+            return if self.distance(0.0) > distance { most + self.distance(0.0) - distance } else { 0.0 };
         }
         let mut weight = 0.0;
         for _ in 0..STEPS {
@@ -81,7 +96,8 @@ impl Line {
             }
             weight += step;
             if weight >= most {
-                return most;
+                let nearest = self.nearest().larger(0.0).smaller(most);
+                return most + (self.distance(nearest) - distance).larger(0.0);
             }
         }
         weight

@@ -178,7 +178,7 @@ impl<'a> Loop<'a> {
         if !part.is_stable(0.0) {
             return [0.0; 2];
         }
-        [part.largest_stable([0.0, most]), part.least(|line| line.largest_weight(1.0 / MAX_MS, most)).0]
+        [part.largest_stable([0.0, most]), part.largest_within(1.0 / MAX_MS, most)]
     }
 
     /// The loop with one stage as its part, and some of the others.

@@ -11,6 +11,8 @@ const DEPTH: u32 = 40;
 /// A local minimum within this factor of the least one may be the least one between the points: where two stages and the
 /// position controller interact, a point exceeded the minimum next to it by a half.
 const NEAR: f64 = 4.0;
+/// If all weights are allowed at a point, but nearly not ([`Line::largest_weight`]), some may not be allowed next to it.
+const NEARLY: f64 = 0.2;
 
 /// A loop at its points and between them, as a function of the weight of a part.
 pub(crate) struct Part<'l, F> {
@@ -57,7 +59,7 @@ impl<'l, F: Fn(&At) -> Line> Part<'l, F> {
 
     /// The largest |S| with a weight of the part, and its t; `None` if the loop is unstable.
     pub(crate) fn ms(&self, weight: f64) -> Option<[f64; 2]> {
-        let (distance, t) = self.least(|line| line.distance(weight));
+        let (distance, t) = self.least(|line| line.distance(weight), |value, found| value <= found * NEAR);
         (distance > 0.0 && self.is_stable(weight)).then(|| [1.0 / distance, t])
     }
 
@@ -71,14 +73,20 @@ impl<'l, F: Fn(&At) -> Line> Part<'l, F> {
             }
         });
         if self.driven.is_uncertain() {
-            largest = largest.smaller(self.least(|line| line.largest_weight(0.0, most)).0);
+            largest = largest.smaller(self.largest_within(0.0, most));
         }
         largest
     }
 
-    /// The least value over all frequencies, and its t: at the points, then between the neighbours of those that are almost
-    /// the least.
-    pub(crate) fn least(&self, of: impl Fn(&Line) -> f64) -> (f64, f64) {
+    /// The largest weight, up to `most`, for which the distance is `distance` or more for it and all smaller weights.
+    pub(crate) fn largest_within(&self, distance: f64, most: f64) -> f64 {
+        let is_near = |value: f64, found: f64| value <= if value < most { found * NEAR } else { most + NEARLY };
+        self.least(|line| line.largest_weight(distance, most), is_near).0.smaller(most)
+    }
+
+    /// The least value over all frequencies, and its t: at the points, then between the neighbours of those that are near the
+    /// least one, which may be the least one between the points.
+    fn least(&self, of: impl Fn(&Line) -> f64, is_near: impl Fn(f64, f64) -> bool) -> (f64, f64) {
         let values: Vec<f64> = self.lines.iter().map(&of).collect();
         let t = |k: usize| self.driven.points[k].t;
         let (mut found, mut at) = (f64::INFINITY, t(0));
@@ -87,10 +95,10 @@ impl<'l, F: Fn(&At) -> Line> Part<'l, F> {
                 (found, at) = (*value, t(k));
             }
         }
-        let near = found * NEAR;
+        let least_point = found;
         for (k, window) in values.windows(3).enumerate() {
             let is_least = window[1] <= window[0] && window[1] <= window[2] && window[1] < window[0].larger(window[2]);
-            if is_least && window[1] <= near {
+            if is_least && is_near(window[1], least_point) {
                 let (t, value) = least(t(k), t(k + 2), |t| of(&self.at(t)));
                 if value < found {
                     (found, at) = (value, t);

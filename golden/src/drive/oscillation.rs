@@ -8,8 +8,8 @@ const SETTLED: f64 = 0.3;
 /// A loop and the result of its run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Oscillation {
-    /// whether the loop is stable, from its frequency responses
-    pub is_stable: bool,
+    /// whether the loop is stable, from its frequency responses; `None` if these do not show it
+    pub is_stable: Option<bool>,
     /// time of `v_add` at its limit without a ramp [s]
     pub at_limit: f64,
 }
@@ -20,12 +20,13 @@ impl Oscillation {
     pub fn message(self) -> Option<String> {
         let time = self.at_limit;
         match (time > ALLOWED, self.is_stable) {
-            (true, false) => Some(format!("v_add at its limit for {time:.1} s: the loop is unstable")),
-            (false, false) => Some("v_add has not reached its limit yet, but the loop is unstable".to_owned()),
-            (true, true) => Some(format!(
+            (_, None) => Some("whether the loop is stable is not known: a stage has the input v_direct".to_owned()),
+            (true, Some(false)) => Some(format!("v_add at its limit for {time:.1} s: the loop is unstable")),
+            (false, Some(false)) => Some("v_add has not reached its limit yet, but the loop is unstable".to_owned()),
+            (true, Some(true)) => Some(format!(
                 "v_add at its limit for {time:.1} s: the loop is stable, the limit too small for this vibration"
             )),
-            (false, true) => None,
+            (false, Some(true)) => None,
         }
     }
 }

@@ -44,6 +44,14 @@ pub struct Channel {
     pub timing: Timing,
 }
 
+impl Channel {
+    /// Its unit divided by that of another channel, if both are stated; else 1.
+    pub(super) fn ratio_to(&self, other: &Self) -> f64 {
+        let stated = |channel: &Self| channel.unit.filter(|_| channel.is_stated);
+        stated(self).zip(stated(other)).map_or(1.0, |(own, other)| own.size / other.size)
+    }
+}
+
 /// The sampling times of a channel.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Timing {
@@ -61,12 +69,13 @@ pub struct Timing {
 /// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` assigns signals to columns with other names.
 ///
 /// # Errors
-/// All errors: unknown and repeated columns, short rows, cells that are not finite numbers.
+/// All errors: unknown and repeated columns, unknown units; short rows, cells that are not finite numbers.
 pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> {
     let shape = Shape { real: RealKind::F64, signals: SIGNALS.iter().map(|(name, _)| real(name)).collect() };
     let found = signals::of_columns(table, &shape, &OTHERS, &with_units(table, map))?;
     let chosen: Vec<(&Column<'_>, usize)> =
         table.columns.iter().zip(&found).filter_map(|(column, signal)| Some((column, (*signal)?))).collect();
+    let units = units(&chosen)?;
     let mut times: Vec<Instants<'_>> = Vec::new();
     for (column, _) in &chosen {
         if let Some(time) = column.time.filter(|time| times.iter().all(|known| known.column != *time)) {
@@ -80,14 +89,14 @@ pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> 
         return Err(mistakes);
     }
     let timings: Vec<Timing> = times.iter().map(timing).collect();
-    let channel = |((column, signal), values): (&(&Column<'_>, usize), Vec<f64>)| {
+    let channel = |(k, values): (usize, Vec<f64>)| {
+        let ((column, signal), unit) = (chosen[k], units[k]);
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
-        let (signal, quantity) = SIGNALS[*signal];
-        let unit = bracket(column.called()).and_then(|(_, unit)| Unit::named(quantity, unit));
+        let (signal, quantity) = SIGNALS[signal];
         Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing }
     };
-    let mut channels: Vec<Channel> = chosen.iter().zip(values).map(channel).collect();
+    let mut channels: Vec<Channel> = values.into_iter().enumerate().map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
     Ok(channels)
 }
@@ -96,10 +105,26 @@ fn real(name: &str) -> Signal {
     Signal { name: name.to_owned(), ty: Type::Real, start: Literal::F64(0.0) }
 }
 
-/// A name and the unit in brackets after it.
+/// A name and the unit in brackets at its end. Brackets without a letter are an index, as in `v[3]`.
 fn bracket(name: &str) -> Option<(&str, &str)> {
-    let (name, unit) = name.split_once('[').or_else(|| name.split_once('('))?;
-    Some((name.trim(), unit.trim_end_matches([']', ')']).trim()))
+    let (name, unit) = name.trim_end().strip_suffix([']', ')'])?.rsplit_once(['[', '('])?;
+    unit.contains(char::is_alphabetic).then(|| (name.trim(), unit.trim()))
+}
+
+/// The units that the names of the columns state; a unit that is not known is not replaced by a plausible one.
+fn units(chosen: &[(&Column<'_>, usize)]) -> Result<Vec<Option<Unit>>, Vec<Mistake>> {
+    let (mut units, mut mistakes) = (Vec::new(), Vec::new());
+    for (column, signal) in chosen {
+        let (signal, quantity) = SIGNALS[*signal];
+        let stated = bracket(column.called()).map(|(_, name)| name);
+        let unit = stated.and_then(|name| Unit::named(quantity, name));
+        if let (Some(name), None) = (stated, unit) {
+            let found = format!("the unit `{}` of {signal}", name.escape_default());
+            mistakes.push(Mistake::new(column.place, found, quantity.names()));
+        }
+        units.push(unit);
+    }
+    if mistakes.is_empty() { Ok(units) } else { Err(mistakes) }
 }
 
 /// The map, extended by the columns whose names are those of signals with a unit.

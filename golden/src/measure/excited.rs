@@ -3,6 +3,8 @@
 use super::record::Record;
 use super::verdict::Verdict;
 use generator::codes;
+use generator::diagnostics::Severity;
+use generator::response_file;
 use identification::dead_time::{self, Channels};
 use identification::excitation::{Excitation, Sequence};
 use identification::offset::Time;
@@ -98,7 +100,15 @@ pub(super) fn measure(
     find_uncertain(&lines, verdicts);
     let is_alone = has_no_foreign_line(&raw.up_to(half), verdicts);
     let excited = Excited { sequence, measured, raw: raw.up_to(half), lines, dead_time, load };
-    (fits && is_of_task && is_alone).then_some(excited)
+    (fits && follows(&excited.lines, verdicts) && is_of_task && is_alone).then_some(excited)
+}
+
+/// Whether the motor follows slow commands.
+fn follows(lines: &Lines, verdicts: &mut Vec<Verdict>) -> bool {
+    let said = response_file::of_lowest_lines(&lines.hz, &lines.response, &lines.error);
+    let refuses = said.iter().any(|of| of.severity == Severity::Error);
+    verdicts.extend(said.into_iter().map(Verdict::from));
+    !refuses
 }
 
 /// The reason why there is no response.

@@ -25,7 +25,7 @@ mod vibrations;
 pub use channels::{Channel, Timing, read};
 pub use excited::Excited;
 pub use record::Record;
-pub(crate) use record::is_same as is_same_interval;
+pub use record::is_same as is_same_interval;
 pub use relations::Offset;
 pub use unit::{Quantity, Unit};
 pub use verdict::Verdict;
@@ -115,6 +115,7 @@ pub fn measure(
     };
     let fits = record.find_units(verdicts);
     record.find_clipping(verdicts);
+    record.find_outliers(verdicts);
     for channel in &mut measured.channels {
         channel.unit = record.channel(channel.signal).map_or(channel.unit, |known| known.unit);
     }
@@ -132,7 +133,7 @@ pub fn measure(
         measured.excited = excited::measure(&record, given, fits, verdicts);
         measured.vibrations = measured.excited.as_ref().map(vibrations::of_response).unwrap_or_default();
     } else {
-        of_moves(&mut measured, &record, other.and_then(|other| other.excited.as_ref()));
+        of_moves(&mut measured, &record, other);
     }
     measured.record = Some(record);
     measured
@@ -163,7 +164,7 @@ fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
 }
 
 /// The results of moves without an excitation.
-fn of_moves(measured: &mut Measured, record: &Record, excited: Option<&Excited>) {
+fn of_moves(measured: &mut Measured, record: &Record, other: Option<&Measured>) {
     let verdicts = &mut measured.verdicts;
     let instead = "record x_command or v_command with a_load or v_motor, or name them with --map SCOPE=SIGNAL";
     let Some((command, moves)) = record.command().filter(|_| !vibrations::signals(record).is_empty()) else {
@@ -193,5 +194,6 @@ fn of_moves(measured: &mut Measured, record: &Record, excited: Option<&Excited>)
     let kv = relations::position_gain(record);
     measured.vibrations = vibrations::of_moves(record, &measured.windows, kv);
     vibrations::find_doubts(&measured.vibrations, verdicts);
+    let excited = other.and_then(|other| other.record.as_ref().zip(other.excited.as_ref()));
     vibrations::find_sides(&mut measured.vibrations, record, excited, verdicts);
 }

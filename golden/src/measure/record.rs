@@ -7,6 +7,8 @@ use generator::codes;
 use portable::{Extreme, peak};
 use std::borrow::Cow;
 
+/// The signals of sensors.
+const SENSORS: [&str; 3] = ["v_motor", "v_direct", "a_load"];
 /// Times over which the command is smoothed twice [s]: for a planned position because of its digits, for a controller's
 /// output because of the vibration that it feeds back.
 const OF_POSITION: f64 = 0.01;
@@ -19,6 +21,9 @@ const MOVES: f64 = 3.0;
 /// A clipped channel stays at its largest value for this number of samples, this number of times, after a change of this
 /// part of its range in one sample.
 const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
+
+/// A sample is wrong if it is more than this multiple of all others.
+const OUTLIER: f64 = 10.0;
 
 /// All channels with one interval, from the latest first sample to the earliest last one.
 #[derive(Clone, Debug)]
@@ -77,15 +82,17 @@ impl Record {
         self.channels.first().map_or(0, |channel| channel.values.len())
     }
 
-    /// The command to the drive: `v_cmd`, or the sum of its parts.
+    /// The command to the drive: `v_cmd`, or the sum of its parts in the unit of `v_command`.
     #[must_use]
     pub fn v_cmd(&self) -> Option<Cow<'_, [f64]>> {
         if let Some(v_cmd) = self.get("v_cmd") {
             return Some(Cow::Borrowed(v_cmd));
         }
-        let mut sum = self.get("v_command")?.to_vec();
-        for part in ["v_add", "v_excite"].into_iter().filter_map(|name| self.get(name)) {
-            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        let command = self.channel("v_command")?;
+        let mut sum = command.values.clone();
+        for part in ["v_add", "v_excite"].into_iter().filter_map(|name| self.channel(name)) {
+            let ratio = part.ratio_to(command);
+            sum.iter_mut().zip(&part.values).for_each(|(sum, part)| *sum += ratio * part);
         }
         Some(Cow::Owned(sum))
     }
@@ -105,6 +112,13 @@ impl Record {
     pub fn unit(&self, signal: &str) -> Option<Unit> {
         let known = self.channel(signal).and_then(|channel| channel.unit);
         known.or_else(|| self.channel("x_command").filter(|_| signal == "following_error")?.unit)
+    }
+
+    /// The unit of the following error divided by the distance that `v_motor` covers in 1 s with the value 1; `None` if one of
+    /// the units is unknown.
+    #[must_use]
+    pub fn error_unit(&self) -> Option<f64> {
+        Some(self.unit("following_error")?.size / self.unit("v_motor")?.size)
     }
 
     /// The unit of the command, as a velocity.
@@ -173,17 +187,36 @@ impl Record {
 
     /// The unit of `v_motor` divided by that of the command, if both are stated; else 1.
     pub(super) fn velocity_ratio(&self) -> f64 {
-        let stated = |name: &str| self.channel(name).filter(|channel| channel.is_stated)?.unit;
-        let command = stated("v_cmd").or_else(|| stated("v_command"));
-        stated("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.size / command.size)
+        let command = self.channel("v_cmd").or_else(|| self.channel("v_command"));
+        self.channel("v_motor").zip(command).map_or(1.0, |(motor, command)| motor.ratio_to(command))
+    }
+
+    /// The unit of a signal divided by its unit in another recording; `None` if one of them is unknown, or if they differ and
+    /// are not both stated.
+    pub(super) fn unit_ratio(&self, other: &Self, signal: &str) -> Option<f64> {
+        let (own, other) = self.channel(signal).zip(other.channel(signal))?;
+        let units = (own.unit?, other.unit?);
+        (own.is_stated && other.is_stated || units.0 == units.1).then(|| units.0.size / units.1.size)
     }
 
     /// Reports sensors that are at their limit.
     pub(super) fn find_clipping(&self, verdicts: &mut Vec<Verdict>) {
-        for name in ["v_motor", "v_direct", "a_load"] {
+        for name in SENSORS {
             let Some(at) = self.get(name).and_then(clipped) else { continue };
             let found = format!("{name} stays at its largest value, first at {:.3} s", at as f64 * self.cycle);
             verdicts.push(Verdict::note(codes::CLIPPED, found, "choose a larger range of the sensor or the recorder"));
+        }
+    }
+
+    /// Refuses sensors with a wrong sample: its spectrum hides all lines.
+    pub(super) fn find_outliers(&self, verdicts: &mut Vec<Verdict>) {
+        for name in SENSORS {
+            let Some((at, value)) = self.get(name).and_then(outlier) else { continue };
+            let found = format!(
+                "one sample of {name} is more than {OUTLIER} times all others: {value} at {:.3} s",
+                at as f64 * self.cycle
+            );
+            verdicts.push(Verdict::refusal(codes::OUTLIER, found, "record again, or correct this sample in the file"));
         }
     }
 
@@ -202,12 +235,26 @@ impl Record {
 }
 
 /// Whether two intervals are almost equal.
-pub(crate) fn is_same(a: f64, b: f64) -> bool {
+#[must_use]
+pub fn is_same(a: f64, b: f64) -> bool {
     libm::fabs(a / b - 1.0) < SAME_INTERVAL
 }
 
 fn shown(interval: Option<f64>) -> String {
     interval.map_or_else(|| "an unknown number of".to_owned(), |interval| (interval * 1e3).to_string())
+}
+
+/// The sample that is more than a multiple of all others, and its value.
+fn outlier(values: &[f64]) -> Option<(usize, f64)> {
+    let (mut largest, mut second) = ((0, 0.0), 0.0);
+    for (at, value) in values.iter().copied().enumerate() {
+        if libm::fabs(value) > libm::fabs(largest.1) {
+            (largest, second) = ((at, value), libm::fabs(largest.1));
+        } else {
+            second = libm::fabs(value).larger(second);
+        }
+    }
+    (libm::fabs(largest.1) > OUTLIER * second).then_some(largest)
 }
 
 /// The sample in which a signal first stays at an end of its range, if it does so suddenly and repeatedly.

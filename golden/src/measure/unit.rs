@@ -26,13 +26,15 @@ const PEAK_ACCELERATION: [f64; 2] = [0.05, 50.0];
 
 impl Quantity {
     fn units(self) -> &'static [Unit] {
-        const VELOCITY: [Unit; 8] = [
+        const VELOCITY: [Unit; 10] = [
             unit("um/s", 1e-6),
             unit("mm/s", 1e-3),
             unit("m/s", 1.0),
             unit("m/min", 1.0 / 60.0),
+            unit("mm/min", 1e-3 / 60.0),
             unit("0.001 deg/s", 1e-6),
             unit("deg/s", 1e-3),
+            unit("deg/min", 1e-3 / 60.0),
             unit("1/min", 6e-3),
             unit("rpm", 6e-3),
         ];
@@ -47,9 +49,17 @@ impl Quantity {
         }
     }
 
+    /// The names of all units.
+    pub(super) fn names(self) -> String {
+        self.units().iter().map(|unit| unit.name).collect::<Vec<_>>().join(", ")
+    }
+
     /// The units that can be inferred from the numbers alone: neighbours differ by a factor of 1000.
     fn by_numbers(self) -> impl Iterator<Item = Unit> {
-        self.units().iter().copied().filter(|unit| !matches!(unit.name, "m/min" | "g") && !unit.is_rotary())
+        self.units()
+            .iter()
+            .copied()
+            .filter(|unit| !unit.name.ends_with("/min") && unit.name != "g" && !unit.is_rotary())
     }
 }
 

@@ -240,7 +240,7 @@ pub(super) fn of_response(excited: &Excited) -> Vec<Vibration> {
 pub(super) fn find_sides(
     vibrations: &mut [Vibration],
     record: &Record,
-    excited: Option<&Excited>,
+    excited: Option<(&Record, &Excited)>,
     verdicts: &mut Vec<Verdict>,
 ) {
     let mut unknown: Vec<String> = Vec::new();
@@ -256,20 +256,23 @@ pub(super) fn find_sides(
     }
     if !unknown.is_empty() {
         let found = format!("whether the motor's or the load's side makes them is not known: {}", unknown.join(", "));
-        let instead = "record a_load and v_motor in a move, and again with an excitation (--excited FILE)";
+        let instead =
+            "record a_load and v_motor, with their units, in a move and again with an excitation (--excited FILE)";
         verdicts.push(Verdict::note(codes::SIDE_UNKNOWN, found, instead));
     }
 }
 
-fn side_of(vibration: &Vibration, record: &Record, excited: Option<&Excited>) -> Option<Side> {
+fn side_of(vibration: &Vibration, record: &Record, excited: Option<(&Record, &Excited)>) -> Option<Side> {
     let (a_load, v_motor) = record.get("a_load").zip(record.get("v_motor"))?;
-    let excited = excited?.load_at(vibration.hz, record.cycle)?;
+    let (other, excited) = excited?;
+    let units = record.unit_ratio(other, "a_load")? / record.unit_ratio(other, "v_motor")?;
+    let excited = excited.load_at(vibration.hz, record.cycle)?;
     // A line of the motor that is hidden by noise contains no information.
     let spectrum = Spectrum::of(v_motor, &vibration.windows, record.cycle)?;
     let near = 2.0 * spectrum.resolution;
     spectrum.strongest([vibration.hz - near, vibration.hz + near])?;
     let moving = ratio(a_load, v_motor, &vibration.windows, record.cycle, vibration.hz)?;
-    Some(side(moving, excited))
+    Some(side(moving * units, excited))
 }
 
 /// Reports doubtful vibrations.

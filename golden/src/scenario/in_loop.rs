@@ -109,7 +109,7 @@ pub(super) fn perform_all<'d>(mut closed: impl InLoop<'d>, program: &Program) ->
     if run.is_full() {
         notes.push(stopped(&run, program, &steps));
     }
-    let oscillation = Oscillation { is_stable, at_limit: run.at_limit.time() };
+    let oscillation = Oscillation { is_stable: Some(is_stable), at_limit: run.at_limit.time() };
     Ok(Scenario { inputs: run.subject.inputs, outputs: run.subject.outputs, steps, notes, oscillation })
 }
 

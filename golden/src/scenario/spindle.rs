@@ -227,6 +227,7 @@ impl Closed<'_> {
             ("x_actual", actual.x),
             ("v_actual", actual.v),
             ("v_motor", actual.v),
+            ("v_direct", actual.v),
             ("operation_mode_display", f64::from(actual.mode)),
             ("feedforward_active", self.feedforward[0]),
             ("feedforward_percentage", self.feedforward[1]),

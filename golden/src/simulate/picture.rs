@@ -62,7 +62,7 @@ pub fn of(simulation: &Simulation, axis: &str) -> Option<Picture> {
 
 /// The figures of a run, below the title.
 fn numbers(row: &Row) -> String {
-    let ms = row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("Ms {ms:.2}"));
+    let ms = format!("Ms {}", row.ms_in_words());
     format!(
         "{}: following error {:.2} mm, peak v_add {:.1} mm/s, {ms}",
         row.name,

@@ -36,6 +36,8 @@ pub struct Row {
     pub peak_v_add: f64,
     /// `None` if the loop is unstable, or may be
     pub ms: Option<f64>,
+    /// whether Ms is known: for the demonstration plant only if no stage has the input `v_direct`
+    pub is_judged: bool,
     /// time of v_add at its limit without a ramp [s]
     pub at_limit: f64,
     /// the first error id that the block reported
@@ -44,9 +46,19 @@ pub struct Row {
 }
 
 impl Row {
+    /// Ms, or why there is none.
+    #[must_use]
+    pub fn ms_in_words(&self) -> String {
+        match self.ms {
+            Some(ms) => format!("{ms:.2}"),
+            None if self.is_judged => "unstable".to_owned(),
+            None => "not judged".to_owned(),
+        }
+    }
+
     /// Whether the loop oscillates.
     #[must_use]
     pub fn oscillation(&self) -> Oscillation {
-        Oscillation { is_stable: self.ms.is_some(), at_limit: self.at_limit }
+        Oscillation { is_stable: self.is_judged.then_some(self.ms.is_some()), at_limit: self.at_limit }
     }
 }

@@ -118,9 +118,10 @@ impl Setting {
         (0..self.fade).for_each(|_| _ = cycle(&Signals::default()));
         let record = self.run(&self.sequence, &mut cycle);
         let loop_of = if mode == ON { designed.clone() } else { only(designed, None) };
-        let ms = match &self.moving {
-            Moving::Plant(of_plant) => of_plant.ms(&loop_of),
-            Moving::Drive(drive) => margins::ms(&loop_of, &drive.model),
+        let (is_judged, ms) = match &self.moving {
+            Moving::Plant(_) if margins::looks_at_load(&loop_of) => (false, None),
+            Moving::Plant(of_plant) => (true, of_plant.ms(&loop_of)),
+            Moving::Drive(drive) => (true, margins::ms(&loop_of, &drive.model)),
         };
         Ok(Row {
             name: name.to_owned(),
@@ -128,6 +129,7 @@ impl Setting {
             following_error: measure::following_error(&record) * 1e3,
             peak_v_add: peak(&record.v_add),
             ms,
+            is_judged,
             at_limit: at_limit(&record, &limited[self.fade..]),
             error_id,
             record,

@@ -35,7 +35,7 @@ pub fn table(simulation: &Simulation, designed: &Designed) -> String {
         let mut cells: Vec<String> = row.amplitudes.iter().map(|value| format!("{value:.decimals$}")).collect();
         cells.push(format!("{:.2}", row.following_error));
         cells.push(format!("{:.0}", row.peak_v_add));
-        cells.push(row.ms.map_or_else(|| "unstable".to_owned(), |ms| format!("{ms:.2}")));
+        cells.push(row.ms_in_words());
         text += &line(&row.name, &cells, &columns);
     }
     text + &remarks(simulation)
@@ -47,7 +47,7 @@ fn line(name: &str, cells: &[String], columns: &[String]) -> String {
     format!("  {name:<13}{}\n", cells.collect::<String>())
 }
 
-/// Whether any run oscillates.
+/// Whether any run oscillates, or may oscillate.
 #[must_use]
 pub fn is_unstable(simulation: &Simulation) -> bool {
     simulation.rows.iter().any(|row| row.ms.is_none())

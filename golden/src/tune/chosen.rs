@@ -1,6 +1,6 @@
 //! The vibrations of a recording that get a stage: those of the sensor nearest to the tool, the strongest first. No search.
 
-use crate::measure::{Measured, Verdict, Vibration, When};
+use crate::measure::{Measured, Record, Verdict, Vibration, When};
 use generator::codes;
 use identification::figures;
 use identification::scenarios::MOST_STAGES;
@@ -29,9 +29,12 @@ pub struct Chosen {
 
 /// Chooses vibrations; reports those that get no stage.
 pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chosen> {
-    let of = |group: &&[&str]| moves.vibrations.iter().any(|of| group.contains(&of.channel) && when(of).is_some());
+    // What is left of the following error is known only if its unit is.
+    let has_error = moves.record.as_ref().and_then(Record::error_unit).is_some();
+    let all = || moves.vibrations.iter().filter(|of| has_error || of.channel != "following_error");
+    let of = |group: &&[&str]| all().any(|of| group.contains(&of.channel) && when(of).is_some());
     let Some(group) = NEAREST.iter().find(|group| of(group)) else { return Vec::new() };
-    let mut found: Vec<&Vibration> = moves.vibrations.iter().filter(|of| group.contains(&of.channel)).collect();
+    let mut found: Vec<&Vibration> = all().filter(|of| group.contains(&of.channel)).collect();
     // Only amplitudes of the same channel can be compared.
     found.sort_by(|a, b| a.channel.cmp(b.channel).reverse().then(b.amplitude.total_cmp(&a.amplitude)));
     let mut chosen: Vec<Chosen> = Vec::new();
@@ -42,9 +45,9 @@ pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chose
             continue;
         }
         if vibration.source == Some(Side::Load) {
-            at_load.push(vibration.hz);
+            add(&mut at_load, vibration.hz);
         } else if chosen.len() == MOST_STAGES {
-            beyond.push(vibration.hz);
+            add(&mut beyond, vibration.hz);
         } else {
             let is_seen = |of: &&Vibration| of.channel == "v_motor" && is_same(of.hz, vibration.hz);
             let mode = if moves.vibrations.iter().any(|of| is_seen(&of)) { Mode::Direct } else { Mode::Indirect };
@@ -57,6 +60,13 @@ pub(super) fn choose(moves: &Measured, verdicts: &mut Vec<Verdict>) -> Vec<Chose
     say(&at_load, "enters at the load: no stage is proposed", instead, verdicts);
     say(&beyond, "weaker than the three that get a stage", "damp it in another way, if it matters", verdicts);
     chosen
+}
+
+/// Adds a frequency that is not there yet.
+fn add(all: &mut Vec<f64>, hz: f64) {
+    if !all.iter().any(|known| is_same(*known, hz)) {
+        all.push(hz);
+    }
 }
 
 fn say(all: &[f64], what: &str, instead: &'static str, verdicts: &mut Vec<Verdict>) {

@@ -50,13 +50,12 @@ impl Task<'_> {
         verdicts: &mut Vec<Verdict>,
     ) -> Vec<Proposal> {
         let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
-        let of_error = self.record.following_error();
-        let channel = |name: &str| match name {
-            "following_error" => of_error.as_deref().unwrap_or_default(),
-            _ => self.record.get(name).unwrap_or_default(),
+        let channel = |chosen: &Chosen| self.record.get(chosen.channel).unwrap_or_default();
+        let channels: Vec<&[f64]> = self.chosen.iter().map(channel).collect();
+        let vibration = |(channel, chosen): (usize, &Chosen)| {
+            let channel = (chosen.channel != "following_error").then_some(channel);
+            Vibration { hz: chosen.hz, when: chosen.when, channel }
         };
-        let channels: Vec<&[f64]> = self.chosen.iter().map(|chosen| channel(chosen.channel)).collect();
-        let vibration = |(channel, chosen): (usize, &Chosen)| Vibration { hz: chosen.hz, when: chosen.when, channel };
         let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
         let record = figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
@@ -153,8 +152,7 @@ impl Task<'_> {
     /// The following error in the unit of the distance that `v_motor` covers in 1 s; `None` if it is not recorded, or if a
     /// unit is unknown.
     fn following_error(&self) -> Option<Vec<f64>> {
-        let (error, unit) = (self.record.following_error()?, self.record.unit("following_error")?);
-        let factor = unit.size / self.record.unit("v_motor")?.size;
+        let (error, factor) = (self.record.following_error()?, self.record.error_unit()?);
         Some(error.iter().map(|error| error * factor).collect())
     }
 

@@ -2,6 +2,7 @@
 //! a fine grid of frequencies, the block itself in the loop.
 #![expect(clippy::print_stdout, reason = "the figures of a report")]
 
+mod calm;
 mod eigenvalues;
 mod emitted;
 mod examples;

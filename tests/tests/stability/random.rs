@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 /// A number between two, evenly on a logarithmic axis.
-fn between(rng: &mut Rng, from: f64, to: f64) -> f64 {
+pub fn between(rng: &mut Rng, from: f64, to: f64) -> f64 {
     let part = rng.below(1_000_001) as f64 / 1e6;
     from * libm::pow(to / from, part)
 }

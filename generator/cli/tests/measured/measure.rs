@@ -197,6 +197,9 @@ fn moves_with_a_defect() {
     let timeless: String = moves.lines().map(|line| format!("{}\n", line.split_once(',').unwrap().1)).collect();
     assert_said("no time", &timeless, &[], "AX500", 1);
     assert_eq!(measure(&timeless, &["--cycle-time", "1ms", "--json"]).out, measure(&moves, &["--json"]).out);
+    assert_eq!(measure(&moves, &["--cycle-time", "1ms", "--json"]).out, measure(&moves, &["--json"]).out);
+    let other = assert_said("other times", &moves, &["--cycle-time", "2ms"], "AX011", 2);
+    assert!(other.err.contains("2 ms contradicts the times of the recording, every 1 ms"), "{}", other.err);
     let uneven = |(n, line): (usize, &&str)| match line.split_once(',') {
         Some((_, rest)) if n > 0 && n % 2 == 0 => format!("{:.4},{rest}\n", n as f64 * CYCLE - 0.0006),
         _ => format!("{line}\n"),
@@ -212,6 +215,12 @@ fn moves_with_a_defect() {
         values.iter().enumerate().map(|(n, v)| v + 0.7 * (TAU * 71.0 * n as f64 * CYCLE).sin()).collect()
     };
     assert_said("competes", &of(A_LOAD, &beat), &[], "AX513", 0);
+    let spike = |values: &[f64]| {
+        let at = |n| if n == 2000 { -1000.0 } else { values[n] };
+        (0..values.len()).map(at).collect::<Vec<f64>>()
+    };
+    let outlier = assert_said("outlier", &of(A_LOAD, &spike), &[], "AX527", 1);
+    assert!(outlier.err.contains("a_load is more than 10 times all others: -1000 at 2.000 s"), "{}", outlier.err);
     assert_said("no command", &csv(&MOVES, &[V_MOTOR, A_LOAD]), &[], "AX515", 1);
     let acted = csv(&changed(&MOVES, V_EXCITE, |values| vec![5.0; values.len()]), &[V_COMMAND, V_EXCITE, V_MOTOR]);
     assert_said("stages", &acted.replace("v_excite", "v_add"), &[], "AX511", 0);

@@ -4,3 +4,4 @@ mod measure;
 mod plant;
 mod stages;
 mod tune;
+mod units;

@@ -8,13 +8,16 @@ use identification::response::Lines;
 use identification::segments;
 use identification::shape::{Mode, Shape, allpass};
 use identification::what_if::Axis;
+use machine::measure::amplitude;
 use machine::plant::{DEMONSTRATION, Plant};
 use std::f64::consts::PI;
 use std::ops::Range;
 
 /// The vibrations of the demonstration plant, as its load shows them.
-pub const VIBRATIONS: [Vibration; 2] =
-    [Vibration { hz: 53.0, when: When::Driving, channel: 0 }, Vibration { hz: 10.97, when: When::Ramps, channel: 0 }];
+pub const VIBRATIONS: [Vibration; 2] = [
+    Vibration { hz: 53.0, when: When::Driving, channel: Some(0) },
+    Vibration { hz: 10.97, when: When::Ramps, channel: Some(0) },
+];
 
 /// The ramps of a move.
 pub fn ramps(of: &Move) -> Vec<Range<usize>> {
@@ -84,6 +87,32 @@ fn the_pair_of_the_manual() {
         v_add
     });
     assert!((peak / largest - 1.0).abs() < 0.02, "{peak} {largest}");
+}
+
+/// The mean amplitude of the following error around ramps at 9.5 to 12.5 Hz.
+fn around_ramps(of: &Move, ramps: &[Range<usize>]) -> f64 {
+    let window = |ramp: &Range<usize>| amplitude(&of.error[ramp.start - 100..ramp.start + 900], CYCLE, [9.5, 12.5]);
+    ramps.iter().map(window).sum::<f64>() / ramps.len() as f64
+}
+
+/// Stages leave R of what moves the motor, but the following error also has what they add to its way.
+#[test]
+fn what_is_left_of_the_following_error() {
+    let (without, _) = moved(&DEMONSTRATION, |_| 0.0);
+    let (with, _) = moved(&DEMONSTRATION, running(&manual(), CYCLE));
+    let ramps = ramps(&without);
+    let simulated = around_ramps(&with, &ramps) / around_ramps(&without, &ramps);
+    let measured = exact(&DEMONSTRATION).response(CYCLE).unwrap();
+    let axis = Axis { cycle_time: CYCLE, position_gain: Some(20.0), response: &measured };
+    let record = Record { channels: &[], v_motor: &without.v_motor, error: Some(&without.error), ramps: &ramps };
+    let vibrations = [Vibration { hz: 11.0, when: When::Ramps, channel: None }];
+    let judge = Judge::new(axis, record, &vibrations).unwrap();
+    let left = judge.left(&|shape: &Shape| response(shape, CYCLE), &manual());
+    assert!((left.residuals[0] / simulated - 1.0).abs() < 0.02, "what-if {}, simulated {simulated}", left.residuals[0]);
+    let nothing = judge.left(&|shape: &Shape| response(shape, CYCLE), &[(manual()[0].0, 0.0)]);
+    assert!((nothing.residuals[0] - 1.0).abs() < 1e-9, "{nothing:?}");
+    // A vibration of the following error needs the following error.
+    assert!(Judge::new(axis, Record { error: None, ..record }, &vibrations).is_none());
 }
 
 #[test]

@@ -78,8 +78,8 @@ fn is_accepted(e: &mut Effective<'_>) -> bool {
     e.validated_word::<Boolean>(key(Name::AcceptUnstable)) == Some(Boolean::True)
 }
 
-/// Reports the stages, each with the weight up to which the loop stays well damped. If stages are unstable only together,
-/// the fraction of all weights.
+/// Reports the stages, each with the weight up to which the loop stays well damped; if there is none with the weights of the
+/// others, the fraction of all weights.
 fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) {
     let [_, calm_part] = closed.largest_parts();
     for design in stages(designed) {
@@ -87,23 +87,22 @@ fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str
         let [stable, calm] = closed.largest_weights(i);
         let asked = significant(weight, 4);
         let down = |value: f64| down_to(value, 3);
-        let (found, instead) = if stable <= 0.0 {
-            (
-                format!("stage[{i}] with the weight {asked} is one of several with which {what} oscillates"),
-                format!(
-                    "a weight of {}, and {} % of the other weights",
-                    down(weight * calm_part),
-                    down(calm_part * 100.0)
-                ),
-            )
-        } else {
-            (
+        let found = match stable > 0.0 {
+            true => {
                 format!(
                     "stage[{i}] with the weight {asked} makes {what} oscillate, from the weight {} on",
                     down(stable)
-                ),
-                format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
-            )
+                )
+            }
+            false => format!("stage[{i}] with the weight {asked} is one of several with which {what} oscillates"),
+        };
+        // With the weights of the others the loop may not be calm even without this stage.
+        let instead = match calm > 0.0 {
+            true => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
+            false => {
+                let [own, others] = [weight * calm_part, calm_part * 100.0].map(down);
+                format!("a weight of {own}, and {others} % of the other weights")
+            }
         };
         let number = u32::try_from(i).expect("design: there are three stages");
         let place = (Name::WeightFactNum, [number, 0]);

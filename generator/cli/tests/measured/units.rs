@@ -1,0 +1,102 @@
+//! Units of recordings: stated, unknown, different in each column; and a response that is not 1 at low frequencies.
+
+use super::plant::{
+    self, A_LOAD, Columns, OF_EXCITED, OF_MOVES, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, excited, moves, number,
+};
+use super::tune::{folder, tune};
+use crate::{Run, axgen};
+use serde_json::Value;
+use std::sync::LazyLock;
+
+static MOVES: LazyLock<Columns> = LazyLock::new(moves);
+static EXCITED: LazyLock<Columns> = LazyLock::new(|| excited(8, 0.02));
+
+/// A column, its name, and a factor.
+type Change<'a> = (usize, &'a str, f64);
+
+/// Columns of um/s, mm and m/s^2, some of them under another name and multiplied by a factor.
+fn scaled(columns: &Columns, of: &[usize], changes: &[Change<'_>]) -> String {
+    let mut columns = columns.clone();
+    let mut names = [
+        "x_command [mm]",
+        "x_actual [mm]",
+        "v_command [um/s]",
+        "v_motor [um/s]",
+        "v_cmd [um/s]",
+        "v_excite [um/s]",
+        "a_load [m/s^2]",
+    ];
+    for (at, name, factor) in changes {
+        names[*at] = name;
+        columns[*at].iter_mut().for_each(|value| *value *= factor);
+    }
+    plant::csv(&names, &columns, of)
+}
+
+/// Both recordings, measured together.
+fn measure(moves: &str, excited: &str) -> Run {
+    let folder = folder(&[("m.csv", moves), ("e.csv", excited)]);
+    axgen(&folder, &["measure", "m.csv", "--excited", "e.csv", "--json"])
+}
+
+/// The response at 20 Hz, and the side on which 53 Hz enter.
+fn results(run: &Run) -> ([f64; 2], Value) {
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    let json = run.json();
+    let k = json["response"]["hz"].as_array().unwrap().iter().position(|hz| hz.as_f64().unwrap() >= 20.0).unwrap();
+    let at = ["re", "im"].map(|key| json["response"][key][k].as_f64().unwrap());
+    let is_line = |of: &&Value| of["channel"] == "a_load" && of["when"] == "driving";
+    let line = json["vibrations"].as_array().unwrap().iter().find(is_line).unwrap();
+    assert!((number(line, "hz") - 53.0).abs() < 0.1, "{line}");
+    (at, line["source"].clone())
+}
+
+#[test]
+fn units_change_neither_the_response_nor_the_side() {
+    let plain = scaled(&MOVES, &OF_MOVES, &[]);
+    let ([re, im], side) = results(&measure(&plain, &scaled(&EXCITED, &OF_EXCITED, &[])));
+    assert_eq!(side, "motor");
+    let parts = [V_COMMAND, V_MOTOR, V_EXCITE, A_LOAD];
+    let cases: [(&[usize], &[Change<'_>]); 4] = [
+        (&OF_EXCITED, &[(V_MOTOR, "v_motor [mm/min]", 0.06)]),
+        (&OF_EXCITED, &[(V_MOTOR, "v_motor [mm/s]", 1e-3), (A_LOAD, "a_load [g]", 1.0 / 9.80665)]),
+        // Without v_cmd, the sum of its parts in two units.
+        (&parts, &[(V_COMMAND, "v_command [mm/s]", 1e-3)]),
+        (&parts, &[(V_EXCITE, "v_excite [mm/s]", 1e-3), (A_LOAD, "a_load [mm/s^2]", 1e3)]),
+    ];
+    for (of, changes) in cases {
+        let ([a, b], side) = results(&measure(&plain, &scaled(&EXCITED, of, changes)));
+        assert!((a - re).hypot(b - im) < 1e-3, "{changes:?}: {a} {b}, {re} {im}");
+        assert_eq!(side, "motor", "{changes:?}");
+    }
+    // Without a unit, 200 times as large: whether it is m/s^2 as in the move is not known.
+    let run = measure(&plain, &scaled(&EXCITED, &OF_EXCITED, &[(A_LOAD, "a_load", 200.0)]));
+    let (_, side) = results(&run);
+    assert!(side.is_null() && run.out.contains("AX514"), "{side}");
+}
+
+#[test]
+fn a_motor_that_does_not_follow_slow_commands_is_refused() {
+    let of = |name| scaled(&MOVES, &OF_MOVES, &[(V_MOTOR, name, 0.06), (V_COMMAND, "v_command", 1.0)]);
+    let excited = scaled(&EXCITED, &OF_EXCITED, &[(V_MOTOR, "v_motor", 0.06), (V_CMD, "v_cmd", 1.0)]);
+    let folder = folder(&[("moves.csv", &of("v_motor")), ("e.csv", &excited)]);
+    for run in [tune(&folder, &["--excited", "e.csv"]), axgen(&folder, &["measure", "e.csv"])] {
+        assert_eq!(run.code, 1, "{}{}", run.out, run.err);
+        let expected = "e.csv: error[AX340]: the measured response: 0.0";
+        assert!(run.err.contains(expected) && run.err.contains("16.7"), "{}", run.err);
+        assert!(!run.out.contains("stage["), "{}", run.out);
+    }
+}
+
+#[test]
+fn an_unknown_unit_is_a_mistake() {
+    let folder = folder(&[("m.csv", &scaled(&MOVES, &OF_MOVES, &[(V_MOTOR, "v_motor [furlong/h]", 1.0)]))]);
+    let run = axgen(&folder, &["measure", "m.csv"]);
+    assert_eq!(run.code, 2, "{}{}", run.out, run.err);
+    assert!(run.err.contains("m.csv:1:56: error[AX015]: the unit `furlong/h` of v_motor\n"), "{}", run.err);
+    assert!(run.err.contains("allowed: um/s, mm/s, m/s, m/min, mm/min, 0.001 deg/s, deg/s, deg/min"), "{}", run.err);
+    // An index is not a unit.
+    let folder = super::tune::folder(&[("m.csv", &scaled(&MOVES, &OF_MOVES, &[(V_MOTOR, "v[1]", 1.0)]))]);
+    let run = axgen(&folder, &["measure", "m.csv", "--map", "v[1]=v_motor"]);
+    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+}
