@@ -63,7 +63,7 @@ fn without_stages(
         Some(kv) => {
             format!("getriebe[{gear}].kv {kv} or less, up to which the loop without stages stays calm (Ms <= {MAX_MS})")
         }
-        None => format!("a smaller getriebe[{gear}].kv: no weight of a stage makes the loop stable"),
+        None => format!("a smaller getriebe[{gear}].kv"),
     };
     report(e, (Name::Kv, [gear, 0]), found, instead, is_error);
 }
