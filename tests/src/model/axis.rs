@@ -117,7 +117,7 @@ impl Axis {
             (0, _, of_ipc) => of_ipc,
             (fault, ..) => fault,
         };
-        // Without that velocity half a turn would go unseen: this is told, and the position goes on.
+        // Without that velocity half a turn would go unseen: this is an error, and the position goes on.
         let is_unseen = acts && counts_turns(p, c) && !is_in_range(c, inputs.v_interpolator);
         let error_id = if is_unseen { 14 } else { error_id };
         let is_fault = error_id != 0;

@@ -218,8 +218,8 @@ fn a_drive_keeps_its_position_without_a_command_in_range() {
     assert_eq!([loose, block.step(&at(f64::NAN)).value("x_drive")], [700.0; 2]);
 }
 
-/// A spindle whose drive controls the position: a velocity that is no sample is told (14), and the position goes on; half a turn in a
-/// cycle is error 44, and the position is held.
+/// A spindle whose drive controls the position: without a velocity in range the position goes on with error 14; with half a turn in a
+/// cycle it is held with error 44.
 #[test]
 fn a_spindle_goes_on_without_its_velocity_and_holds_at_half_a_turn() {
     for feedforward in ["", "vorsteuer.vorsteuerung = \"VEL\""] {
