@@ -1,8 +1,9 @@
-//! The block `excitation` against judges that share no code with it: the sequence of the crate `identification` and the digits of
-//! its definition, the spectrum of a held clock, the response of the demonstration plant, random inputs and overwritten states.
+//! The block `excitation` against judges that share no code with it: the sequence of the crate `identification`, whose own tests
+//! have its digits and its spectrum, the response of the demonstration plant, random inputs and overwritten states.
 
 #![expect(clippy::cast_possible_truncation, reason = "random bits")]
 
+use crate::response_file::DEMONSTRATION_PLANT;
 use crate::set_of;
 use generator::blocks::{Design, Designed};
 use identification::excitation::{self, Sequence};
@@ -12,7 +13,6 @@ use machine::plant::DEMONSTRATION;
 use machine::{Machine, Measured};
 use portable::{Block, Real};
 use reference::excitation::{Coeffs, Excitation, Inputs, Outputs, State};
-use std::f64::consts::TAU;
 
 /// Coefficients, as the generator designs them, with these keys of the table `excitation`.
 fn designed(cycle: &str, keys: &str) -> Coeffs<f64> {
@@ -62,7 +62,7 @@ impl Running {
 
 #[test]
 fn every_register_gives_the_sequence_of_the_analysis() {
-    for (bits, clock) in [(7, 1), (8, 2), (9, 1), (10, 3), (11, 2), (12, 1), (13, 1), (14, 1), (15, 1)] {
+    for (bits, clock) in [(7, 1), (8, 2), (9, 1), (10, 3), (11, 2), (11, 16), (12, 1), (13, 1), (14, 1), (15, 1)] {
         let coeffs = designed("1ms", &format!("bits = {bits}, clock = {clock}, periods = 4, amplitude = 3000"));
         let sequence = Sequence::new(bits, clock).unwrap();
         let expected = excitation::Excitation { sequence, cycle_time: 1e-3, amplitude: 3000.0, periods: 4 };
@@ -78,40 +78,6 @@ fn every_register_gives_the_sequence_of_the_analysis() {
             let period = if measured.contains(&n) { n / sequence.period() } else { 0 };
             assert_eq!((found.period as usize, found.done, found.fault), (period, false, false), "cycle {n}");
         }
-    }
-}
-
-#[test]
-fn sequences_begin_as_defined() {
-    for (bits, digits) in [(7, "11111110000001000001100"), (11, "111111111110000000001100")] {
-        let run = Running::whole(designed("1ms", &format!("bits = {bits}, clock = 1, periods = 4")));
-        let period = (1 << bits) - 1;
-        let signs = run[period..].iter().take(digits.len());
-        let found: String = signs.map(|now| if now.v_excite > 0.0 { '1' } else { '0' }).collect();
-        assert_eq!(found, digits);
-    }
-}
-
-/// |line k| of a period of samples, by its sum.
-fn line(samples: &[f64], k: usize) -> f64 {
-    let turn = TAU * k as f64 / samples.len() as f64;
-    let [re, im] = samples.iter().enumerate().fold([0.0; 2], |[re, im], (n, x)| {
-        let angle = turn * n as f64;
-        [re + x * libm::cos(angle), im - x * libm::sin(angle)]
-    });
-    libm::hypot(re, im)
-}
-
-/// -2.4 dB at 0.4/(c T), by sinc, with clocks of so many cycles that the hold is nearly continuous.
-#[test]
-fn lines_are_equal_but_for_the_hold_of_a_clock() {
-    let run = Running::whole(designed("1ms", "bits = 11, clock = 16, periods = 4"));
-    let period = 2047 * 16;
-    let samples: Vec<f64> = run[period..2 * period].iter().map(|now| now.v_excite).collect();
-    let flat = line(&samples, 1);
-    for (k, db) in [(2, 0.0), (100, 0.0), (819, -2.42)] {
-        let found = 20.0 * libm::log10(line(&samples, k) / flat);
-        assert!((found - db).abs() < 0.05, "line {k}: {found} dB");
     }
 }
 
@@ -256,14 +222,7 @@ fn the_response_of_the_demonstration_plant() {
     let lines = Lines::measured(&sequence, 1e-3, &v_cmd, &v_motor).unwrap();
     let response = lines.response(1e-3).unwrap();
     // Magnitude and phase [deg] by an independent simulation.
-    for (hz, magnitude, phase) in [
-        (5.0, 1.0335, -5.58),
-        (11.0, 0.8567, -26.54),
-        (20.0, 1.0691, -29.74),
-        (47.0, 0.3279, -83.21),
-        (53.0, 0.4349, -33.46),
-        (100.0, 0.9890, -105.07),
-    ] {
+    for (hz, magnitude, phase) in DEMONSTRATION_PLANT {
         let p = response.value(hz);
         let apart = [p.norm() / magnitude - 1.0, p.arg().to_degrees() - phase];
         assert!(apart[0].abs() < 0.01 && apart[1].abs() < 0.5, "{hz} Hz: {apart:?}");

@@ -48,3 +48,13 @@ fn files(set: &Set) -> BTreeMap<String, String> {
     assert_eq!(files.len(), count, "no two files have one name");
     files
 }
+
+/// Structured Text without its comments.
+fn without_comments(text: &str) -> String {
+    let (mut code, mut rest) = (String::new(), text);
+    while let Some((before, comment)) = rest.split_once("(*") {
+        code.push_str(before);
+        rest = comment.split_once("*)").unwrap().1;
+    }
+    code + rest
+}

@@ -1,6 +1,6 @@
-//! Long and deep files; and the list of codes matches what is said. Random files: `tests/tests/readers`.
+//! Long files; and the list of codes matches what is said. Random files: `tests/tests/readers`.
 
-use super::{IPC, read_list, read_set};
+use super::read_set;
 use generator::codes::CODES;
 use std::fs;
 
@@ -12,17 +12,6 @@ fn one_long_line() {
     let last = report.diagnostics.last().unwrap().to_string();
     assert_eq!(report.diagnostics.len(), 1001);
     assert_eq!(last, "set.toml: error[AX010]: 99000 more messages are not listed");
-}
-
-#[test]
-fn deep_nesting() {
-    for (opening, closing) in [("[", "]"), ("{ a = ", " }"), ("a.", "a = 1")] {
-        let (_, report) = read_set(format!("x = {}{}", opening.repeat(100_000), closing.repeat(100_000)));
-        assert!(report.has_errors());
-        let (_, report) = read_set(format!("{}a = 1", opening.repeat(100_000)));
-        assert!(report.has_errors());
-    }
-    let _ = read_list(format!("{}x 1\n{IPC}{} 1", "a.".repeat(1_000_000), "[".repeat(1_000_000)));
 }
 
 /// Every code is asserted somewhere in these tests; those of the command line in its own.

@@ -11,23 +11,6 @@ fn options(cycle_time: Option<&str>, name: Option<&str>) -> ListOptions {
 }
 
 #[test]
-fn no_such_file() {
-    let (_, report) = read("x.lis", &[], &options(Some("1ms"), None));
-    assert_said(&report.to_string(), &["x.lis: error[AX001]: `x.lis` cannot be read: there is no such file"]);
-}
-
-#[test]
-fn files_of_the_system() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let said = |path: &Path| {
-        let (_, report) = generator::pipeline::read(path, &options(Some("1ms"), None));
-        report.diagnostics[0].found.rsplit(": ").next().unwrap().to_owned()
-    };
-    assert_eq!(said(&folder.join("none.lis")), "there is no such file");
-    assert_eq!(said(folder), "it is a folder");
-}
-
-#[test]
 fn a_file_that_is_too_large() {
     let (_, report) = read_with(Path::new("x.lis"), &options(Some("1ms"), None), &|_| Err(Unreadable::TooLarge));
     assert_said(

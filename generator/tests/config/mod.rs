@@ -76,82 +76,61 @@ fn assert_said(said: &str, expected: &[&str]) {
 
 /// A DIRECT stage that nothing is said about, without what the test itself gives.
 fn direct(but: &str) -> String {
-    stage(
-        &[
-            "ipc.v_add_max_fact 1000",
-            "ipc.stage[0].mode DIRECT",
-            "ipc.stage[0].filter.order 1",
-            "ipc.stage[0].filter.fg_f0 53",
-            "ipc.stage[0].filter.q_factor 10",
-        ],
-        but,
-    )
+    of_mode("DIRECT", "53", "10", but)
 }
 
 /// The same, INDIRECT.
 fn indirect(but: &str) -> String {
-    stage(
-        &[
-            "ipc.v_add_max_fact 1000",
-            "ipc.stage[0].mode INDIRECT",
-            "ipc.stage[0].filter.order 1",
-            "ipc.stage[0].filter.fg_f0 11",
-            "ipc.stage[0].filter.q_factor 2",
-        ],
-        but,
-    )
+    of_mode("INDIRECT", "11", "2", but)
 }
 
 /// The same, SET_POINT.
 fn set_point(but: &str) -> String {
-    indirect(but).replace("INDIRECT", "SET_POINT")
+    of_mode("SET_POINT", "11", "2", but)
 }
+
+fn of_mode(mode: &str, f0: &str, q_factor: &str, but: &str) -> String {
+    stage(
+        &[
+            "ipc.v_add_max_fact 1000",
+            &format!("ipc.stage[0].mode {mode}"),
+            "ipc.stage[0].filter.order 1",
+            &format!("ipc.stage[0].filter.fg_f0 {f0}"),
+            &format!("ipc.stage[0].filter.q_factor {q_factor}"),
+        ],
+        but,
+    )
+}
+
+/// A gear step of a drive that controls the position.
+const OF_DRIVE: &str = "getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]";
 
 /// A spindle with a changeover in a SERCOS drive that nothing is said about, as keys of a set, without what the test
 /// itself gives.
 fn sercos(but: &str) -> String {
-    stage(
-        &[
-            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
-            "kenngr.antr_typ = 'SERCOS'",
-            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
-            "antr.sai_op_mode_change.v_position_control_on = 300000",
-            "antr.nbr_delay_cycles = 4",
-            "antr.sercos.op_mode_for_velocity_control = 1",
-            "getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]",
-        ],
-        but,
-    )
+    spindle("SERCOS", &["antr.nbr_delay_cycles = 4", "antr.sercos.op_mode_for_velocity_control = 1", OF_DRIVE], but)
 }
 
 /// The same in a CANopen drive.
 fn canopen(but: &str) -> String {
-    stage(
-        &[
-            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
-            "kenngr.antr_typ = 'CANOPEN'",
-            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
-            "antr.sai_op_mode_change.v_position_control_on = 300000",
-            "antr.nbr_delay_cycles = 4",
-            "getriebe = [{ kv = 2000, dynamik.vb_max = 18000000 }]",
-        ],
-        but,
-    )
+    spindle("CANOPEN", &["antr.nbr_delay_cycles = 4", OF_DRIVE], but)
 }
 
 /// The same in the CNC.
 fn in_cnc(but: &str) -> String {
-    stage(
-        &[
-            "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
-            "kenngr.antr_typ = 'CONVENTIONAL'",
-            "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
-            "antr.sai_op_mode_change.v_position_control_on = 300000",
-            "antr.nbr_delay_cycles = 1",
-            "getriebe = [{ kv = 10000, multi_gain_z = 10000000, multi_gain_n = 360, dynamik.vb_max = 18000000 }]",
-        ],
-        but,
-    )
+    let gear = "getriebe = [{ kv = 10000, multi_gain_z = 10000000, multi_gain_n = 360, dynamik.vb_max = 18000000 }]";
+    spindle("CONVENTIONAL", &["antr.nbr_delay_cycles = 1", gear], but)
+}
+
+fn spindle(drive: &str, own: &[&str], but: &str) -> String {
+    let drive = format!("kenngr.antr_typ = '{drive}'");
+    let all = [
+        "kenngr.achs_typ = 'ACHSTYP_SPINDEL'",
+        &drive,
+        "antr.sai_op_mode_change.v_velocity_control_on = 1200000",
+        "antr.sai_op_mode_change.v_position_control_on = 300000",
+    ];
+    stage(&[&all, own].concat(), but)
 }
 
 /// `but` first, then those lines whose path it does not give.

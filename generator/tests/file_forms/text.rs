@@ -108,15 +108,7 @@ fn no_name_says_when_it_is_valid() {
 
 /// The assignments in the statements of a file of Structured Text, without comments and breaks of lines.
 fn assignments(text: &str) -> Vec<String> {
-    let mut code = String::new();
-    let mut rest = text;
-    while let Some((before, (_, after))) =
-        rest.split_once("(*").map(|(before, comment)| (before, comment.split_once("*)").unwrap()))
-    {
-        code.push_str(before);
-        rest = after;
-    }
-    code.push_str(rest);
+    let code = crate::without_comments(text);
     let is_name = |word: &str| word.bytes().all(|c| c.is_ascii_alphanumeric() || c == b'_');
     let mut found = Vec::new();
     let mut lines = code.lines();

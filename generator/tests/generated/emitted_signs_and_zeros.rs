@@ -1,7 +1,7 @@
 //! Signs, zeros and the digits of REAL in emitted Structured Text, read from the text alone. What the text computes is
 //! compared by the engines, which read a bare sign and a double rounding as most compilers do; these are for the others.
 
-use crate::{files, from_disk, set_of};
+use crate::{files, from_disk, set_of, without_comments};
 use compiler::program::{Expr, Statement, Type, Var};
 use generator::blocks::blocks;
 use generator::generate::identity;
@@ -33,13 +33,7 @@ fn code(name: &str, text: &str) -> Option<String> {
         }
         _ => return None,
     };
-    let mut code = String::new();
-    let mut rest = text.as_str();
-    while let Some((before, comment)) = rest.split_once("(*") {
-        code.push_str(before);
-        rest = comment.split_once("*)").unwrap().1;
-    }
-    code.push_str(rest);
+    let code = without_comments(&text);
     let lines = code.lines().map(|line| line.split("//").next().unwrap());
     Some(lines.collect::<Vec<_>>().join(" "))
 }

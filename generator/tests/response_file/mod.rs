@@ -10,6 +10,8 @@ mod sinumerik;
 mod spellings;
 
 use generator::diagnostics::Report;
+pub(crate) use spellings::DEMONSTRATION as DEMONSTRATION_PLANT;
+
 use generator::response_file::{Band, From, Measured, read};
 
 const CYCLE_TIME: f64 = 1e-3;

@@ -160,7 +160,7 @@ fn every_spelling_is_the_same_response() {
 }
 
 /// Magnitude and phase [degrees] of the demonstration plant, by an independent simulation of it.
-pub(super) const DEMONSTRATION: [(f64, f64, f64); 6] = [
+pub(crate) const DEMONSTRATION: [(f64, f64, f64); 6] = [
     (5.0, 1.0335, -5.58),
     (11.0, 0.8567, -26.54),
     (20.0, 1.0691, -29.74),

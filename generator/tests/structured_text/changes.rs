@@ -1,6 +1,9 @@
 //! What changes in the files when something changes in the set: only what it means.
 
-use super::{MACHINE, files};
+use super::{MACHINE, files, of_ipc};
+use crate::set_of;
+use generator::generate::pages;
+use generator::target::TARGETS;
 use std::collections::BTreeMap;
 
 /// The set with one text replaced, which it must hold once.
@@ -51,26 +54,10 @@ fn another_axis_changes_only_what_lists_all_axes() {
 /// the block that has it.
 #[test]
 fn a_weight_changes_its_own_lines_only() {
-    let (before, after) = (files(MACHINE), files(&with("weight_fact_num = 80", "weight_fact_num = 81")));
+    let heavier = with("weight_fact_num = 80", "weight_fact_num = 81");
+    let (before, after) = (files(MACHINE), files(&heavier));
     let changed = differing(&before, &after);
-    assert_eq!(
-        changed,
-        [
-            "axis_y_ipc.c",
-            "axis_y_ipc.h",
-            "axis_y_ipc.rs",
-            "axis_y_ipc.scl",
-            "axis_y_ipc.st",
-            "axis_y_ipc.xml",
-            "axis_y_ipc_self_test.c",
-            "axis_y_ipc_self_test.scl",
-            "axis_y_ipc_self_test.st",
-            "axis_y_ipc_self_test.xml",
-            "twincat/POUs/FB_axis_y_ipc.TcPOU",
-            "twincat/Tests/FB_axis_y_ipc_Test.TcPOU",
-            "twincat/Tests/FB_axis_y_ipc_self_test.TcPOU",
-        ]
-    );
+    assert_eq!(changed, of_ipc("y"));
     // The limit of the sum follows from the weight.
     let sum_limit = after["axis_y_ipc.c"].split_once(" sum_limit = ").and_then(|(_, text)| text.split(';').next());
     let sum_limit = sum_limit.expect("a constant of the block");
@@ -91,6 +78,12 @@ fn a_weight_changes_its_own_lines_only() {
             let is_figure = figure.is_some_and(|line| figures.iter().any(|name| line.starts_with(name)));
             assert!(is_digest(line) || is_figure || says_the_weight || is_expected || is_certified, "{name}: {line}");
         }
+    }
+    // Of the commissioning page rows of its tables, and its digests.
+    let pages = |set: &str| pages(&set_of(set), &["Y".to_owned()], &TARGETS, |made| made.file.text).remove(0);
+    for line in changed_lines(&pages(MACHINE), &pages(&heavier)) {
+        let begins = ["| ", "This page belongs to", "     checksum "];
+        assert!(begins.iter().any(|begin| line.starts_with(begin)), "{line}");
     }
 }
 

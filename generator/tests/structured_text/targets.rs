@@ -1,27 +1,11 @@
 //! Which files a set gets, and what a reader finds in them.
 
-use super::{MACHINE, files};
+use super::{MACHINE, files, of_ipc};
+use crate::without_comments;
 
 #[test]
 fn every_target_has_its_files() {
     let names: Vec<String> = files(MACHINE).into_keys().collect();
-    let of_axis = |axis: &str| {
-        [
-            format!("axis_{axis}_ipc.c"),
-            format!("axis_{axis}_ipc.h"),
-            format!("axis_{axis}_ipc.rs"),
-            format!("axis_{axis}_ipc.scl"),
-            format!("axis_{axis}_ipc.st"),
-            format!("axis_{axis}_ipc.xml"),
-            format!("axis_{axis}_ipc_self_test.c"),
-            format!("axis_{axis}_ipc_self_test.scl"),
-            format!("axis_{axis}_ipc_self_test.st"),
-            format!("axis_{axis}_ipc_self_test.xml"),
-            format!("twincat/POUs/FB_axis_{axis}_ipc.TcPOU"),
-            format!("twincat/Tests/FB_axis_{axis}_ipc_Test.TcPOU"),
-            format!("twincat/Tests/FB_axis_{axis}_ipc_self_test.TcPOU"),
-        ]
-    };
     let shared = [
         "IMPORT_CODESYS.md",
         "IMPORT_SCL.md",
@@ -36,7 +20,7 @@ fn every_target_has_its_files() {
         "twincat/Tests/PRG_axgen_tests.TcPOU",
         "twincat/axgen.plcproj-fragment",
     ];
-    let mut expected: Vec<String> = ["x", "y", "c"].into_iter().flat_map(of_axis).collect();
+    let mut expected: Vec<String> = ["x", "y", "c"].into_iter().flat_map(of_ipc).collect();
     expected.extend(shared.map(str::to_owned));
     expected.sort();
     assert_eq!(names, expected);
@@ -79,13 +63,7 @@ fn every_declaration_says_what_it_is() {
 fn no_number_stands_among_the_statements_of_twincat() {
     for (name, text) in files(MACHINE).iter().filter(|(name, _)| name.contains("POUs/FB_")) {
         let statements = text.split_once("<ST><![CDATA[").unwrap().1.split_once("]]>").unwrap().0;
-        let mut code = String::new();
-        let mut rest = statements;
-        while let Some((before, comment)) = rest.split_once("(*") {
-            code.push_str(before);
-            rest = comment.split_once("*)").unwrap().1;
-        }
-        code.push_str(rest);
+        let code = without_comments(statements);
         let words = code.split(|c: char| !(c.is_ascii_alphanumeric() || c == '_' || c == '.'));
         let numbers: Vec<&str> = words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit())).collect();
         let strange: Vec<&&str> = numbers.iter().filter(|number| !["0", "1", "0.0", "1.0"].contains(number)).collect();

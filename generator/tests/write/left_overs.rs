@@ -20,29 +20,6 @@ fn staged_and_kept_files_of_a_killed_run_are_cleared() {
 }
 
 #[test]
-fn old_content_whose_target_is_gone_comes_back() {
-    let folder = tempfile::tempdir().unwrap();
-    let old = generated("a", "old").text;
-    fs::write(folder.path().join("a.axgen-kept-1"), &old).unwrap();
-    let b = generated("b", "1");
-    write(folder.path(), std::slice::from_ref(&b), false).unwrap();
-    assert_eq!(content(folder.path()), [pair("a", &old), (b.name, b.text)]);
-}
-
-/// A person's file may have such a name.
-#[test]
-fn what_is_nobodys_left_over_stays() {
-    let folder = tempfile::tempdir().unwrap();
-    for name in ["notes.axgen-staged-1", "notes.axgen-kept-1"] {
-        fs::write(folder.path().join(name), "mine").unwrap();
-    }
-    let b = generated("b", "1");
-    write(folder.path(), std::slice::from_ref(&b), false).unwrap();
-    let expected = [(b.name, b.text), pair("notes.axgen-kept-1", "mine"), pair("notes.axgen-staged-1", "mine")];
-    assert_eq!(content(folder.path()), expected);
-}
-
-#[test]
 fn what_only_looks_like_it_stays() {
     let folder = tempfile::tempdir().unwrap();
     let names = [

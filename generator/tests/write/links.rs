@@ -45,17 +45,6 @@ fn another_name_of_a_file_keeps_the_old_content() {
     assert_eq!(content(folder.path()), [pair("a", &new.text), pair("other", &old.text)]);
 }
 
-/// A link where a file is staged: its name can be guessed. No run leaves a link, so that it stays.
-#[test]
-fn a_link_in_the_way_is_not_followed() {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("precious"), "mine").unwrap();
-    let name = format!("a.axgen-staged-{}", std::process::id());
-    symlink("precious", folder.path().join(&name)).unwrap();
-    assert!(write(folder.path(), &[generated("a", "1")], false).is_err());
-    assert_eq!(content(folder.path()), [pair(&name, "-> precious"), pair("precious", "mine")]);
-}
-
 #[test]
 fn a_folder_that_is_a_link_is_followed() {
     let folder = tempfile::tempdir().unwrap();

@@ -24,7 +24,7 @@ fn certified(axis: &Axis) -> Certificate {
 }
 
 /// The rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9, cycle 1 ms.
-fn rack_and_pinion(real: RealKind) -> Axis {
+pub(crate) fn rack_and_pinion(real: RealKind) -> Axis {
     let filter = |f0, q_factor| {
         [Filter::Bandpass { prototype: Prototype::CritDamping, order: 1, f0, q_factor }, Filter::NoFilter]
     };

@@ -3,29 +3,10 @@
 use super::{block, certified, one_band_pass, rack_and_pinion};
 use crate::axis::{Axis, Prototype};
 use crate::blocks::Designed;
-use crate::blocks::ipc::certificate::{Certificate, certify, largest_defect};
-use crate::design::response::Complex;
+use crate::blocks::ipc::certificate::{certify, largest_defect};
 use crate::unit::sets;
 use portable::Extreme;
 use portable::{Literal, RealKind};
-
-fn measured(certificate: &Certificate, stage: usize, point: usize) -> Complex {
-    certificate.response[stage].points[point].measured
-}
-
-/// The numbers of the definition: DIRECT -3 at 53 Hz, INDIRECT -1.9 + 1.1875 j at 11 Hz; 3 dB less at the edges.
-#[test]
-fn the_stages_of_the_rack_and_pinion_example_do_what_they_should() {
-    let axis = rack_and_pinion(RealKind::F64);
-    let certificate = certified(&axis);
-    let [direct, indirect] = [measured(&certificate, 0, 0), measured(&certificate, 1, 0)];
-    assert!((direct.re + 3.0).abs() < 1e-12 && direct.im.abs() < 1e-12, "{direct:?}");
-    assert!((indirect.re + 1.9).abs() < 1e-12 && (indirect.im - 1.1875).abs() < 1e-12, "{indirect:?}");
-    for edge in [1, 2] {
-        let Complex { re, im } = measured(&certificate, 0, edge);
-        assert!((libm::hypot(re, im) - 3.0 / core::f64::consts::SQRT_2).abs() < 1e-12);
-    }
-}
 
 /// Relative tolerances that the definition gives against an independent implementation.
 #[test]

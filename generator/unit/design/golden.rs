@@ -1,10 +1,9 @@
 //! The stages of an example, computed elsewhere to 1e-13: the response at the centre, and the first samples of a step.
 
-use crate::axis::{Axis, DirectSource, Filter, Ipc, Mode, Prototype, Stage};
 use crate::blocks::Designed;
 use crate::design::band::warped;
 use crate::design::response::of_stage;
-use crate::unit::sets::axis;
+use crate::unit::certificate::rack_and_pinion;
 use portable::RealKind;
 use reference::stage;
 
@@ -15,29 +14,9 @@ fn same(actual: f64, expected: f64) {
     assert!((actual - expected).abs() <= 1e-13 * expected.abs(), "{actual:e} is not {expected:e}");
 }
 
-/// The stages of the rack-and-pinion example: 53 Hz DIRECT with weight 3, 11 Hz INDIRECT with weight 1.9.
-fn rack_and_pinion() -> Axis {
-    let filter = |f0, q_factor| {
-        [Filter::Bandpass { prototype: Prototype::CritDamping, order: 1, f0, q_factor }, Filter::NoFilter]
-    };
-    let direct = Mode::Direct { source: DirectSource::Motor };
-    let stage = [
-        Some(Stage { mode: direct, weight_fact_num: 300, weight_fact_denom: 100, filter: filter(53.0, 10.0) }),
-        Some(Stage {
-            mode: Mode::Indirect { osc_damping: 0.8 },
-            weight_fact_num: 190,
-            weight_fact_denom: 100,
-            filter: filter(11.0, 2.0),
-        }),
-        None,
-    ];
-    let of = axis(RealKind::F64, 1_000_000, stage);
-    Axis { ipc: Ipc { v_max: 200_000.0, ..of.ipc }, ..of }
-}
-
 #[test]
 fn stages_of_the_rack_and_pinion_example() {
-    let coeffs = Designed::from(rack_and_pinion()).ipc;
+    let coeffs = Designed::from(rack_and_pinion(RealKind::F64)).ipc;
     let direct = of_stage(&coeffs.stage[0], warped(53.0, TS));
     same(direct.re, -3.0);
     assert!(direct.im.abs() < 3e-13);
