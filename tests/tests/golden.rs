@@ -140,26 +140,6 @@ fn golden_stays_small() {
     assert!(bytes < 2_000_000, "golden/cases holds {bytes} bytes");
 }
 
-/// The comparison itself: one bit of one sample is found, where it is.
-#[test]
-fn a_single_bit_is_found() {
-    let case = all().remove(0);
-    let inputs = vectors(&case);
-    let expected = run(&case, Engine::Reference, &inputs);
-    let frame = expected.shape.frame();
-    let mut found = expected.clone();
-    found.bytes[1_234 * frame] ^= 0x10;
-    let difference = compare(&expected, &found);
-    let first = difference.first.unwrap();
-    assert_eq!((difference.bits, first.sample, first.signal.as_str()), (1, 1_234, "v_add"));
-    found.bytes.truncate(1_000 * frame);
-    assert_eq!(
-        compare(&expected, &found).bits,
-        8 * (expected.bytes.len() - found.bytes.len()) as u64,
-        "missing samples"
-    );
-}
-
 /// Of every case: with a coefficient off by one unit in the last place, the interpreter's bits differ, and the compiled block
 /// does not pass its self-test: in one real type as C, in the other as Rust, in a plain run for one pair in five.
 #[test]

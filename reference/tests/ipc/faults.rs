@@ -136,15 +136,6 @@ fn the_sample_limit_is_exact<R: Real>() {
     }
 }
 
-/// 0 means: not checked.
-fn the_right_cycle_time_is_no_fault<R: Real>() {
-    for task_cycle_ns in [0, 1_000_000] {
-        let mut block = example::<R>();
-        block.inputs.task_cycle_ns = task_cycle_ns;
-        assert!(!block.step().fault);
-    }
-}
-
 in_both_real_types! {
     the_output_is_0_at_once_and_the_block_starts_anew
     a_reset_is_a_level_and_the_states_follow_the_input
@@ -152,5 +143,4 @@ in_both_real_types! {
     an_overwritten_fade_is_a_fault
     only_what_a_stage_reads_is_judged
     the_sample_limit_is_exact
-    the_right_cycle_time_is_no_fault
 }

@@ -1,7 +1,7 @@
 //! What makes a block of a random program, and of a block something that runs without knowing its types.
 
 use compiler::program::Program;
-use compiler::specialise;
+use compiler::{leaves, specialise};
 use portable::Block;
 use portable::{Literal, Portable, Real, RealKind, Ty, Variant};
 use std::collections::BTreeMap;
@@ -115,12 +115,6 @@ fn run<R: Real, S: Subject<R>>(inputs: &[Vec<Literal>]) -> Vec<Frame> {
 fn build<T: Portable>(leaves: &[Literal]) -> T {
     let mut next = leaves.iter();
     T::build(&mut || *next.next().expect("subject: as many literals as scalars"))
-}
-
-fn leaves<T: Portable>(value: &T) -> Vec<Literal> {
-    let mut leaves = Vec::new();
-    value.visit(&mut |literal| leaves.push(literal));
-    leaves
 }
 
 /// What memory holds before anything was written to it: the same in every engine.

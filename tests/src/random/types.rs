@@ -97,11 +97,7 @@ impl Program {
     /// Whether a type mentions the real type.
     #[must_use]
     pub fn is_real(&self, ty: &Type) -> bool {
-        match ty {
-            Type::Scalar(scalar) => *scalar == Scalar::Real,
-            Type::Array(element, _) => self.is_real(element),
-            Type::Struct(which) => self.structs[*which].fields.iter().any(|(_, field)| self.is_real(field)),
-        }
+        self.contains(ty, Scalar::Real)
     }
 
     /// Whether a parameter of a function mentions the real type, so that rustc finds it out at every call.

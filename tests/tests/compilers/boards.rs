@@ -121,19 +121,26 @@ impl Board {
             None => compile.args(["-static", &path("linux.c")]),
         };
         finished(&mut compile, self.name);
-        // A program that hangs must not keep a test from ending.
-        let mut run = Command::new("timeout");
-        run.arg("300").current_dir(folder.path());
         match self.machine {
-            Some(machine) => run
-                .args(["qemu-system-arm", "-M", machine, "-display", "none", "-monitor", "none", "-serial", "none"])
-                .args(["-semihosting-config", "enable=on,target=native"])
-                .args(build.emulator)
-                .args(["-kernel", "program"]),
-            None => run.args(["qemu-aarch64", "./program"]),
-        };
-        said(&mut run)
+            Some(machine) => said(emulator(machine, folder.path()).args(build.emulator).args(["-kernel", "program"])),
+            None => said(limited(folder.path()).args(["qemu-aarch64", "./program"])),
+        }
     }
+}
+
+/// A program that hangs must not keep a test from ending.
+fn limited(folder: &Path) -> Command {
+    let mut run = Command::new("timeout");
+    run.arg("300").current_dir(folder);
+    run
+}
+
+/// The emulator of a machine, without the program.
+pub fn emulator(machine: &str, folder: &Path) -> Command {
+    let mut run = limited(folder);
+    run.args(["qemu-system-arm", "-M", machine, "-display", "none", "-monitor", "none", "-serial", "none"])
+        .args(["-semihosting-config", "enable=on,target=native"]);
+    run
 }
 
 /// Runs the runners on this host.

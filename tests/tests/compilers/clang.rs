@@ -2,7 +2,7 @@
 //! links and runs as docs/runner.md says. Without an attribute it stores several zeros by a call of memset.
 
 use crate::bare::is_arithmetic;
-use crate::boards::{BOARDS, Emitted, finished, said, written};
+use crate::boards::{BOARDS, Emitted, emulator, finished, said, written};
 use crate::in_turn;
 use axgen_tests::cases::{all, in_both_real_types, title};
 use axgen_tests::environment::{by_depth, has, is_every_level, is_exhaustive};
@@ -128,21 +128,7 @@ fn the_lines_for_clang_link_a_runner_that_passes() {
             let output = Command::new("sh").current_dir(folder.path()).args(["-c", &line]).output().expect("sh starts");
             assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
         }
-        let mut run = Command::new("timeout");
-        run.args([
-            "300",
-            "qemu-system-arm",
-            "-M",
-            "mps2-an386",
-            "-display",
-            "none",
-            "-monitor",
-            "none",
-            "-serial",
-            "none",
-        ])
-        .args(["-semihosting-config", "enable=on,target=native", "-kernel", "program.elf"]);
-        let said = said(run.current_dir(folder.path()));
+        let said = said(emulator("mps2-an386", folder.path()).args(["-kernel", "program.elf"]));
         assert!(said.contains("self-test: passed") && said.ends_with("\npassed\n"), "{wanted}: {said}");
     }
 }

@@ -153,7 +153,8 @@ fn written(case: &Case) -> (TempDir, String) {
     (folder, files[0].name.trim_end_matches(".h").to_owned())
 }
 
-fn compile(command: &str, folder: &Path, arguments: &[&str]) {
+/// Compiles with no word from the compiler.
+pub fn compile(command: &str, folder: &Path, arguments: &[&str]) {
     let output = Command::new(command).args(arguments).current_dir(folder).output();
     let output = output.unwrap_or_else(|error| panic!("{command}: {error}"));
     let said = String::from_utf8_lossy(&output.stderr);

@@ -1,5 +1,6 @@
 //! All files of all blocks of several axes in one translation unit, as some firmware is built: the same bits, no name twice.
 
+use crate::files::compile;
 use crate::tools;
 use axgen_tests::environment::has;
 use generator::config::ListOptions;
@@ -44,13 +45,6 @@ fn include<'n>(names: impl Iterator<Item = &'n String>) -> String {
         writeln!(text, "#include \"{name}\"").expect("a string takes all text");
         text
     })
-}
-
-/// Compiles with no word from the compiler.
-fn compile(command: &str, folder: &Path, arguments: &[&str]) {
-    let output = Command::new(command).args(arguments).current_dir(folder).output().expect("the compiler starts");
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && said.is_empty(), "{command} {}:\n{said}", arguments.join(" "));
 }
 
 /// The names of the blocks: what their headers are called.

@@ -8,8 +8,8 @@
 //! differences of rounded numbers on purpose, and left out.
 
 use super::exact::Exact;
-use super::fixed::Fixed;
 use super::{CYCLES, inputs};
+use axgen_tests::accuracy::fixed::Fixed;
 use axgen_tests::environment::by_depth;
 use axgen_tests::random::rng::Rng;
 use rayon::prelude::*;
@@ -158,4 +158,17 @@ fn single_numbers(case: &Case, numbers: &Numbers<f64>) -> Vec<f64> {
     let oscillation::Coeffs { h, r, g, g2, .. } = numbers.oscillation;
     list.extend([a, b, c, h, r, g, g2].iter());
     list
+}
+
+/// Against digits from tables.
+#[test]
+fn constants_have_their_digits() {
+    for (of, digits) in [
+        (Fixed::pi(), "3141592653589793238462643383279502884197169399375105820974944"),
+        (&Fixed::from(2).sqrt(), "1414213562373095048801688724209698078569671875376948073176679"),
+        (&Fixed::from(2).cbrt(), "1259921049894873164767210607278228350570251464701507980081975"),
+        (&Fixed::from(1).tan(), "1557407724654902230506974807458360173087250772381520038383946"),
+    ] {
+        assert_eq!(of.digits(), digits);
+    }
 }

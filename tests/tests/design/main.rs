@@ -10,7 +10,6 @@
 
 mod accuracy;
 mod exact;
-mod fixed;
 mod functions;
 mod inputs;
 mod norms;

@@ -134,16 +134,6 @@ fn from_a_speed_to_a_position_ahead() {
     assert_eq!(mover.now(), Sample { x: target, ..Sample::default() });
 }
 
-#[test]
-fn from_a_speed_to_a_position_that_is_too_near() {
-    let mut mover = at(SPINDLE, 0.0, 6e6);
-    mover.go(180_000.0, 6e6).expect("a profile");
-    let samples = run(&mut mover);
-    hold(&samples, SPINDLE, CYCLE);
-    assert!(samples.iter().any(|sample| sample.x > 180_000.0), "it passes the target, and comes back");
-    assert_eq!(mover.now(), Sample { x: 180_000.0, ..Sample::default() });
-}
-
 /// M19 with a lower S word: it slows down first, and keeps the lower speed from there.
 #[test]
 fn from_above_the_speed_of_the_way() {
@@ -156,20 +146,6 @@ fn from_above_the_speed_of_the_way() {
     hold(&samples[slow..], Limits { velocity: 300_000.0, ..SPINDLE }, CYCLE);
     assert!(samples.iter().all(|sample| sample.v > -1e-3), "it does not turn back");
     assert_eq!(mover.now().x, 20_000_000.0);
-}
-
-/// A new target in the middle of an acceleration: nothing jumps.
-#[test]
-fn another_target_on_the_way() {
-    let mut mover = at(AXIS, 0.0, 0.0);
-    mover.turn(500.0).expect("a profile");
-    let mut samples = vec![mover.now()];
-    samples.extend((0..100).map(|_| mover.next()));
-    assert!(mover.now().a > 100.0 && !mover.is_done());
-    mover.go(-20.0, 500.0).expect("a profile");
-    samples.extend(run(&mut mover));
-    hold(&samples, AXIS, CYCLE);
-    assert_eq!(mover.now(), Sample { x: -20.0, ..Sample::default() });
 }
 
 /// Equal calls give equal bits.
