@@ -306,7 +306,8 @@ OFTEN uint32_t in_brake(hand_spindle *spindle, const axis_inputs *inputs)
         error_id = 23u;
     } else {
         const double speed = fabs(spindle->v);
-        is_slow = speed <= v_position_control_on && fabs(inputs->v_actual) <= speed + window;
+        const double along = spindle->v < 0.0 ? -inputs->v_actual : inputs->v_actual;
+        is_slow = speed <= v_position_control_on && -window <= along && along <= speed + window;
     }
     spindle->settled = is_slow ? spindle->settled + 1u : 0u;
     bool can_leave = spindle->settled >= 3u;
@@ -373,7 +374,7 @@ OFTEN uint32_t accompany(hand_spindle *spindle, const axis_inputs *inputs)
         spindle->v = turning(spindle);
         spindle->asks_velocity = fabs(spindle->v) > v_taken_up;
     }
-    if (is_known && is_found) {
+    if (is_found) {
         show(spindle, inputs, spindle->v);
     } else {
         advance(spindle);
