@@ -326,8 +326,8 @@ codes! {
         "With these weights the loop oscillates, though its drive is ideal: the motor does exactly what was commanded one cycle \
          before (or is the drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of \
          order n; with a large weight the loop is lost where the gain is still 1 and the phase has turned by 180. Write the \
-         smaller weight, a higher damping ratio or q_factor, a lower order. Where the position loop oscillates without any stage, \
-         the message names Kv (P-AXIS-00099) instead. A stage whose all-pass is made for the lag of a \
+         smaller weight, a higher damping ratio or q_factor, a lower order. Where the position loop oscillates \
+         without any stage, the message names Kv (P-AXIS-00099) instead. A stage whose all-pass is made for the lag of a \
          real drive is stable on that drive only: state it (drive.delay, drive.time_constant, or drive.response with a measured \
          response), or start with DRYRUN. On a test stand without a machine the key accept_unstable makes a warning of it.";
 
@@ -344,14 +344,14 @@ codes! {
          the lowest f0 that anybody may type, at or below every f0 of the set. A lower one makes the fade longer.";
     WINDOW_BEYOND = "AX349", "a window in which a spindle is taken into position control above Von",
         "Position control begins at up to Voff (P-AXIS-00768) + spindle.window, and ends at Von (P-AXIS-00767): the spindle \
-         would be taken into position control faster than it leaves it. Without spindle.window the window is at least two steps of \
-         the encoder (P-AXIS-00234/00233) in a cycle: a short cycle and an encoder with few increments make it wide. Write a \
+         would be taken into position control faster than it leaves it. Without spindle.window the window is at least two \
+         steps of the encoder (P-AXIS-00234/00233) in a cycle: a short cycle and an encoder with few increments make it wide. Write a \
          larger Von, a smaller spindle.window, a longer cycle, or use an encoder with more increments.";
     KV_UNSTABLE = "AX350", "a gain of the position controller with which its loop is unstable",
         "What the position controller in the CNC commands in a cycle is read back a cycle later at the earliest. With Kv \
          (P-AXIS-00099) and the cycle time T the loop is stable below Kv T = 2 sin(90 deg / (2 d + 1)), where d is the delay in \
-         cycles: 1 with an ideal drive, 0.618 with two cycles. The delay is drive.delay, or else P-AXIS-00191, or else one cycle; \
-         drive.time_constant counts too. The unit of P-AXIS-00099 is 0.01/s: 2000 is 20/s. Write the gain of the machine.";
+         cycles: 1 with an ideal drive, 0.618 with two cycles. The delay is drive.delay, or else P-AXIS-00191, or else one \
+         cycle; drive.time_constant counts too. The unit of P-AXIS-00099 is 0.01/s: 2000 is 20/s. Write the gain of the machine.";
     SWAPPED_MODES = "AX351", "operation modes of a CANopen drive the wrong way round",
         "P-AXIS-00463 is the mode of position control, 8 (cyclic synchronous position mode), and P-AXIS-00464 that of velocity \
          control, 9 (cyclic synchronous velocity mode). Swapped, the drive would take each command for the other one. One manual \
@@ -499,8 +499,8 @@ codes! {
         "The set is taken over, and the block goes on with what it was generated with: its mode at start, the velocity below \
          which a sum counts as 0, the other blocks of the axis. Generate the blocks anew where they are to follow.";
     LAG_TAKEN_UP = "AX448", "a position lag near half a revolution where position control is taken up",
-        "The drive can take up position control at up to Voff + window: a spindle that turns when its drive comes on has any speed \
-         up to that. The lag (1 - w) v / Kv that the drive needs there reaches 170 deg; from 180 deg on the drive turns the \
+        "The drive can take up position control at up to Voff + window: a spindle that turns when its drive comes on has any \
+         speed up to that. The lag (1 - w) v / Kv that the drive needs there reaches 170 deg; from 180 deg on the drive turns the \
          spindle the other way. Write a lower v_position_control_on, a smaller window, or a larger Kv, if the drive has it.";
     LAG_ALONE = "AX449", "a position lag near half a revolution without feedforward",
         "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v \
@@ -623,8 +623,8 @@ codes! {
          overshoots by about 5 %. AX350 says how other delays count. A real drive is slower and has less: write a smaller Kv \
          (P-AXIS-00099), or use a shorter cycle.";
     COARSE_COMMAND = "AX484", "a velocity command of less than one increment",
-        "The velocity command of the drive is rounded to whole increments: 0 or 1 here, at the velocity of the change to position \
-         control, or at the largest one. The scaling is P-AXIS-00205 to 00207, with position control in the CNC P-AXIS-00129 and \
+        "The velocity command of the drive is rounded to whole increments: 0 or 1 here, at the velocity of the change to \
+         position control, or at the largest one. The scaling is P-AXIS-00205 to 00207, with position control in the CNC P-AXIS-00129 and \
          00128. Write the scaling of the drive.";
     OTHER_MODE = "AX485", "an operation mode of a CANopen drive for another purpose",
         "The changeover sends a new command in each cycle. The modes for that are 8, the cyclic synchronous position mode \
@@ -632,8 +632,8 @@ codes! {
          manufacturers have modes of their own; the manual of the drive says whether this one takes a command in each cycle.";
     LIMITS_NOTHING = "AX486", "a limit of a changeover that limits nothing",
         "The value is so large that what it limits never reaches it: a deceleration with which the spindle stops within a \
-         cycle, a takeover window of half a revolution, a time of more than 10 s for the change of the operation mode. Write a value that \
-         fits the machine.";
+         cycle, a takeover window of half a revolution, a time of more than 10 s for the change of the operation mode. \
+         Write a value that fits the machine.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
@@ -743,6 +743,6 @@ codes! {
         "Something that turns with the axis, such as the mesh of a pinion, makes a line of its own. It repeats with the excitation, so \
          that its coherence is high, while the response is wrong there by up to 18 dB. Excite at another speed.";
     OUTLIER = "AX527", "a wrong sample in a recording",
-        "One sample of a sensor is more than 10 times all others, as after a lost frame or a loose contact. It hides all lines of the \
-         spectrum, and makes wrong which side a vibration comes from. Record again, or correct the sample in the file.";
+        "One sample of a sensor is more than 10 times all others, as after a lost frame or a loose contact. It hides all lines \
+         of the spectrum, and makes wrong which side a vibration comes from. Record again, or correct the sample in the file.";
 }

@@ -218,12 +218,13 @@ fn a_drive_keeps_its_position_without_a_command_in_range() {
     assert_eq!([loose, block.step(&at(f64::NAN)).value("x_drive")], [700.0; 2]);
 }
 
-/// A spindle whose drive controls the position: without a velocity in range the position goes on with error 14; with half a turn in a
-/// cycle it is held with error 44.
+/// A spindle whose drive controls the position: without a velocity in range the position goes on with error 14; with half a
+/// turn in a cycle it is held with error 44.
 #[test]
 fn a_spindle_goes_on_without_its_velocity_and_holds_at_half_a_turn() {
     for feedforward in ["", "vorsteuer.vorsteuerung = \"VEL\""] {
-        let lines = "kenngr.achs_typ = \"ACHSTYP_SPINDEL\"\nkenngr.antr_typ = \"SERCOS\"\ngetriebe = [{ kv = 3000, dynamik.vb_max = 100000000 }]";
+        let lines = "kenngr.achs_typ = \"ACHSTYP_SPINDEL\"\nkenngr.antr_typ = \"SERCOS\"\n\
+                     getriebe = [{ kv = 3000, dynamik.vb_max = 100000000 }]";
         let mut block = Block::new(2, &format!("{lines}\n{feedforward}"));
         let mut step = |x_command: f64, v_interpolator: f64| {
             let found = block.step(&Inputs { x_command, v_interpolator, feedforward_active: false, ..Inputs::USUAL });

@@ -190,8 +190,7 @@ fn a_set_that_is_damaged_while_the_block_fades_out_is_never_in_use() {
     assert_eq!(told.last(), Some(&[other.input("params.set_id"), 0.0, 0.0]));
 }
 
-/// "With the limit 0, nothing is added, no loop is closed, and the watch has no effect": noise trips nothing, and the block acts as
-/// soon as the limit is raised.
+/// With the limit 0 the watch has no effect: noise trips nothing, and the block acts as soon as the limit is raised.
 #[test]
 fn with_the_limit_0_the_watch_has_no_effect() {
     let mut block = axis("weights", "watch = true");

@@ -81,7 +81,7 @@ fn every() -> usize {
     }
 }
 
-/// A set that is offered is taken over in the end, whatever bit flips in its first check, in the check of the copy, or in the fade.
+/// An offered set is taken over in the end, whatever bit flips in its first check, in the check of the copy, or in the fade.
 #[test]
 fn a_flipped_bit_keeps_no_set_away() {
     let mut away = Vec::new();

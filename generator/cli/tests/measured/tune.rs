@@ -13,7 +13,8 @@ use tempfile::TempDir;
 pub const SET: &str = "cycle_time = \"1ms\"\n[axis.X]\nkopf.achs_nr = 1\nkenngr.achs_typ = \"ACHSTYP_TRANSLATOR\"\n\
     getriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n\
     [axis.X.lr_param.improved_position_control]\nenable = \"ON\"\nv_add_max_fact = 1000\n";
-const NAMES: [&str; 7] = [
+/// The names of the columns, with their units.
+pub const NAMES: [&str; 7] = [
     "x_command [mm]",
     "x_actual [mm]",
     "v_command [um/s]",

@@ -3,7 +3,7 @@
 use super::plant::{
     self, A_LOAD, Columns, OF_EXCITED, OF_MOVES, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, excited, moves, number,
 };
-use super::tune::{folder, tune};
+use super::tune::{NAMES, folder, tune};
 use crate::{Run, axgen};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -17,15 +17,8 @@ type Change<'a> = (usize, &'a str, f64);
 /// Columns of um/s, mm and m/s^2, some of them under another name and multiplied by a factor.
 fn scaled(columns: &Columns, of: &[usize], changes: &[Change<'_>]) -> String {
     let mut columns = columns.clone();
-    let mut names = [
-        "x_command [mm]",
-        "x_actual [mm]",
-        "v_command [um/s]",
-        "v_motor [um/s]",
-        "v_cmd [um/s]",
-        "v_excite [um/s]",
-        "a_load [m/s^2]",
-    ];
+    let mut names = NAMES;
+    names[A_LOAD] = "a_load [m/s^2]";
     for (at, name, factor) in changes {
         names[*at] = name;
         columns[*at].iter_mut().for_each(|value| *value *= factor);

@@ -68,7 +68,7 @@ fn without_stages(
     report(e, (Name::Kv, [gear, 0]), found, instead, is_error);
 }
 
-/// 2^-40 of a gain has no effect.
+/// Smaller gains are not tried: 2^-40 of the largest one is below a unit of P-AXIS-00099.
 const HALVINGS: usize = 40;
 const IDEAL: &str = "a drive that does exactly what was commanded one cycle before";
 const STATED: &str = "the drive that the set states";

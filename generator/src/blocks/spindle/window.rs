@@ -20,7 +20,7 @@ struct Steps {
     cycle_ns: u32,
 }
 
-/// The steps of the encoder; `None` if the list has no path resolution.
+/// The steps of the encoder; `None` if the list states no path resolution.
 fn steps(e: &mut Effective<'_>, cycle_ns: u32, gear: u32) -> Option<Steps> {
     let [num, denom] = [Name::WegaufZ, Name::WegaufN].map(|name| (name, [gear, 0]));
     if e.given(num).is_none() || e.given(denom).is_none() {
@@ -45,7 +45,7 @@ pub(super) fn settled(e: &mut Effective<'_>, cycle_ns: Option<u32>, gear: u32, o
         Some(Steps { two, .. }) if window(off, least) < two => narrow(e, least, window(off, least), two),
         _ => {}
     }
-    // Velocities in the wrong order have been reported, and velocity control alone has no position control to begin.
+    // Another rule reports velocities in the wrong order. A drive with velocity control alone never begins position control.
     if let Some(of) = of.filter(|of| of.on.value >= of.off.value) {
         wide(e, of, window(off, least), steps);
     }
