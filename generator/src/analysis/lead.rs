@@ -5,7 +5,7 @@ use crate::blocks::ipc::filter as kinds;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::design::band::{band, warped};
 use crate::design::response::{self, magnitude};
-use reference::design::inputs::largest_share;
+use reference::design::inputs::LARGEST_SHARE;
 use std::f64::consts::PI;
 
 /// Quality factor of the proposed all-pass: flat enough not to narrow the stage, steep enough to reach most leads.
@@ -49,7 +49,7 @@ pub(super) fn allpass(of: &StageDesign, lead: f64) -> Option<[f64; 2]> {
         let filter = Filter::Allpass { f0, q_factor: Q_FACTOR };
         kinds::of(&filter)?.phase(&band(f0, Q_FACTOR, of.cycle_time), t)
     };
-    let (mut low, mut high) = (of.stage.f0() * LOWEST, largest_share::<f64>() / of.cycle_time);
+    let (mut low, mut high) = (of.stage.f0() * LOWEST, LARGEST_SHARE / of.cycle_time);
     if phase(low)? > wanted || phase(high)? < wanted {
         return None;
     }

@@ -1,8 +1,7 @@
 //! The inputs of the design of a stage, and the test whether they are in their ranges.
 
-use crate::filter::Type;
-use crate::stage::{Coeffs, FILTERS, Mode, weight_limit};
-use portable::{Real, from_u32, in_range, portable};
+use crate::stage::{FILTERS, weight_limit};
+use portable::{Real, in_range, portable};
 
 /// What a filter is designed from.
 #[portable]
@@ -47,26 +46,30 @@ pub enum Wrong {
     Limit,
 }
 
-/// The first input outside its range.
-#[portable]
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Finding {
-    /// which input
-    pub wrong: Wrong,
-    /// index of its filter; 0 for the damping and the weight
-    pub filter: u32,
+/// Largest centre frequency [Hz].
+const LARGEST_F0: f64 = 500.0;
+
+/// Largest f0 Ts: above it the tangent approaches its pole.
+pub const LARGEST_SHARE: f64 = 0.45;
+
+/// f0 Ts, Ts in whole nanoseconds: in this form 450 Hz and 1 ms make exactly 0.45.
+#[must_use]
+pub fn share(f0: f64, cycle_time_ns: u32) -> f64 {
+    f0 * f64::from(cycle_time_ns) / 1.0e9
 }
 
-/// largest centre frequency [Hz]
-#[portable]
-pub fn largest_frequency<R: Real>() -> R {
-    R::lit(500.0)
-}
-
-/// largest f0 * Ts: above it the tangent approaches its pole
-#[portable]
-pub fn largest_share<R: Real>() -> R {
-    R::lit(0.45)
+/// The highest centre frequency of a cycle time [Hz]: the largest number with f0 <= 500 and f0 Ts <= 0.45.
+#[must_use]
+pub fn highest_f0(cycle_time_ns: u32) -> f64 {
+    let is_low = |f0: f64| share(f0, cycle_time_ns) <= LARGEST_SHARE;
+    let mut f0 = LARGEST_SHARE * 1.0e9 / f64::from(cycle_time_ns);
+    while !is_low(f0) {
+        f0 = f0.next_down();
+    }
+    while f0 < LARGEST_F0 && is_low(f0.next_up()) {
+        f0 = f0.next_up();
+    }
+    if f0 > LARGEST_F0 { LARGEST_F0 } else { f0 }
 }
 
 /// largest quality factor
@@ -82,50 +85,11 @@ pub fn smallest_ratio<R: Real>() -> R {
     R::lit(8.881_784_197_001_252e-16)
 }
 
-/// a second [ns]
+/// Which input of a filter is outside its range. The range of f0 is from `lowest` to `highest` [Hz].
 #[portable]
-pub fn second_ns<R: Real>() -> R {
-    R::lit(1.0e9)
-}
-
-/// f0 * Ts, Ts in whole nanoseconds: in this form 450 Hz and 1 ms make exactly 0.45
-#[portable]
-pub fn share<R: Real>(f0: R, cycle_time_ns: u32) -> R {
-    f0 * from_u32::<R>(cycle_time_ns) / second_ns()
-}
-
-/// Finds the first input of a stage outside its range. `lowest`: the lowest centre frequency [Hz] that the structure of the
-/// block fits, because its fade lasts a period of it.
-#[portable]
-pub fn check<R: Real>(finding: &mut Finding, structure: &Coeffs<R>, inputs: &Inputs<R>, cycle_time_ns: u32, lowest: R) {
-    let mut wrong = Wrong::Nothing;
-    let mut filter = 0u32;
-    for k in 0..FILTERS {
-        if structure.filter[k].kind != Type::NoFilter && wrong == Wrong::Nothing {
-            wrong = check_filter(inputs.filter[k].f0, inputs.filter[k].q_factor, cycle_time_ns, lowest);
-        }
-        if wrong == Wrong::Nothing {
-            filter += 1u32;
-        }
-    }
-    if wrong == Wrong::Nothing {
-        filter = 0u32;
-        if !is_weight(inputs.weight) {
-            wrong = Wrong::Weight;
-        }
-        if structure.mode != Mode::Direct && !is_damping(inputs.damping) {
-            wrong = Wrong::Damping;
-        }
-    }
-    finding.wrong = wrong;
-    finding.filter = filter;
-}
-
-/// Which input of a filter is outside its range.
-#[portable]
-pub fn check_filter<R: Real>(f0: R, q_factor: R, cycle_time_ns: u32, lowest: R) -> Wrong {
+pub fn check_filter<R: Real>(f0: R, q_factor: R, lowest: R, highest: R) -> Wrong {
     let mut wrong = Wrong::Frequency;
-    if is_frequency(f0, cycle_time_ns) {
+    if is_frequency(f0, highest) {
         wrong = Wrong::LowFrequency;
         if f0 >= lowest {
             wrong = if is_quality(q_factor) { Wrong::Nothing } else { Wrong::QualityFactor };
@@ -134,12 +98,12 @@ pub fn check_filter<R: Real>(f0: R, q_factor: R, cycle_time_ns: u32, lowest: R) 
     wrong
 }
 
-/// Whether a number is a centre frequency in its range. False for a NaN, which is compared only by `in_range`.
+/// Whether a number is a centre frequency up to the highest one. False for a NaN, which is compared only by `in_range`.
 #[portable]
-pub fn is_frequency<R: Real>(f0: R, cycle_time_ns: u32) -> bool {
+pub fn is_frequency<R: Real>(f0: R, highest: R) -> bool {
     let mut is_sound = false;
-    if in_range(f0, largest_frequency()) {
-        is_sound = R::ZERO < f0 && share(f0, cycle_time_ns) <= largest_share();
+    if in_range(f0, highest) {
+        is_sound = f0 > R::ZERO;
     }
     is_sound
 }

@@ -21,6 +21,8 @@ pub struct Prototypes {
 pub struct Coeffs<R> {
     /// lowest centre frequency [Hz]: the fade and the watch of the block that takes the set count in its periods
     pub lowest_f0: R,
+    /// highest centre frequency [Hz]: 500, and f0 Ts = 0.45
+    pub highest_f0: R,
     /// prototypes of the stages
     pub prototype: [Prototypes; STAGES],
     /// largest velocity (P-AXIS-00212): the sum of stages at it is not a fault [um/s or 0.001 deg/s]

@@ -53,8 +53,7 @@ pub fn in_precision<R: Real>(x: R) -> R {
 #[portable]
 pub fn inputs<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> Wrong {
     element::pick(&mut state.of, state.turn, coeffs, inputs);
-    let ns = coeffs.set.ipc.cycle_time_ns;
-    let mut wrong = check_filter(state.of.f0, state.of.q_factor, ns, coeffs.lowest_f0);
+    let mut wrong = check_filter(state.of.f0, state.of.q_factor, coeffs.lowest_f0, coeffs.highest_f0);
     if wrong == Wrong::Nothing {
         let is_sound = is_weight(state.of.weight);
         if !is_sound {

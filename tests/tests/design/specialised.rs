@@ -1,6 +1,6 @@
 //! The design of a stage as a program: specialised, through all passes, and interpreted, against the Rust itself, in bits.
 
-use super::{CYCLES, inputs as random_inputs};
+use super::CYCLES;
 use axgen_tests::environment::by_depth;
 use axgen_tests::random::rng::Rng;
 use compiler::interp::Machine;
@@ -8,7 +8,7 @@ use compiler::program::Program;
 use compiler::{leaves, pass, specialise};
 use portable::{Block, Literal, Real, portable};
 use reference::design::band::cycle_time;
-use reference::design::inputs::{Finding, Inputs, Wrong, check};
+use reference::design::inputs::Inputs;
 use reference::design::poles::Prototype;
 use reference::design::{narrow, stage as design_stage};
 use reference::filter::{Coeffs as Filter, Type};
@@ -21,8 +21,6 @@ use std::collections::BTreeMap;
 pub struct Coeffs<R> {
     /// the cycle [ns]
     pub cycle_time_ns: u32,
-    /// lowest centre frequency [Hz]
-    pub lowest: R,
     /// whether the block that takes the numbers has single precision
     pub is_single: bool,
     /// mode, types and orders
@@ -43,11 +41,7 @@ pub struct State<R> {
 #[portable]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Outputs<R> {
-    /// the input outside its range
-    pub wrong: Wrong,
-    /// its filter
-    pub filter: u32,
-    /// the numbers, 0 after a wrong input
+    /// the numbers
     pub numbers: Numbers<R>,
 }
 
@@ -60,19 +54,13 @@ pub fn init<R: Real>(state: &mut State<R>) {
 /// One design.
 #[portable]
 pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-    let mut finding = Finding::default();
-    check(&mut finding, &coeffs.stage, inputs, coeffs.cycle_time_ns, coeffs.lowest);
     let mut designed = Outputs::<R>::default();
-    if finding.wrong == Wrong::Nothing {
-        let seconds = cycle_time::<R>(coeffs.cycle_time_ns);
-        design_stage::design(&mut designed.numbers, &coeffs.stage, &coeffs.prototype, inputs, seconds);
-        if coeffs.is_single {
-            narrow::stage(&mut designed.numbers, &coeffs.stage);
-        }
+    let seconds = cycle_time::<R>(coeffs.cycle_time_ns);
+    design_stage::design(&mut designed.numbers, &coeffs.stage, &coeffs.prototype, inputs, seconds);
+    if coeffs.is_single {
+        narrow::stage(&mut designed.numbers, &coeffs.stage);
     }
     state.gain = designed.numbers.gain;
-    outputs.wrong = finding.wrong;
-    outputs.filter = finding.filter;
     outputs.numbers = designed.numbers;
 }
 
@@ -84,7 +72,7 @@ fn bandpass(order: usize) -> Filter<f64> {
 
 fn structure(mode: Mode, filter: [Filter<f64>; 2], prototype: Prototype, cycle_time_ns: u32) -> Coeffs<f64> {
     let stage = StageCoeffs { mode, filter, ..StageCoeffs::default() };
-    Coeffs { cycle_time_ns, lowest: 1e-3, is_single: false, stage, prototype: [prototype; FILTERS] }
+    Coeffs { cycle_time_ns, is_single: false, stage, prototype: [prototype; FILTERS] }
 }
 
 fn program(coeffs: &Coeffs<f64>) -> Program {
@@ -92,38 +80,20 @@ fn program(coeffs: &Coeffs<f64>) -> Program {
     pass::run(program, None).unwrap_or_else(|defect| panic!("{defect}"))
 }
 
-/// Inputs of which one in eight is outside its range or no number.
-fn inputs(rng: &mut Rng, cycle_time_ns: u32) -> Inputs<f64> {
-    let mut inputs = random_inputs(rng, cycle_time_ns);
-    if rng.chance(12) {
-        let x = *rng.pick(&[f64::NAN, f64::INFINITY, -0.0, -3.0, 1e300, 1e-4, 11.0, 501.0]);
-        match rng.below(5) {
-            0 => inputs.filter[0].f0 = x,
-            1 => inputs.filter[1].f0 = x,
-            2 => inputs.filter[0].q_factor = x,
-            3 => inputs.damping = x,
-            _ => inputs.weight = x,
-        }
-    }
-    inputs
-}
-
 /// The program and the Rust on the same random inputs.
 fn compare(coeffs: &Coeffs<f64>, count: usize) {
     let program = program(coeffs);
     let (mut machine, mut found) = (Machine::start(&program), Vec::new());
     let mut rng = Rng::new(0x0064_6573_6967_6e00);
-    let (mut state, mut designed) = (<Subject as Block<f64>>::state(), 0);
+    let mut state = <Subject as Block<f64>>::state();
     for _ in 0..count {
-        let inputs = inputs(&mut rng, coeffs.cycle_time_ns);
+        let inputs = super::inputs(&mut rng, coeffs.cycle_time_ns);
         let mut outputs = Outputs::default();
         <Subject as Block<f64>>::step(&mut state, coeffs, &inputs, &mut outputs);
         machine.step(&leaves(&inputs), &mut found);
         let expected: Vec<Literal> = leaves(&outputs).into_iter().map(Literal::at_run_time).collect();
         assert_eq!(found, expected, "{inputs:?}");
-        designed += usize::from(outputs.wrong == Wrong::Nothing);
     }
-    assert!(designed > count / 4 && designed < count, "{designed} of {count} inputs are in their ranges");
 }
 
 #[test]

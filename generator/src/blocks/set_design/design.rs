@@ -2,6 +2,7 @@
 
 use super::super::ipc::{sets, stage::StageDesign};
 use crate::axis::Axis;
+use reference::design::inputs::highest_f0;
 use reference::ipc::{Coeffs as IpcCoeffs, STAGES};
 use reference::set_design::{Coeffs, Prototypes};
 
@@ -16,6 +17,7 @@ pub(crate) fn coefficients(
     let prototypes = |stage: &StageDesign| Prototypes { filter: stage.prototypes };
     Coeffs {
         lowest_f0,
+        highest_f0: highest_f0(axis.cycle_time_ns),
         v_max: axis.ipc.v_max,
         prototype: stage.each_ref().map(|stage| stage.as_ref().map_or_else(Default::default, prototypes)),
         generated: stage.each_ref().map(|stage| stage.as_ref().map_or_else(Default::default, |stage| stage.inputs)),

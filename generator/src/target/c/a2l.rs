@@ -191,10 +191,7 @@ fn accepted(outline: &Outline<'_>, variable: &Variable) -> Option<[f64; 2]> {
         return constant("sample_limit").map(|limit| [-limit, limit]);
     }
     let highest = match variable.path.rsplit('.').next()? {
-        "f0" => {
-            let of_cycle = constant("largest_share")? * 1.0e9 / f64::from(outline.axis.cycle_time_ns);
-            constant("largest_frequency")?.smaller(of_cycle)
-        }
+        "f0" => return Some([constant("lowest_f0")?, constant("highest_f0")?]),
         "q_factor" => return Some([1.0, constant("largest_quality")?]),
         "damping" => 1.0,
         "weight" => constant("weight_limit")?,
