@@ -43,7 +43,7 @@ fn a_reset_ends_what_is_added_to_a_spindle() {
         if cycle >= 100 {
             assert_eq!((outputs.spindle_state as u32, outputs.loop_closed), (0, true), "cycle {cycle}");
             let closed = coeffs.axis.position_control.manipulated_scale * (outputs.v_command + outputs.v_add);
-            assert_eq!(outputs.manipulated_variable, closed.round() as i32, "cycle {cycle}");
+            assert_eq!(f64::from(outputs.manipulated_variable), closed.round(), "cycle {cycle}");
             assert!(outputs.v_command > 0.0, "cycle {cycle}: the loop holds the position");
         }
         if outputs.tripped && tripped_at.is_none() {
