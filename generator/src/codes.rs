@@ -634,6 +634,10 @@ codes! {
         "The value is so large that what it limits never reaches it: a deceleration with which the spindle stops within a \
          cycle, a takeover window of half a revolution, a time of more than 10 s for the change of the operation mode. \
          Write a value that fits the machine.";
+    GANTRY_LEAD = "AX487", "unequal feedforward in a gantry",
+        "Feedforward takes away the lag v / Kv of an axis. If only one axis of a gantry has it, or if its quantities, weights, \
+         time constants, delays or shift_time (P-AXIS-00165) differ, the axes lag differently, and the bridge is askew while it \
+         moves. Write the same feedforward for all axes of the gantry.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
