@@ -424,7 +424,8 @@ codes! {
          (acceleration), CANopen the weight 3062h. With both, the axis leads. P-AXIS-00833 (00766) says what the drive has of the \
          velocity; no parameter says what it has of the acceleration.";
     LEADS = "AX424", "feedforward weighted above 1",
-        "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual.";
+        "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual. The torque of ADD_ACC has the plain weight \
+         P-AXIS-00225/00226 in addition; the manual's example has 1.2.";
     TWO_MEANINGS = "AX425", "one parameter with two meanings",
         "With ADD_ACC the quotient P-AXIS-00225/00226 is a plain weight, without it a time constant in us. JERK takes it for \
          the time constant.";

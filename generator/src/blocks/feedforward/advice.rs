@@ -8,6 +8,9 @@ use crate::{codes, number::rounded, rules::effective::Effective};
 /// A drive's time constant is above this part of a cycle. A smaller value is a weight, or in another unit.
 const LEAST_PART_OF_A_CYCLE: f64 = 0.05;
 
+/// The largest weight of a torque that no warning mentions: that of the manual's example (4.2).
+const LARGEST_TORQUE_WEIGHT: f64 = 1.2;
+
 /// Numerator and denominator of the time constant of the acceleration.
 const TIME_CONSTANT: [Name; 2] = [Name::VsAFaktor, Name::VsANenner];
 
@@ -27,16 +30,7 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
         let instead = "FALSE, or NONE in vorsteuer.vorsteuerung".to_owned();
         e.warn(codes::DISABLED, key(Name::GlobalDisable), found, instead);
     }
-    let weight = feedforward.weight;
-    if weight.num > weight.denom {
-        let found = format!(
-            "feedforward has the weight {}/{} = {} (P-AXIS-00228/00229): above 1 the axis leads its command",
-            weight.num,
-            weight.denom,
-            rounded(weight.value())
-        );
-        e.warn(codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1".to_owned());
-    }
+    leads(feedforward, e);
     // A stroke of 0, the default, is not a probe.
     let stroke = e.given(key(Name::HubMesstaster)).map(|setting| setting.value.as_ref());
     if stroke.is_some_and(|stroke| stroke != Some(&Value::Integer(0))) {
@@ -52,6 +46,29 @@ pub(crate) fn advise(axis: &Axis, e: &mut Effective<'_>) {
         );
         let instead = "ADD_ACC without JERK, or ACC with JERK".to_owned();
         e.warn(codes::TWO_MEANINGS, key(Name::FeedforwardMode), found, instead);
+    }
+}
+
+/// Warns of weights with which the axis leads its command, or gets more torque than its acceleration needs.
+fn leads(of: &Feedforward, e: &mut Effective<'_>) {
+    let (weight, of_torque) = (of.weight, rounded(of.torque_weight()));
+    if weight.num > weight.denom {
+        let found = format!(
+            "feedforward has the weight {}/{} = {} (P-AXIS-00228/00229): above 1 the axis leads its command",
+            weight.num,
+            weight.denom,
+            rounded(weight.value())
+        );
+        e.warn(codes::LEADS, key(Name::VsVFaktor), found, "0.7 to 1".to_owned());
+    }
+    if of.torque.acceleration && of_torque > LARGEST_TORQUE_WEIGHT {
+        let found = format!(
+            "the additive torque of the acceleration has the weight {} (P-AXIS-00225/00226 times P-AXIS-00228/00229): with \
+             ADD_ACC it is a plain number, and above 1 the torque is more than the load needs",
+            of_torque
+        );
+        let instead = format!("a weight of about 1, at most {LARGEST_TORQUE_WEIGHT}; a time constant in us is for ACC");
+        e.warn(codes::LEADS, key(Name::VsAFaktor), found, instead);
     }
 }
 

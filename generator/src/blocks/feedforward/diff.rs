@@ -3,7 +3,7 @@
 use super::super::effects::{Effect, Effects, of_part};
 use super::design::time_constant;
 use crate::axis::{Axis, Feedforward, Quantities, Torque};
-use crate::{design::scale, number::digits, parameters::words::Words};
+use crate::{design::scale, number::rounded, parameters::words::Words};
 
 /// The values of feedforward; empty without it.
 pub(crate) fn effects(axis: &Axis) -> Effects {
@@ -45,7 +45,17 @@ pub(super) fn line(of: &Feedforward) -> String {
     let said = ways.into_iter().filter(|(what, ..)| what.any());
     let said: Vec<String> = said.map(|(what, way, delay)| format!("{} {way}{delay}", quantities(what))).collect();
     let said = if said.is_empty() { "nothing goes out".to_owned() } else { said.join("; ") };
-    format!("feedforward: {said}; weight {}", digits(of.weight.value()))
+    format!("feedforward: {said}; weight {}", weights(of))
+}
+
+/// The weight of what is put out as a velocity, and that of the torque where it is another one.
+fn weights(of: &Feedforward) -> String {
+    let [weight, of_torque] = [of.weight.value(), of.torque_weight()].map(|of| rounded(of).to_string());
+    match (of.torque.acceleration, of.sums().any() || of.torque.jerk) {
+        (true, false) => of_torque,
+        (true, true) if of_torque != weight => format!("{weight}, of the torque {of_torque}"),
+        _ => weight,
+    }
 }
 
 fn delayed(us: &[u32]) -> String {
