@@ -455,7 +455,9 @@ codes! {
          write the value, or remove what it weights.";
     SHORT_TIME = "AX434", "a time constant that no drive has",
         "With ACC and JERK the quotient P-AXIS-00225/00226 is the drive's time constant in us. Below a twentieth of a cycle it \
-         does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Write it in us.";
+         does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Above 0.1 s it adds far more to \
+         the velocity command than any drive lags: mostly the denominator is missing. The factor of the jerk \
+         (P-AXIS-00337/00338) is 1/2 for a delay and (T2/Ta)^2 for a drive of second order; above 1 no drive has it.";
     SATURATES = "AX435", "process data too small for the axis",
         "At the largest velocity of the axis (P-AXIS-00212), or at the limit of improved position control (P-AXIS-00757), the \
          command has more increments than the type of its process datum holds. The block saturates there, and says so at run \

@@ -1,12 +1,15 @@
 //! Warnings about feedforward that is legal, but without effect or dangerous. No errors here.
 
-use crate::axis::{Axis, Feedforward};
+use crate::axis::{Axis, Feedforward, Ratio};
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, Value};
 use crate::{codes, number::rounded, rules::effective::Effective};
 
 /// A drive's time constant is above this part of a cycle. A smaller value is a weight, or in another unit.
 const LEAST_PART_OF_A_CYCLE: f64 = 0.05;
+
+/// No drive that follows an axis is slower [us].
+const LONGEST_TIME: f64 = 100_000.0;
 
 /// The largest weight of a torque that no warning mentions: that of the manual's example (4.2).
 const LARGEST_TORQUE_WEIGHT: f64 = 1.2;
@@ -18,7 +21,7 @@ const TIME_CONSTANT: [Name; 2] = [Name::VsAFaktor, Name::VsANenner];
 pub(crate) fn inert(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let Some(feedforward) = &axis.control.feedforward {
         defaults(feedforward, gear, e);
-        time_constant(feedforward, axis.cycle_time_ns, e);
+        time_constant(axis, feedforward, e);
     }
 }
 
@@ -95,21 +98,30 @@ fn defaults(feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
     say(torque.any(), &[(Name::Load, [gear, 0])], &found, instead);
 }
 
-/// Warns of a time constant that no drive has. Where ADD_ACC reads it as a weight, the message names both meanings.
-fn time_constant(feedforward: &Feedforward, cycle_time_ns: u32, e: &mut Effective<'_>) {
+/// Warns of a time constant and of a jerk factor that no drive has. Where ADD_ACC reads the time constant as a weight, its
+/// message names both meanings.
+fn time_constant(axis: &Axis, feedforward: &Feedforward, e: &mut Effective<'_>) {
     let is_given = TIME_CONSTANT.into_iter().any(|name| e.given(key(name)).is_some());
     let is_one = feedforward.sums().use_time() && !feedforward.torque.acceleration;
-    let ratio = feedforward.acceleration;
-    let cycles = ratio.value() * 1e3 / f64::from(cycle_time_ns);
+    let Ratio { num, denom } = feedforward.acceleration;
+    let us = feedforward.acceleration.value();
+    let cycles = us * 1e3 / f64::from(axis.cycle_time_ns);
+    let value = format!("the time constant of the acceleration is {num}/{denom} = {} us (P-AXIS-00225/00226)", rounded(us));
     if is_one && is_given && 0.0 < cycles && cycles < LEAST_PART_OF_A_CYCLE {
-        let found = format!(
-            "the time constant of the acceleration is {}/{} = {} us (P-AXIS-00225/00226), {} of a cycle: next to nothing",
-            ratio.num,
-            ratio.denom,
-            rounded(ratio.value()),
-            rounded(cycles)
-        );
+        let found = format!("{value}, {} of a cycle: next to nothing", rounded(cycles));
         let instead = "the drive's time constant in us; a plain weight such as 12/10 is for ADD_ACC".to_owned();
         e.warn(codes::SHORT_TIME, key(Name::VsAFaktor), found, instead);
+    }
+    if is_one && us > LONGEST_TIME {
+        let per = if axis.control.is_rotary { ["1000 deg/s^2", "deg/s"] } else { ["1 m/s^2", "mm/s"] };
+        let found = format!("{value}: at {} it adds {} {} to the velocity command", per[0], rounded(us / 1e3), per[1]);
+        let instead = format!("the drive's time constant in us, at most {LONGEST_TIME}: 4000 is 4 ms");
+        e.warn(codes::SHORT_TIME, key(Name::VsAFaktor), found, instead);
+    }
+    let Ratio { num, denom } = feedforward.jerk;
+    if feedforward.sums().with(feedforward.torque).jerk && num > denom {
+        let found = format!("the factor of the jerk is {num}/{denom} (P-AXIS-00337/00338): no drive has more than 1");
+        let instead = "1/2 for a drive that only delays, (T2/Ta)^2 for one of second order".to_owned();
+        e.warn(codes::SHORT_TIME, key(Name::JerkFactNum), found, instead);
     }
 }
