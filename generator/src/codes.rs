@@ -641,6 +641,12 @@ codes! {
         "Feedforward takes away the lag v / Kv of an axis. If only one axis of a gantry has it, or if its quantities, weights, \
          time constants, delays or shift_time (P-AXIS-00165) differ, the axes lag differently, and the bridge is askew while it \
          moves. Write the same feedforward for all axes of the gantry.";
+    TORQUE = "AX488", "an additive torque that no motor has",
+        "The load (P-AXIS-00391) times the acceleration, in units of the nominal torque (P-AXIS-00392), is the additive torque. With \
+         these numbers the nominal torque accelerates the axis by less than 0.01 m/s^2 or 10 deg/s^2. The load of a rotary motor is \
+         an inertia in kg m^2 at the motor, that of a linear one (motor = \"linear\") a mass in kg; the angle of the motor follows from \
+         the feed constant (P-AXIS-00362/00363), the gear ratio (P-AXIS-00234/00233) and, without a feed constant, \
+         incr_per_rev (P-AXIS-00092). The line `additive torque` of check states what an acceleration becomes.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \

@@ -1,6 +1,7 @@
 //! Warnings about feedforward that is legal, but without effect or dangerous. No errors here.
 
-use crate::axis::{Axis, Feedforward, Ratio};
+use super::design::nominal_torques;
+use crate::axis::{Axis, Feedforward, Motor, Ratio};
 use crate::config::values::{Key, key};
 use crate::parameters::{Name, Value};
 use crate::{codes, number::rounded, rules::effective::Effective};
@@ -14,6 +15,9 @@ const LONGEST_TIME: f64 = 100_000.0;
 /// The largest weight of a torque that no warning mentions: that of the manual's example (4.2).
 const LARGEST_TORQUE_WEIGHT: f64 = 1.2;
 
+/// Every motor accelerates its axis faster with its nominal torque [mm/s^2 or deg/s^2].
+const LEAST_AT_NOMINAL: f64 = 10.0;
+
 /// Numerator and denominator of the time constant of the acceleration.
 const TIME_CONSTANT: [Name; 2] = [Name::VsAFaktor, Name::VsANenner];
 
@@ -22,6 +26,7 @@ pub(crate) fn inert(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     if let Some(feedforward) = &axis.control.feedforward {
         defaults(feedforward, gear, e);
         time_constant(axis, feedforward, e);
+        torque(axis, feedforward, gear, e);
     }
 }
 
@@ -124,4 +129,30 @@ fn time_constant(axis: &Axis, feedforward: &Feedforward, e: &mut Effective<'_>) 
         let instead = "1/2 for a drive that only delays, (T2/Ta)^2 for one of second order".to_owned();
         e.warn(codes::SHORT_TIME, key(Name::JerkFactNum), found, instead);
     }
+}
+
+/// Warns of an additive torque that no motor has.
+fn torque(axis: &Axis, feedforward: &Feedforward, gear: u32, e: &mut Effective<'_>) {
+    let Some(torque) = feedforward.torque_scale.as_ref().filter(|_| feedforward.torque.any()) else { return };
+    let at_nominal = 1e3 / nominal_torques(torque);
+    if at_nominal >= LEAST_AT_NOMINAL {
+        return;
+    }
+    let unit = if axis.control.is_rotary { "deg/s^2" } else { "mm/s^2" };
+    let at = (Name::Load, [gear, 0]);
+    let (what, instead) = match torque.motor {
+        Motor::Rotary => (
+            "torque",
+            "the inertia in kg m^2 at the motor, the feed constant and the nominal torque of the machine; a load in kg is for \
+             motor = \"linear\"",
+        ),
+        Motor::Linear => ("force", "the mass in kg, and the nominal force of the motor in N"),
+    };
+    let found = format!(
+        "with {} {} the nominal {what} of the motor (P-AXIS-00392) accelerates the axis by only {} {unit}",
+        e.title(at),
+        torque.load,
+        rounded(at_nominal)
+    );
+    e.warn(codes::TORQUE, at, found, instead.to_owned());
 }

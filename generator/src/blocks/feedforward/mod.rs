@@ -52,8 +52,9 @@ impl BlockKind for Feedforward {
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
-        let line = designed.axis.control.feedforward.as_ref().map(diff::line);
-        Summary { lines: line.into_iter().collect(), ..Summary::default() }
+        let control = &designed.axis.control;
+        let lines = |of| [Some(diff::line(of)), diff::torque(of, control.is_rotary)].into_iter().flatten();
+        Summary { lines: control.feedforward.as_ref().into_iter().flat_map(lines).collect(), ..Summary::default() }
     }
 
     fn effects(&self, designed: &Designed) -> Effects {
