@@ -20,6 +20,7 @@ pub(crate) mod gear;
 pub(crate) mod inert;
 pub(crate) mod units;
 
+use self::assumed::Depends;
 use crate::axis::{Axis, Control, DriveModel, Ipc};
 use crate::blocks::ipc::{check as ipc, drive_model};
 use crate::blocks::spindle::check as spindle;
@@ -203,7 +204,9 @@ fn control(
     let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
     let spindle = spindle?.present();
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
-    let assumed = e.assumed(|name| assumed::is_told(name, is_active || spindle.is_some()));
+    let depends =
+        Depends::new(is_active || spindle.is_some(), feedforward.as_ref(), position_control.as_ref());
+    let assumed = e.assumed(|name| depends.is_told(name));
     let control = Control {
         feedforward,
         position_control,

@@ -47,3 +47,19 @@ fn assumed_values() {
         ""
     );
 }
+
+/// A linear motor has no angle, and with a feed constant the angle of a motor does not depend on its increments.
+#[test]
+fn assumed_path_resolutions() {
+    let assumed = |keys: &str| {
+        let (set, report) = super::read_set(format!(
+            "cycle_time = '1ms'\n[axis.X]\nkenngr.antr_typ = 'SERCOS'\nprocess_data.additive_torque = 'INT32'\n\
+             vorsteuer.vorsteuerung = 'ADD_ACC'\ngetriebe = [{{ load = 1e-5 }}]\n{keys}"
+        ));
+        set.unwrap_or_else(|| panic!("{report}")).axes[0].axis.control.assumed.join(", ")
+    };
+    let ratio = "wegaufn 1 (P-AXIS-00233), wegaufz 1 (P-AXIS-00234)";
+    assert_eq!(assumed("motor = 'linear'"), "");
+    assert_eq!(assumed("antr.feed_const_num = 100000"), ratio);
+    assert_eq!(assumed(""), format!("incr_per_rev 1024 (P-AXIS-00092), {ratio}"));
+}
