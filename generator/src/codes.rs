@@ -459,7 +459,7 @@ codes! {
          the velocity command than any drive lags: mostly the denominator is missing. The factor of the jerk \
          (P-AXIS-00337/00338) is 1/2 for a delay and (T2/Ta)^2 for a drive of second order; above 1 no drive has it.";
     SATURATES = "AX435", "process data too small for the axis",
-        "At the largest velocity of the axis (P-AXIS-00212), or at the limit of improved position control (P-AXIS-00757), the \
+        "At the largest velocity of the axis (P-AXIS-00212), with v_add at its limit (P-AXIS-00757) if it is a part of the datum, the \
          command has more increments than the type of its process datum holds. The block saturates there, and says so at run \
          time in `limited`. Give the datum INT32, or scale it with fewer increments.";
     RESONANCE = "AX436", "a simulated oscillation with little damping",

@@ -76,7 +76,12 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
     if control.location == Location::Cnc {
         let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
         let per_velocity = scale::manipulated(control.multi_gain);
-        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), (per_velocity, control.command));
+        let (v_max, limit) = (axis.ipc.v_max, added(axis));
+        let largest = match limit > 0.0 {
+            true => ("the velocity command at vb_max, with v_add at its limit v_add_max_fact", v_max + limit),
+            false => ("the velocity command at vb_max", v_max),
+        };
+        fits(axis, e, keys, largest, (per_velocity, control.command));
         resolves(axis, e, [keys[1], (Name::MultiGainN, [gear, 0])], slowest(axis), per_velocity);
     }
     if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
@@ -95,15 +100,28 @@ pub(crate) fn slowest(axis: &Axis) -> (&'static str, f64) {
     }
 }
 
-/// The largest additive velocity and its source: feedforward, improved position control, or both; for a gantry slave its
-/// master.
+/// The largest additive velocity and its source: feedforward, improved position control, or both.
 fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
-    if let Some(feedforward) = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any()) {
-        return Some(("the additive velocity at vb_max", feedforward.weight.value() * axis.ipc.v_max));
+    let feedforward = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any());
+    let forward = feedforward.map(|of| of.weight.value() * axis.ipc.v_max);
+    let limit = if control.location == Location::Cnc { 0.0 } else { added(axis) };
+    match (forward, limit > 0.0) {
+        (Some(forward), true) => {
+            Some(("the additive velocity at vb_max, with v_add at its limit v_add_max_fact", forward + limit))
+        }
+        (Some(forward), false) => Some(("the additive velocity at vb_max", forward)),
+        (None, true) => Some(("the additive velocity at its limit v_add_max_fact", limit)),
+        (None, false) => None,
     }
-    let is_active = axis.ipc.is_active() && axis.control.master.is_none() && control.location != Location::Cnc;
-    let limit = axis.ipc.limit();
-    (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
+}
+
+/// The limit of v_add: the axis's own, for a gantry slave that of its master; 0 if nothing is added.
+fn added(axis: &Axis) -> f64 {
+    match axis.control.master {
+        Some(_) => axis.control.master_limit.unwrap_or_default(),
+        None if axis.ipc.is_active() => axis.ipc.limit(),
+        None => 0.0,
+    }
 }
 
 /// Warns if a velocity has more increments than its process datum can hold.
