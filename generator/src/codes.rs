@@ -647,6 +647,11 @@ codes! {
          an inertia in kg m^2 at the motor, that of a linear one (motor = \"linear\") a mass in kg; the angle of the motor follows from \
          the feed constant (P-AXIS-00362/00363), the gear ratio (P-AXIS-00234/00233) and, without a feed constant, \
          incr_per_rev (P-AXIS-00092). The line `additive torque` of check states what an acceleration becomes.";
+    TURNS = "AX489", "a rotary PROFIdrive axis with a shift time",
+        "With shift_time (P-AXIS-00165) the deviation XERR takes a position command that is up to 4 cycles old. If the command of the \
+         axis steps by a turn (modulo), XERR jumps by a turn for as many cycles, and the drive with it; converting the actual \
+         position does not help. The command must count on across turns, or shift_time must be 0. Where it counts on, nothing \
+         is wrong.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \

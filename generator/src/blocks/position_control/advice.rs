@@ -15,6 +15,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     kv_default(gear, e);
     let Some(control) = &axis.control.position_control else { return };
     saturation(axis, control, gear, e);
+    turns(axis, control, e);
     // The controller in the CNC takes the following error instead of positions.
     if axis.real == RealKind::F32 && control.location != Location::Cnc {
         let found = "the drive's position command is computed in single precision, which has 24 bits for a position";
@@ -88,6 +89,22 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
         let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
         fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
     }
+}
+
+/// Warns of a rotary PROFIdrive axis whose command may begin a turn anew while the deviation still takes an older one.
+fn turns(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
+    if !axis.control.is_rotary || control.shift_time == 0 {
+        return;
+    }
+    let at = key(Name::ShiftTime);
+    let found = format!(
+        "the axis is rotary, and XERR takes the position command of {} cycles before (P-AXIS-00165): with a modulo command it jumps \
+         by a turn in these cycles",
+        control.shift_time
+    );
+    let place = e.place_near(at, |name| matches!(name, Name::DriveType | Name::AxisType));
+    let said = Diagnostic::warning(codes::TURNS, place, found);
+    e.report.push(said.instead("shift_time 0, unless the position command counts on across turns"));
 }
 
 /// The lowest velocity that the axis must be able to command: that of the change to position control, else the largest.
