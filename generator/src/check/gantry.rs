@@ -1,7 +1,7 @@
 //! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here; `askew` has those for motion.
 
 use super::askew;
-use crate::axis::{Axis, Location, PositionControl, Velocity};
+use crate::axis::{Axis, Location, PositionControl, Ratio, Velocity};
 use crate::codes;
 use crate::config::{given::GivenAxis, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report};
@@ -155,7 +155,10 @@ fn scaling(control: &PositionControl) -> String {
     let resolution = control.resolution.as_ref().map(scale::resolution);
     let resolution = resolution.map(|of| format!(", {} increments per mm or deg", rounded(of * 1e4)));
     let velocity = match (control.location, control.velocity) {
-        (Location::Cnc, _) => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
+        (Location::Cnc, _) => {
+            let Ratio { num, denom } = control.multi_gain;
+            format!("multi_gain {num}/{denom}, {}", control.command.name())
+        }
         (_, Some(Velocity { reso, time_base, width })) => {
             format!("v_reso {}/{}, v_time_base {}, {}", reso.num, reso.denom, time_base as u32, width.name())
         }
