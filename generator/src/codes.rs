@@ -673,6 +673,14 @@ codes! {
     EXCITES_TOO_FAST = "AX494", "an excitation for which the axis is too slow",
         "The axis must move at 2.5 times the amplitude or faster while it is excited, so that the motor keeps its direction; with \
          the excitation on it that is 3.5 times the amplitude. P-AXIS-00212 is below. Write a smaller excitation.amplitude.";
+    NO_WAY_FOR_EXCITATION = "AX495", "an excitation that cannot reach the drive",
+        "The drive controls the position: the velocity command is in the drive, and v_excite can be added to its additive velocity \
+         only (SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B). The process data have none. If the drive has it, write \
+         process_data.additive_velocity, and add v_excite there in the scaling of the drive.";
+    GANTRY_EXCITATION = "AX496", "an excitation of one axis of a gantry",
+        "No block passes v_excite on to another axis: a gantry slave gets v_add of its master alone. If only one axis is excited, the \
+         bridge is pulled askew by the whole excitation. Give all axes the same keys excitation and start them in the same cycle \
+         with one button: their sequences are then equal, cycle by cycle.";
 
     NO_INTERVAL = "AX500", "a recording without a sampling interval",
         "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \

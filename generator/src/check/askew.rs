@@ -27,6 +27,7 @@ const LEADS: [&str; 12] = [
 pub(super) fn advise(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     gains(slave, master, place, report);
     leads(slave, master, place, report);
+    excitations(slave, master, place, report);
 }
 
 /// Warns of unequal gains of the position controllers.
@@ -73,4 +74,18 @@ fn leads(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     );
     let said = Diagnostic::warning(codes::GANTRY_LEAD, place.clone(), found);
     report.push(said.instead("in both axes the same values of vorsteuer.*, and the process data that they need"));
+}
+
+/// Warns of an axis that is excited alone, or in another way.
+fn excitations(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    if slave.excitation == master.excitation {
+        return;
+    }
+    let found = format!(
+        "{} and its master {} are not excited alike, and a slave does not get v_excite of its master: the excitation pulls the gantry \
+         askew",
+        slave.name, master.name
+    );
+    let said = Diagnostic::warning(codes::GANTRY_EXCITATION, place.clone(), found);
+    report.push(said.instead("the same keys `excitation` for both axes, and one button that starts both in the same cycle"));
 }
