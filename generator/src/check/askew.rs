@@ -87,5 +87,7 @@ fn excitations(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) 
         slave.name, master.name
     );
     let said = Diagnostic::warning(codes::GANTRY_EXCITATION, place.clone(), found);
-    report.push(said.instead("the same keys `excitation` for both axes, and one button that starts both in the same cycle"));
+    report.push(
+        said.instead("the same keys `excitation` for both axes, and one button that starts both in the same cycle"),
+    );
 }

@@ -19,8 +19,8 @@ impl Depends {
     pub(crate) fn new(is_limited: bool, feedforward: Option<&Feedforward>, of: Option<&PositionControl>) -> Self {
         let xerr = of.and_then(|of| of.resolution);
         let torque = feedforward.and_then(|of| of.torque_scale.as_ref()).filter(|of| of.motor == Motor::Rotary);
-        let increments = xerr.is_some_and(|of| of.has_feed_const())
-            || torque.is_some_and(|of| !of.resolution.has_feed_const());
+        let increments =
+            xerr.is_some_and(|of| of.has_feed_const()) || torque.is_some_and(|of| !of.resolution.has_feed_const());
         Self { is_limited, increments, gear_ratio: xerr.is_some() || torque.is_some() }
     }
 

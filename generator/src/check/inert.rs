@@ -1,9 +1,9 @@
 //! Warnings for factors of 0, and for parameters that nothing uses. All blocks of an axis are considered together.
 
+use crate::axis::{Axis, Location};
 use crate::config::values::{Key, key};
 use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Parameter, Value};
-use crate::axis::{Axis, Location};
 use crate::{blocks::spindle::check::KEYS, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
 
@@ -67,8 +67,7 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let value = e.given(*key).and_then(|setting| setting.value.as_ref());
         value.is_some_and(|value| *value != none) && !e.is_used(*key)
     };
-    let idle: Vec<Key> =
-        of_lists.chain(own).filter(|key| is_idle(key) && !carries_excitation(axis, key.0)).collect();
+    let idle: Vec<Key> = of_lists.chain(own).filter(|key| is_idle(key) && !carries_excitation(axis, key.0)).collect();
     let Some(first) = idle.first() else { return };
     let parameters: Vec<&Parameter> = idle.iter().map(|(name, _)| name.parameter()).collect();
     let listed: Vec<&str> = parameters.iter().map(|parameter| parameter.id.unwrap_or(parameter.path)).collect();

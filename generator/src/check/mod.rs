@@ -204,8 +204,7 @@ fn control(
     let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
     let spindle = spindle?.present();
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
-    let depends =
-        Depends::new(is_active || spindle.is_some(), feedforward.as_ref(), position_control.as_ref());
+    let depends = Depends::new(is_active || spindle.is_some(), feedforward.as_ref(), position_control.as_ref());
     let assumed = e.assumed(|name| depends.is_told(name));
     let control = Control {
         feedforward,

@@ -80,7 +80,8 @@ pub(crate) fn validate(axis: &Axis, e: &mut Effective<'_>) {
 fn no_way_out(axis: &Axis, e: &mut Effective<'_>) {
     let in_drive = axis.control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
     if in_drive && e.validated_word(key(Name::AdditiveVelocityData)) == Some(ProcessDatum::None) {
-        let found = "the drive controls the position, and its process data have no additive velocity: v_excite cannot reach it";
+        let found =
+            "the drive controls the position, and its process data have no additive velocity: v_excite cannot reach it";
         let instead = "process_data.additive_velocity = \"INT32\" in a set, if the drive has it".to_owned();
         e.warn(codes::NO_WAY_FOR_EXCITATION, key(Name::ExcitationAmplitude), found, instead);
     }

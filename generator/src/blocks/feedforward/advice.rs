@@ -111,7 +111,8 @@ fn time_constant(axis: &Axis, feedforward: &Feedforward, e: &mut Effective<'_>) 
     let Ratio { num, denom } = feedforward.acceleration;
     let us = feedforward.acceleration.value();
     let cycles = us * 1e3 / f64::from(axis.cycle_time_ns);
-    let value = format!("the time constant of the acceleration is {num}/{denom} = {} us (P-AXIS-00225/00226)", rounded(us));
+    let value =
+        format!("the time constant of the acceleration is {num}/{denom} = {} us (P-AXIS-00225/00226)", rounded(us));
     if is_one && is_given && 0.0 < cycles && cycles < LEAST_PART_OF_A_CYCLE {
         let found = format!("{value}, {} of a cycle: next to nothing", rounded(cycles));
         let instead = "the drive's time constant in us; a plain weight such as 12/10 is for ADD_ACC".to_owned();
