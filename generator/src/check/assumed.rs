@@ -26,14 +26,12 @@ impl Depends {
 
     /// Whether a missing value is reported.
     pub(crate) fn is_told(self, name: Name) -> bool {
-        match name {
-            Name::VResoNum | Name::VResoDenom | Name::VTimeBase => true,
-            Name::MultiGainZ | Name::MultiGainN | Name::ShiftTime => true,
-            Name::IncrPerRev => self.increments,
-            Name::WegaufZ | Name::WegaufN => self.gear_ratio,
-            Name::VbMax => self.is_limited,
-            _ => false,
-        }
+        let of_velocity = matches!(name, Name::VResoNum | Name::VResoDenom | Name::VTimeBase);
+        let of_position = matches!(name, Name::MultiGainZ | Name::MultiGainN | Name::ShiftTime);
+        let of_increments = self.increments && name == Name::IncrPerRev;
+        let of_gear_ratio = self.gear_ratio && matches!(name, Name::WegaufZ | Name::WegaufN);
+        let of_limit = self.is_limited && name == Name::VbMax;
+        of_velocity || of_position || of_increments || of_gear_ratio || of_limit
     }
 }
 
