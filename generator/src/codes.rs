@@ -424,7 +424,8 @@ codes! {
          (acceleration), CANopen the weight 3062h. With both, the axis leads. P-AXIS-00833 (00766) says what the drive has of the \
          velocity; no parameter says what it has of the acceleration.";
     LEADS = "AX424", "feedforward weighted above 1",
-        "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual.";
+        "Above 1 the axis leads its command and the contour suffers. 0.7 to 1 is usual. The torque of ADD_ACC has the plain weight \
+         P-AXIS-00225/00226 in addition; the manual's example has 1.2.";
     TWO_MEANINGS = "AX425", "one parameter with two meanings",
         "With ADD_ACC the quotient P-AXIS-00225/00226 is a plain weight, without it a time constant in us. JERK takes it for \
          the time constant.";
@@ -454,9 +455,11 @@ codes! {
          write the value, or remove what it weights.";
     SHORT_TIME = "AX434", "a time constant that no drive has",
         "With ACC and JERK the quotient P-AXIS-00225/00226 is the drive's time constant in us. Below a twentieth of a cycle it \
-         does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Write it in us.";
+         does nothing: mostly it was meant as a weight, which it is with ADD_ACC only, or in ms. Above 0.1 s it adds far more to \
+         the velocity command than any drive lags: mostly the denominator is missing. The factor of the jerk \
+         (P-AXIS-00337/00338) is 1/2 for a delay and (T2/Ta)^2 for a drive of second order; above 1 no drive has it.";
     SATURATES = "AX435", "process data too small for the axis",
-        "At the largest velocity of the axis (P-AXIS-00212), or at the limit of improved position control (P-AXIS-00757), the \
+        "At the largest velocity of the axis (P-AXIS-00212), with v_add at its limit (P-AXIS-00757) if it is a part of the datum, the \
          command has more increments than the type of its process datum holds. The block saturates there, and says so at run \
          time in `limited`. Give the datum INT32, or scale it with fewer increments.";
     RESONANCE = "AX436", "a simulated oscillation with little damping",
@@ -634,6 +637,21 @@ codes! {
         "The value is so large that what it limits never reaches it: a deceleration with which the spindle stops within a \
          cycle, a takeover window of half a revolution, a time of more than 10 s for the change of the operation mode. \
          Write a value that fits the machine.";
+    GANTRY_LEAD = "AX487", "unequal feedforward in a gantry",
+        "Feedforward takes away the lag v / Kv of an axis. If only one axis of a gantry has it, or if its quantities, weights, \
+         time constants, delays or shift_time (P-AXIS-00165) differ, the axes lag differently, and the bridge is askew while it \
+         moves. Write the same feedforward for all axes of the gantry.";
+    TORQUE = "AX488", "an additive torque that no motor has",
+        "The load (P-AXIS-00391) times the acceleration, in units of the nominal torque (P-AXIS-00392), is the additive torque. With \
+         these numbers the nominal torque accelerates the axis by less than 0.01 m/s^2 or 10 deg/s^2. The load of a rotary motor is \
+         an inertia in kg m^2 at the motor, that of a linear one (motor = \"linear\") a mass in kg; the angle of the motor follows from \
+         the feed constant (P-AXIS-00362/00363), the gear ratio (P-AXIS-00234/00233) and, without a feed constant, \
+         incr_per_rev (P-AXIS-00092). The line `additive torque` of check states what an acceleration becomes.";
+    TURNS = "AX489", "a rotary PROFIdrive axis with a shift time",
+        "With shift_time (P-AXIS-00165) the deviation XERR takes a position command that is up to 4 cycles old. If the command of the \
+         axis steps by a turn (modulo), XERR jumps by a turn for as many cycles, and the drive with it; converting the actual \
+         position does not help. The command must count on across turns, or shift_time must be 0. Where it counts on, nothing \
+         is wrong.";
 
     LEFT_OVER = "AX490", "a file that is not generated any more, and was edited",
         "An earlier run generated the file from this set. Its axis, block or target is gone, so that this run would have \
@@ -655,6 +673,14 @@ codes! {
     EXCITES_TOO_FAST = "AX494", "an excitation for which the axis is too slow",
         "The axis must move at 2.5 times the amplitude or faster while it is excited, so that the motor keeps its direction; with \
          the excitation on it that is 3.5 times the amplitude. P-AXIS-00212 is below. Write a smaller excitation.amplitude.";
+    NO_WAY_FOR_EXCITATION = "AX495", "an excitation that cannot reach the drive",
+        "The drive controls the position: the velocity command is in the drive, and v_excite can be added to its additive velocity \
+         only (SERCOS S-0-0037, CANopen 60B1h, PROFIdrive NSOLL_B). The process data have none. If the drive has it, write \
+         process_data.additive_velocity, and add v_excite there in the scaling of the drive.";
+    GANTRY_EXCITATION = "AX496", "an excitation of one axis of a gantry",
+        "No block passes v_excite on to another axis: a gantry slave gets v_add of its master alone. If only one axis is excited, the \
+         bridge is pulled askew by the whole excitation. Give all axes the same keys excitation and start them in the same cycle \
+         with one button: their sequences are then equal, cycle by cycle.";
 
     NO_INTERVAL = "AX500", "a recording without a sampling interval",
         "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \

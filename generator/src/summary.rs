@@ -99,11 +99,12 @@ fn drive(axis: &Axis) -> Vec<String> {
     };
     let kv = control.kv.filter(|_| in_drive).map(|kv| {
         let of_drive = match control.drive_type {
-            Some(DriveType::Sercos) => "SERCOS S-0-0104",
-            Some(DriveType::CanOpen) => "CANopen 30C0h:01",
-            _ => "SERCOS S-0-0104, CANopen 30C0h:01",
+            Some(DriveType::Sercos) => " (SERCOS S-0-0104)",
+            Some(DriveType::CanOpen) => " (CANopen 30C0h:01)",
+            Some(DriveType::Profidrive) => "",
+            _ => " (SERCOS S-0-0104, CANopen 30C0h:01)",
         };
-        format!("Kv {}/s (P-AXIS-00099): that of the drive must be equal ({of_drive})", f64::from(kv) / 100.0)
+        format!("Kv {}/s (P-AXIS-00099): that of the drive must be equal{of_drive}", f64::from(kv) / 100.0)
     });
     drive_type.into_iter().chain(kv).collect()
 }

@@ -122,6 +122,11 @@ pub struct Feedforward {
 }
 
 impl Feedforward {
+    /// The weight of the acceleration as an additive torque: that of the whole times the plain one.
+    pub(crate) fn torque_weight(&self) -> f64 {
+        self.weight.value() * self.acceleration.value()
+    }
+
     /// The quantities that are output as a velocity, to the position controller or to the drive.
     pub(crate) fn sums(&self) -> Quantities {
         self.conventional.with(self.additive)

@@ -6,7 +6,7 @@ use std::sync::Arc;
 /// The drive between the commanded velocity and the motor's, and the position controller around it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DriveModel {
-    /// cycles until the motor follows the command (`drive.delay`)
+    /// cycles until the motor follows the command (`drive.delay`, else P-AXIS-00191)
     pub delay_cycles: Option<f64>,
     /// time constant after that [s] (`drive.time_constant`)
     pub time_constant: Option<f64>,

@@ -27,6 +27,15 @@ pub(crate) fn differences(old: &Effects, new: &Effects) -> Vec<String> {
     kept.chain(added.map(|(what, effect)| format!("{what} none -> {}", effect.text()))).collect()
 }
 
+/// What differs between two axes, in words: `feedforward: weight 50 %, and 100 %`.
+pub(crate) fn differing(one: &Effects, other: &Effects) -> Vec<String> {
+    let text = |of: &Effects, what: &str| of_name(of, what).map_or("none".to_owned(), Effect::text);
+    let of_other = other.iter().filter(|(what, _)| of_name(one, what).is_none());
+    let all = one.iter().chain(of_other).map(|(what, _)| what.as_str());
+    let both = all.map(|what| (what, text(one, what), text(other, what))).filter(|(_, one, other)| one != other);
+    both.map(|(what, one, other)| format!("{what} {one}, and {other}")).collect()
+}
+
 fn of_name<'e>(effects: &'e Effects, what: &str) -> Option<&'e Effect> {
     effects.iter().find(|(name, _)| name == what).map(|(_, effect)| effect)
 }

@@ -1,8 +1,10 @@
-//! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here.
+//! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here; `askew` has those for motion.
 
-use crate::axis::{Axis, Location, PositionControl, Velocity};
+use super::askew;
+use crate::axis::{Axis, Location, PositionControl, Ratio, Velocity};
 use crate::codes;
 use crate::config::{given::GivenAxis, values::key};
+use crate::design::scale;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::number::rounded;
 use crate::parameters::{Name, Value, words::Words};
@@ -38,7 +40,7 @@ pub(crate) fn couple(axes: &mut [&mut Axis], places: &[Place]) -> Report {
             }
             Ok(master) => {
                 compare(axes[slave], axes[master], place, &mut report);
-                lags(axes[slave], axes[master], place, &mut report);
+                askew::advise(axes[slave], axes[master], place, &mut report);
                 way_out(axes[slave], axes[master], place, &mut report);
                 spindle(axes[slave], axes[master], place, &mut report);
                 take(axes, slave, master);
@@ -122,32 +124,6 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-/// Warns of unequal lags: they skew the gantry while it moves.
-fn lags(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
-    let [Some(of_slave), Some(of_master)] = [slave, master].map(|axis| axis.control.kv) else { return };
-    if of_slave == of_master {
-        return;
-    }
-    let [of_slave, of_master] = [of_slave, of_master].map(f64::from);
-    let v_max = if slave.ipc.v_max < master.ipc.v_max { slave.ipc.v_max } else { master.ipc.v_max };
-    // 0.01/s, and thousandths of a unit.
-    let askew = (100.0 / of_slave - 100.0 / of_master).abs() * v_max / 1e3;
-    let unit = if master.control.is_rotary { "deg" } else { "mm" };
-    let found = format!(
-        "{} has Kv {}/s, and its master {} {}/s (P-AXIS-00099): without feedforward the gantry is askew by {} {unit} at {v_max} {}",
-        slave.name,
-        of_slave / 100.0,
-        master.name,
-        of_master / 100.0,
-        rounded(askew),
-        master.control.velocity_unit()
-    );
-    let said = Diagnostic::warning(codes::GANTRY_KV, place.clone(), found);
-    report.push(
-        said.instead(format!("kv = {of_master} of {}, or equal values in both, and in their drives", slave.name)),
-    );
-}
-
 /// Warns of a slave that cannot follow what its master adds: it would skew the gantry.
 fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let is_shut = |control: &PositionControl| control.location != Location::Cnc && control.velocity.is_none();
@@ -176,13 +152,19 @@ fn spindle(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
 
 /// All scalings of the output in use, in words.
 fn scaling(control: &PositionControl) -> String {
-    match (control.location, control.velocity) {
-        (Location::Cnc, _) => format!("multi_gain {}/{}", control.multi_gain.num, control.multi_gain.denom),
+    let resolution = control.resolution.as_ref().map(scale::resolution);
+    let resolution = resolution.map(|of| format!(", {} increments per mm or deg", rounded(of * 1e4)));
+    let velocity = match (control.location, control.velocity) {
+        (Location::Cnc, _) => {
+            let Ratio { num, denom } = control.multi_gain;
+            format!("multi_gain {num}/{denom}, {}", control.command.name())
+        }
         (_, Some(Velocity { reso, time_base, width })) => {
             format!("v_reso {}/{}, v_time_base {}, {}", reso.num, reso.denom, time_base as u32, width.name())
         }
         (_, None) => "no additive velocity".to_owned(),
-    }
+    };
+    velocity + &resolution.unwrap_or_default()
 }
 
 /// Copies to the slave what its block needs to know of the master.

@@ -1,9 +1,10 @@
 //! Warnings for factors of 0, and for parameters that nothing uses. All blocks of an axis are considered together.
 
+use crate::axis::{Axis, Location};
 use crate::config::values::{Key, key};
 use crate::parameters::words::{ProcessDatum, Words};
 use crate::parameters::{Name, Parameter, Value};
-use crate::{axis::Axis, blocks::spindle::check::KEYS, codes, rules::effective::Effective};
+use crate::{blocks::spindle::check::KEYS, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
 
 /// The list parameters, in the order of their table, that only feedforward and position control use.
@@ -66,7 +67,7 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
         let value = e.given(*key).and_then(|setting| setting.value.as_ref());
         value.is_some_and(|value| *value != none) && !e.is_used(*key)
     };
-    let idle: Vec<Key> = of_lists.chain(own).filter(is_idle).collect();
+    let idle: Vec<Key> = of_lists.chain(own).filter(|key| is_idle(key) && !carries_excitation(axis, key.0)).collect();
     let Some(first) = idle.first() else { return };
     let parameters: Vec<&Parameter> = idle.iter().map(|(name, _)| name.parameter()).collect();
     let listed: Vec<&str> = parameters.iter().map(|parameter| parameter.id.unwrap_or(parameter.path)).collect();
@@ -74,4 +75,11 @@ fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let is_of_feedforward = parameters.iter().any(|parameter| parameter.path.starts_with("vorsteuer."));
     let instead = "vorsteuer.vorsteuerung (P-AXIS-00223) with VEL, ACC or others, if feedforward is meant".to_owned();
     e.warn(codes::NO_EFFECT, *first, found, (control.feedforward.is_none() && is_of_feedforward).then_some(instead));
+}
+
+/// Whether the caller needs a parameter to add v_excite to the additive velocity of a drive that controls the position.
+fn carries_excitation(axis: &Axis, name: Name) -> bool {
+    let in_cnc = axis.control.position_control.as_ref().is_some_and(|of| of.location == Location::Cnc);
+    let is_of_velocity = name == Name::AdditiveVelocityData || (Name::VResoDenom..=Name::VTimeBase).contains(&name);
+    axis.excitation.is_some() && !in_cnc && is_of_velocity
 }

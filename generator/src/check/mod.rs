@@ -1,6 +1,7 @@
 //! From given values to an axis that may be designed: defaults, ranges, rules. No file, no syntax, no coefficient.
 //!
 //! ```text
+//! askew    what skews a gantry while it moves
 //! assumed  values that were not given although something depends on them
 //! gear     the gear step in use, and its missing parameters
 //! gantry   slaves and their masters
@@ -11,6 +12,7 @@
 //! The rules of a block are in its folder (`blocks/ipc/check.rs`); rules that several blocks need are in `rules`. Only
 //! values in use are validated: vendors' examples contain unused parameters that are out of range.
 
+mod askew;
 pub(crate) mod assumed;
 pub(crate) mod command_filter;
 pub(crate) mod gantry;
@@ -18,6 +20,7 @@ pub(crate) mod gear;
 pub(crate) mod inert;
 pub(crate) mod units;
 
+use self::assumed::Depends;
 use crate::axis::{Axis, Control, DriveModel, Ipc};
 use crate::blocks::ipc::{check as ipc, drive_model};
 use crate::blocks::spindle::check as spindle;
@@ -201,7 +204,8 @@ fn control(
     let (feedforward, position_control) = (feedforward?.present(), position_control?.present());
     let spindle = spindle?.present();
     let is_active = ipc.is_some_and(Ipc::is_active) && master.is_none();
-    let assumed = e.assumed(|name| assumed::is_told(name, is_active || spindle.is_some()));
+    let depends = Depends::new(is_active || spindle.is_some(), feedforward.as_ref(), position_control.as_ref());
+    let assumed = e.assumed(|name| depends.is_told(name));
     let control = Control {
         feedforward,
         position_control,

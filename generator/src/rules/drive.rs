@@ -4,7 +4,8 @@ use super::{effective::Effective, presence::Presence};
 use crate::axis::{Location, Ratio, Resolution, TimeBase, Velocity, Width};
 use crate::config::values::{Key, key};
 use crate::parameters::words::{DriveType, OperationMode, ProcessDatum};
-use crate::{codes, diagnostics::Diagnostic, parameters::Name};
+use crate::parameters::{Name, Value};
+use crate::{codes, diagnostics::Diagnostic};
 
 /// The parameters of the drive that every part of the axis needs.
 #[derive(Clone, Copy, Debug, Default)]
@@ -80,6 +81,24 @@ fn datum(e: &mut Effective<'_>, name: Name) -> Option<Width> {
         ProcessDatum::None => None,
         ProcessDatum::Int16 => Some(Width::Int16),
         ProcessDatum::Int32 => Some(Width::Int32),
+    }
+}
+
+/// The delay of the drive that the axis states [cycles], and where: the key `drive.delay`, else P-AXIS-00191. A value out of
+/// range is left to its own rule; no drive answers in the cycle of its command.
+pub(crate) fn stated_delay(e: &Effective<'_>) -> Option<(f64, &'static str)> {
+    let stated = [(Name::DriveDelay, "drive.delay"), (Name::NbrDelayCycles, "P-AXIS-00191")];
+    let stated = stated.into_iter().find_map(|(name, whose)| Some((given_number(e, name)?, whose)));
+    stated.filter(|(cycles, _)| (1.0..=1000.0).contains(cycles))
+}
+
+/// A number or a time [ns] that is given, in range or not.
+pub(crate) fn given_number(e: &Effective<'_>, name: Name) -> Option<f64> {
+    match *e.given(key(name))?.value.as_ref()? {
+        Value::Real(x) => Some(x),
+        Value::Integer(n) => Some(n as f64),
+        Value::Duration(ns) => Some(ns as f64),
+        Value::Word(_) | Value::Words(_) | Value::Text(_) => None,
     }
 }
 

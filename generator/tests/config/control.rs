@@ -47,3 +47,34 @@ fn assumed_values() {
         ""
     );
 }
+
+/// A linear motor has no angle, and with a feed constant the angle of a motor does not depend on its increments.
+#[test]
+fn assumed_path_resolutions() {
+    let assumed = |keys: &str| {
+        let (set, report) = super::read_set(format!(
+            "cycle_time = '1ms'\n[axis.X]\nkenngr.antr_typ = 'SERCOS'\nprocess_data.additive_torque = 'INT32'\n\
+             vorsteuer.vorsteuerung = 'ADD_ACC'\ngetriebe = [{{ load = 1e-5 }}]\n{keys}"
+        ));
+        set.unwrap_or_else(|| panic!("{report}")).axes[0].axis.control.assumed.join(", ")
+    };
+    let ratio = "wegaufn 1 (P-AXIS-00233), wegaufz 1 (P-AXIS-00234)";
+    assert_eq!(assumed("motor = 'linear'"), "");
+    assert_eq!(assumed("antr.feed_const_num = 100000"), ratio);
+    assert_eq!(assumed(""), format!("incr_per_rev 1024 (P-AXIS-00092), {ratio}"));
+}
+
+/// The object that holds the gain, by the bus of the drive.
+#[test]
+fn where_the_gain_of_a_drive_is() {
+    let line = |drive: &str| {
+        let keys = format!("kenngr.antr_typ = '{drive}'\ngetriebe = [{{ kv = 2000 }}]\n");
+        let (set, report) = super::read_set(format!("cycle_time = '1ms'\n[axis.X]\n{keys}"));
+        let lines = generator::summary::details(&set.unwrap_or_else(|| panic!("{report}")).axes[0]).lines;
+        lines.into_iter().find(|line| line.starts_with("Kv ")).unwrap_or_default()
+    };
+    let said = "Kv 20/s (P-AXIS-00099): that of the drive must be equal";
+    assert_eq!(line("SERCOS"), format!("{said} (SERCOS S-0-0104)"));
+    assert_eq!(line("CANOPEN"), format!("{said} (CANopen 30C0h:01)"));
+    assert_eq!(line("PROFIDRIVE"), said);
+}

@@ -94,7 +94,10 @@ fn the_page_of_an_axis_without_a_stage() {
         ],
     );
     let page = set("");
-    assert_says(&page, &["excitation = {}", "axgen tune SET --axis X --recording moves.csv --apply first"]);
+    assert_says(
+        &page,
+        &["excitation = { periods = 8 }", "axgen tune SET --axis X --recording moves.csv --apply first"],
+    );
     assert!(!page.contains("hold_to_run"), "{page}");
 }
 

@@ -1,8 +1,9 @@
 //! The rules of the excitation, and whether an axis gets it.
 
-use crate::axis::{Axis, Excitation};
+use crate::axis::{Axis, Excitation, Location};
 use crate::config::values::key;
 use crate::number::{digits, rounded};
+use crate::parameters::words::ProcessDatum;
 use crate::parameters::{Name, Value};
 use crate::{codes, rules::effective::Effective, rules::presence::Presence};
 use identification::excitation::{PERIOD, Sequence};
@@ -43,6 +44,7 @@ pub(crate) fn validate(axis: &Axis, e: &mut Effective<'_>) {
         let allowed = format!("at most {} {unit}, P-AXIS-00757 times P-AXIS-00212", digits(limit));
         e.refuse(codes::EXCITES_TOO_MUCH, place, found, [Some(allowed), Some("a smaller excitation.amplitude".into())]);
     }
+    no_way_out(axis, e);
     let start = of.at(axis.cycle_time());
     let least = start.least_speed();
     if least + of.amplitude > axis.ipc.v_max {
@@ -71,5 +73,16 @@ pub(crate) fn validate(axis: &Axis, e: &mut Effective<'_>) {
         let found = format!("{lasts}: its lines are {} Hz apart", rounded(of.sequence.spacing(axis.cycle_time())));
         let instead = "more excitation.bits, for 4 s or more, or neither bits nor clock".to_owned();
         e.warn(codes::EXCITES_COARSELY, place, found, instead);
+    }
+}
+
+/// Warns of an excitation that no process datum takes to a drive that controls the position.
+fn no_way_out(axis: &Axis, e: &mut Effective<'_>) {
+    let in_drive = axis.control.position_control.as_ref().is_some_and(|of| of.location != Location::Cnc);
+    if in_drive && e.validated_word(key(Name::AdditiveVelocityData)) == Some(ProcessDatum::None) {
+        let found =
+            "the drive controls the position, and its process data have no additive velocity: v_excite cannot reach it";
+        let instead = "process_data.additive_velocity = \"INT32\" in a set, if the drive has it".to_owned();
+        e.warn(codes::NO_WAY_FOR_EXCITATION, key(Name::ExcitationAmplitude), found, instead);
     }
 }

@@ -1,6 +1,6 @@
 //! Feedforward: weights, time constants, delays, scalings.
 
-use crate::axis::{Axis, Feedforward, Quantities, Width};
+use crate::axis::{Axis, Feedforward, Quantities, Torque, Width};
 use crate::design::{delay::delay, scale};
 use reference::{call_rate, feedforward};
 
@@ -43,6 +43,11 @@ pub(crate) fn coefficients(axis: &Axis) -> feedforward::Coeffs<f64> {
 /// Time constant of the acceleration Ta [s].
 pub(crate) fn time_constant(of: &Feedforward) -> f64 {
     f64::from(of.acceleration.num) / (f64::from(of.acceleration.denom) * 1e6)
+}
+
+/// The torque or force for 1 m/s^2 or 1000 deg/s^2, before it is weighted, in units of the nominal one.
+pub(crate) fn nominal_torques(torque: &Torque) -> f64 {
+    scale::torque(torque) * 1e6 / torque.scale.value()
 }
 
 fn quantities(of: Quantities) -> feedforward::Quantities {

@@ -1,9 +1,9 @@
 //! Feedforward of an axis in words: a line for the summary, and named values, each in its unit, for the semantic diff.
 
 use super::super::effects::{Effect, Effects, of_part};
-use super::design::time_constant;
-use crate::axis::{Axis, Feedforward, Quantities, Torque};
-use crate::{design::scale, number::digits, parameters::words::Words};
+use super::design::{nominal_torques, time_constant};
+use crate::axis::{Axis, Feedforward, Motor, Quantities, Torque};
+use crate::{design::scale, number::rounded, parameters::words::Words};
 
 /// The values of feedforward; empty without it.
 pub(crate) fn effects(axis: &Axis) -> Effects {
@@ -45,7 +45,27 @@ pub(super) fn line(of: &Feedforward) -> String {
     let said = ways.into_iter().filter(|(what, ..)| what.any());
     let said: Vec<String> = said.map(|(what, way, delay)| format!("{} {way}{delay}", quantities(what))).collect();
     let said = if said.is_empty() { "nothing goes out".to_owned() } else { said.join("; ") };
-    format!("feedforward: {said}; weight {}", digits(of.weight.value()))
+    format!("feedforward: {said}; weight {}", weights(of))
+}
+
+/// What an acceleration becomes as a torque.
+pub(super) fn torque(of: &Feedforward, is_rotary: bool) -> Option<String> {
+    let torque = of.torque_scale.as_ref().filter(|_| of.torque.acceleration)?;
+    let [increments, nominal] = [scale::torque(torque) * 1e6, nominal_torques(torque)];
+    let [increments, nominal] = [increments, nominal].map(|of_one| rounded(of_one * of.torque_weight()));
+    let acceleration = if is_rotary { "1000 deg/s^2" } else { "1 m/s^2" };
+    let what = if torque.motor == Motor::Linear { "force" } else { "torque" };
+    Some(format!("additive torque: {acceleration} is {increments} increments, {nominal} of the nominal {what}"))
+}
+
+/// The weight of what is put out as a velocity, and that of the torque where it is another one.
+fn weights(of: &Feedforward) -> String {
+    let [weight, of_torque] = [of.weight.value(), of.torque_weight()].map(|of| rounded(of).to_string());
+    match (of.torque.acceleration, of.sums().any() || of.torque.jerk) {
+        (true, false) => of_torque,
+        (true, true) if of_torque != weight => format!("{weight}, of the torque {of_torque}"),
+        _ => weight,
+    }
 }
 
 fn delayed(us: &[u32]) -> String {

@@ -3,7 +3,7 @@
 pub(crate) mod advice;
 pub(crate) mod check;
 pub(crate) mod design;
-mod diff;
+pub(crate) mod diff;
 pub(crate) mod notes;
 
 use super::{BlockKind, Design, Summary, effects::Effects};
@@ -52,8 +52,9 @@ impl BlockKind for Feedforward {
     }
 
     fn summary(&self, designed: &Designed) -> Summary {
-        let line = designed.axis.control.feedforward.as_ref().map(diff::line);
-        Summary { lines: line.into_iter().collect(), ..Summary::default() }
+        let control = &designed.axis.control;
+        let lines = |of| [Some(diff::line(of)), diff::torque(of, control.is_rotary)].into_iter().flatten();
+        Summary { lines: control.feedforward.as_ref().into_iter().flat_map(lines).collect(), ..Summary::default() }
     }
 
     fn effects(&self, designed: &Designed) -> Effects {

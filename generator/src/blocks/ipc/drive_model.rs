@@ -3,7 +3,7 @@
 use crate::axis::DriveModel;
 use crate::config::values::key;
 use crate::parameters::{Name, Value};
-use crate::rules::effective::Effective;
+use crate::rules::{drive::stated_delay, effective::Effective};
 
 /// The drive of an axis with active stages; `None` after a reported error. The pipeline reads a measured response.
 pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
@@ -12,7 +12,8 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
         Some(_) => e.validated(key).map(Some),
         None => Some(None),
     };
-    let delay = given(e, key(Name::DriveDelay));
+    let is_valid = given(e, key(Name::DriveDelay)).is_some();
+    let delay_cycles = stated_delay(e).map(|(cycles, _)| cycles);
     let time_constant = given(e, key(Name::DriveTimeConstant));
     let position_gain = given(e, (Name::Kv, [gear, 0]));
     let number = |value: Option<Value>| match value {
@@ -21,8 +22,9 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
         Some(Value::Duration(ns)) => Some(ns as f64),
         Some(Value::Word(_) | Value::Words(_) | Value::Text(_)) | None => None,
     };
+    is_valid.then_some(())?;
     Some(DriveModel {
-        delay_cycles: number(delay?),
+        delay_cycles,
         time_constant: number(time_constant?).map(|ns| ns / 1e9),
         response: None,
         position_gain: number(position_gain?).map(|hundredths| hundredths / 100.0),

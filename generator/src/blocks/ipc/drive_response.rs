@@ -10,7 +10,7 @@ use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::words::ResponseFrom;
 use crate::parameters::{Name, Value};
 use crate::response_file::{self, Band, From};
-use crate::rules::effective::Effective;
+use crate::rules::{drive::given_number, effective::Effective};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -49,7 +49,8 @@ fn without_names(file: &str) -> Diagnostic {
 
 /// The input of the response. `drive.delay` is the delay that the measurement lacks.
 fn from(designed: &Designed, e: &mut Effective<'_>) -> Option<From> {
-    let delay = designed.axis.drive.delay_cycles.unwrap_or(0.0) * designed.axis.cycle_time();
+    // P-AXIS-00191 is a part of what was measured.
+    let delay = given_number(e, Name::DriveDelay).unwrap_or(0.0) * designed.axis.cycle_time();
     match e.validated_word(key(Name::DriveResponseFrom))? {
         ResponseFrom::Velocity => Some(From::Command { delay }),
         ResponseFrom::Current => {

@@ -15,6 +15,7 @@ pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     kv_default(gear, e);
     let Some(control) = &axis.control.position_control else { return };
     saturation(axis, control, gear, e);
+    turns(axis, control, e);
     // The controller in the CNC takes the following error instead of positions.
     if axis.real == RealKind::F32 && control.location != Location::Cnc {
         let found = "the drive's position command is computed in single precision, which has 24 bits for a position";
@@ -76,13 +77,34 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
     if control.location == Location::Cnc {
         let keys = [key(Name::VelocityCommandData), (Name::MultiGainZ, [gear, 0])];
         let per_velocity = scale::manipulated(control.multi_gain);
-        fits(axis, e, keys, ("the velocity command at vb_max", axis.ipc.v_max), (per_velocity, control.command));
+        let (v_max, limit) = (axis.ipc.v_max, added(axis));
+        let largest = match limit > 0.0 {
+            true => ("the velocity command at vb_max, with v_add at its limit v_add_max_fact", v_max + limit),
+            false => ("the velocity command at vb_max", v_max),
+        };
+        fits(axis, e, keys, largest, (per_velocity, control.command));
         resolves(axis, e, [keys[1], (Name::MultiGainN, [gear, 0])], slowest(axis), per_velocity);
     }
     if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
         let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
         fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
     }
+}
+
+/// Warns of a rotary PROFIdrive axis whose command may begin a turn anew while the deviation still takes an older one.
+fn turns(axis: &Axis, control: &PositionControl, e: &mut Effective<'_>) {
+    if !axis.control.is_rotary || control.shift_time == 0 {
+        return;
+    }
+    let at = key(Name::ShiftTime);
+    let found = format!(
+        "the axis is rotary, and XERR takes the position command of {} cycles before (P-AXIS-00165): with a modulo command it jumps \
+         by a turn in these cycles",
+        control.shift_time
+    );
+    let place = e.place_near(at, |name| matches!(name, Name::DriveType | Name::AxisType));
+    let said = Diagnostic::warning(codes::TURNS, place, found);
+    e.report.push(said.instead("shift_time 0, unless the position command counts on across turns"));
 }
 
 /// The lowest velocity that the axis must be able to command: that of the change to position control, else the largest.
@@ -95,15 +117,28 @@ pub(crate) fn slowest(axis: &Axis) -> (&'static str, f64) {
     }
 }
 
-/// The largest additive velocity and its source: feedforward, improved position control, or both; for a gantry slave its
-/// master.
+/// The largest additive velocity and its source: feedforward, improved position control, or both.
 fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
-    if let Some(feedforward) = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any()) {
-        return Some(("the additive velocity at vb_max", feedforward.weight.value() * axis.ipc.v_max));
+    let feedforward = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any());
+    let forward = feedforward.map(|of| of.weight.value() * axis.ipc.v_max);
+    let limit = if control.location == Location::Cnc { 0.0 } else { added(axis) };
+    match (forward, limit > 0.0) {
+        (Some(forward), true) => {
+            Some(("the additive velocity at vb_max, with v_add at its limit v_add_max_fact", forward + limit))
+        }
+        (Some(forward), false) => Some(("the additive velocity at vb_max", forward)),
+        (None, true) => Some(("the additive velocity at its limit v_add_max_fact", limit)),
+        (None, false) => None,
     }
-    let is_active = axis.ipc.is_active() && axis.control.master.is_none() && control.location != Location::Cnc;
-    let limit = axis.ipc.limit();
-    (is_active && limit > 0.0).then_some(("the additive velocity at its limit v_add_max_fact", limit))
+}
+
+/// The limit of v_add: the axis's own, for a gantry slave that of its master; 0 if nothing is added.
+fn added(axis: &Axis) -> f64 {
+    match axis.control.master {
+        Some(_) => axis.control.master_limit.unwrap_or_default(),
+        None if axis.ipc.is_active() => axis.ipc.limit(),
+        None => 0.0,
+    }
 }
 
 /// Warns if a velocity has more increments than its process datum can hold.

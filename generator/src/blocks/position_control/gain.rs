@@ -11,9 +11,10 @@
 //! followed nearly without overshoot: Kv T = 2 sin(10 deg) = 0.347.
 
 use crate::codes;
-use crate::config::values::{Key, key};
+use crate::config::values::Key;
 use crate::number::rounded;
-use crate::parameters::{Name, Value, time_text};
+use crate::parameters::{Name, time_text};
+use crate::rules::drive::{given_number, stated_delay};
 use crate::rules::effective::Effective;
 use std::f64::consts::PI;
 
@@ -84,23 +85,14 @@ pub(super) fn check(e: &mut Effective<'_>, cycle_ns: u32, kv_key: Key, kv: u32) 
 /// The lag of the drive that the axis states, else that of an ideal drive, and whose it is. Where a value is out of range,
 /// its own rule says so.
 fn lag(e: &Effective<'_>, cycle_ns: u32) -> (Lag, String) {
-    let given = |name: Name| match *e.given(key(name))?.value.as_ref()? {
-        Value::Real(x) => Some(x),
-        Value::Integer(n) => Some(n as f64),
-        Value::Duration(ns) => Some(ns as f64),
-        Value::Word(_) | Value::Words(_) | Value::Text(_) => None,
-    };
-    let stated = [(Name::DriveDelay, "drive.delay"), (Name::NbrDelayCycles, "P-AXIS-00191")];
-    let stated = stated.into_iter().find_map(|(name, whose)| Some((given(name)?, whose)));
-    let stated = stated.filter(|(cycles, _)| (1.0..=1000.0).contains(cycles));
-    let (cycles, whose) = match stated {
+    let (cycles, whose) = match stated_delay(e) {
         Some((cycles, whose)) => {
             let plural = if cycles > 1.0 { "s" } else { "" };
             (cycles, format!("a delay of {cycles} cycle{plural} ({whose})"))
         }
         None => (1.0, "the delay of an ideal drive, one cycle".to_owned()),
     };
-    match given(Name::DriveTimeConstant).filter(|ns| *ns > 0.0) {
+    match given_number(e, Name::DriveTimeConstant).filter(|ns| *ns > 0.0) {
         Some(ns) => {
             let whose = format!("{whose} and a time constant of {} ms (drive.time_constant)", rounded(ns / 1e6));
             (Lag { cycles, rest: libm::exp(-f64::from(cycle_ns) / ns) }, whose)

@@ -3,7 +3,7 @@
 pub(crate) mod advice;
 pub(crate) mod check;
 pub(crate) mod design;
-mod diff;
+pub(crate) mod diff;
 mod gain;
 pub(crate) mod notes;
 
