@@ -28,6 +28,8 @@ pub struct Traced {
     pub given: Option<Place>,
     /// the coefficients of each block that depend on it, by their positions among all of the block
     pub coefficients: Vec<(&'static str, Vec<usize>)>,
+    /// the axis with each other value
+    pub versions: Vec<Designed>,
 }
 
 /// The numbers of each block.
@@ -50,20 +52,21 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
     let values = of.values.as_ref()?;
     let Checked { axis, effective, .. } = check::axis(&of.name, Some(cycle_time), values, of.home.clone(), false);
     let before = numbers(&Designed::from(axis?));
-    let after = |other: (Key, Value)| {
+    let version = |other: (Key, Value)| {
         let cycle_time = match other {
             (name, Value::Duration(ns)) if name == key(Name::CycleTime) => u32::try_from(ns).ok()?,
             _ => cycle_time,
         };
         let checked = check::varied((&of.name, values, of.home.clone()), cycle_time, other);
-        Some(numbers(&Designed::from(checked.axis?)))
+        checked.axis.map(Designed::from)
     };
     let traced = |((name, index), value): (Key, &Value)| {
         let parameter = name.parameter();
         // The damping of a stage may be given by its predecessor.
         let source = if name == Name::OscDamping { damping_given(&effective, index[0]) } else { name };
         let others = others(parameter, value).into_iter();
-        let after: Vec<Numbers> = others.filter_map(|other| after(((source, index), other))).collect();
+        let versions: Vec<Designed> = others.filter_map(|other| version(((source, index), other))).collect();
+        let after: Vec<Numbers> = versions.iter().map(numbers).collect();
         Traced {
             id: parameter.id,
             path: path_with(parameter.path, index),
@@ -73,6 +76,7 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
             meaning: parameter.meaning,
             given: values.get((source, index)).or(top.get((name, index))).map(Setting::value_place),
             coefficients: changed(&before, &after),
+            versions,
         }
     };
     Some(effective.used().map(traced).collect())
