@@ -2,7 +2,6 @@
 //! depends on a parameter if another value of the parameter changes it: the axis is designed again for each. No text of a note
 //! is read.
 
-use crate::blocks::ipc::check::damping_given;
 use crate::blocks::{self, Designed};
 use crate::check::{self, Checked};
 use crate::config::given::{self, GivenAxis};
@@ -10,6 +9,7 @@ use crate::config::values::{Key, Setting, Values, key};
 use crate::config::{ListOptions, Load};
 use crate::diagnostics::{Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Value, path_with};
+use crate::rules::effective::Effective;
 use portable::Literal;
 use std::mem::discriminant;
 use std::path::Path;
@@ -62,8 +62,7 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
     };
     let traced = |((name, index), value): (Key, &Value)| {
         let parameter = name.parameter();
-        // The damping of a stage may be given by its predecessor.
-        let source = if name == Name::OscDamping { damping_given(&effective, index[0]) } else { name };
+        let source = source(&effective, (name, index));
         let others = others(parameter, value).into_iter();
         let versions: Vec<Designed> = others.filter_map(|other| version(((source, index), other))).collect();
         let after: Vec<Numbers> = versions.iter().map(numbers).collect();
@@ -80,6 +79,19 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
         }
     };
     Some(effective.used().map(traced).collect())
+}
+
+/// The parameter that a value comes from: its predecessor, if only that is given.
+fn source(effective: &Effective<'_>, (name, index): Key) -> Name {
+    let predecessor = match name {
+        Name::OscDamping => Name::FilterDamping,
+        Name::VVelocityControlOn => Name::VelocityPositionControlOn,
+        Name::VPositionControlOn => Name::VelocityPositionControlOff,
+        Name::FeedForwardVWeighting => Name::ChangeFeedForwardVWeighting,
+        _ => return name,
+    };
+    let is_given = |name: Name| effective.given((name, index)).is_some();
+    if !is_given(name) && is_given(predecessor) { predecessor } else { name }
 }
 
 fn numbers(designed: &Designed) -> Numbers {
