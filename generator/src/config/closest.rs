@@ -63,6 +63,47 @@ pub(crate) fn is_ours(parts: [&str; 2]) -> bool {
     })
 }
 
+/// The path of axgen's that differs from a path of another function in a letter, or in two of a long name, and in nothing else.
+/// `length`: that of the path without the numbers of its indices; `end`: the name of its last part.
+pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> {
+    let most = match end.len() {
+        0..SHORT => return None,
+        SHORT..LONG => 1,
+        LONG.. => 2,
+    };
+    let letters = set_of_letters(end);
+    let lengths = BY_LENGTH.get(length.saturating_sub(most)..BY_LENGTH.len().min(length + most + 1))?;
+    // Each letter of difference changes the set by two letters at most.
+    let is_alike = |(of, _): &&(u32, usize)| (of ^ letters).count_ones() as usize <= 2 * most;
+    let mut alike = lengths.iter().flatten().filter(is_alike).peekable();
+    alike.peek()?;
+    let plain = path::without_indices(written);
+    let near = alike.filter_map(|(_, at)| Some((distance(Letters::new(&plain), TEMPLATES[*at].whole, most)?, *at)));
+    near.min().map(|(_, at)| with_indices_of(TEMPLATES[at].template, written))
+}
+
+/// Shorter names of other functions have one letter other than one of axgen's: `kp` and `kv`.
+const SHORT: usize = 4;
+/// Shorter ones have two: `a_max` and `vb_max`.
+const LONG: usize = 8;
+
+/// The set of letters of a last name, and the position among the templates, by the length of the path: a list has many paths
+/// of other functions, and comparing letters is slow.
+static BY_LENGTH: LazyLock<Vec<Vec<(u32, usize)>>> = LazyLock::new(|| {
+    let mut all = Vec::new();
+    for (at, of) in TEMPLATES.iter().enumerate() {
+        let length = of.whole.text.len();
+        all.resize_with(all.len().max(length + 1), Vec::new);
+        all[length].push((set_of_letters(of.end.text), at));
+    }
+    all
+});
+
+/// A bit for each letter of a name, regardless of case.
+fn set_of_letters(name: &str) -> u32 {
+    name.bytes().fold(0, |set, letter| set | 1 << (letter & 31))
+}
+
 struct Candidate {
     template: &'static str,
     whole: Letters<'static>,
@@ -88,12 +129,20 @@ fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let score = |candidate: &'static Candidate| {
         let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
         let of_whole = distance(whole, candidate.whole, typo);
+        // A beginning of a name comes last.
+        let of_end = of_end.or_else(|| begins(candidate.whole, &plain).then_some(usize::MAX));
         let is_near = of_whole.is_some() || of_end.is_some();
         is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
     // The first of equals, which is a path rather than one of its aliases.
     let best = candidates.iter().filter_map(score).min_by_key(|(score, _)| *score);
     best.map(|(_, template)| path_with(template, indices(written)))
+}
+
+/// Whether a path continues another one within the last name of that: `v_add_max_fact` and `v_add_max`.
+fn begins(whole: Letters<'_>, start: &str) -> bool {
+    let rest = whole.text.strip_prefix(start);
+    last(start).len() > 2 && rest.is_some_and(|rest| !rest.is_empty() && !rest.contains(['.', '[']))
 }
 
 fn last(path: &str) -> &str {
