@@ -28,10 +28,10 @@ pub fn counted_limit<R: Real>() -> R {
     R::per_kind(7.1e14, 2.0e9)
 }
 
-/// Whether 0 <= angle < full_turn.
+/// largest angle below a full turn [0.001 deg]
 #[portable]
-pub fn is_within_turn<R: Real>(angle: R) -> bool {
-    angle >= R::ZERO && angle < full_turn()
+pub fn below_full_turn<R: Real>() -> R {
+    R::per_kind(359_999.999_999_999_94, 359_999.97)
 }
 
 /// The angle within one turn: 0 <= angle < full_turn. `angle` is at most half a turn above the position limit; any other value
@@ -39,7 +39,11 @@ pub fn is_within_turn<R: Real>(angle: R) -> bool {
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
     let mut within_turn = R::ZERO;
-    if is_within_turn(angle) {
+    let mut is_within_turn = false;
+    if in_range(angle, below_full_turn()) {
+        is_within_turn = angle >= R::ZERO;
+    }
+    if is_within_turn {
         within_turn = angle;
     } else if in_range(angle, counted_limit()) {
         let turns = truncate(angle * per_turn());

@@ -94,7 +94,7 @@ pub fn run_self_test(
 /// Runs a block that was read.
 ///
 /// # Errors
-/// The text lacks a signal of the block.
+/// The text lacks a signal of the block, or compares a NaN, which stops some runtimes of TwinCAT and CODESYS.
 pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samples) -> Result<Samples, Failure> {
     let legal = target(name(dialect)).program(block).map_err(|defect| Failure::Broken(defect.to_string()))?;
     let (all, for_axis) = (&block.program, &block.for_axis);
@@ -121,6 +121,9 @@ pub fn run_read(dialect: Dialect, read: &st::Block, block: &Block, inputs: &Samp
         {
             // One of them is 0; otherwise the sum is not an id of the block.
             *id += notice;
+        }
+        if matches!(dialect, Dialect::TwinCat | Dialect::Codesys) && instance.has_compared_a_nan() {
+            return Err(Failure::Broken(format!("{}: compares a NaN in sample {sample}", all.block)));
         }
         answers.push(&results);
     }

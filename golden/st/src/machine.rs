@@ -2,6 +2,7 @@
 
 use super::op::{Code, Op};
 use portable::{Real, RealKind};
+use std::cmp::Ordering;
 
 /// The contents of the slots: variables, numbers of the text, and parts of expressions.
 #[derive(Clone, Debug, Default)]
@@ -12,20 +13,26 @@ pub(crate) struct Slots<R> {
     pub(crate) bools: Vec<bool>,
     /// DINT and UDINT
     pub(crate) words: Vec<u32>,
+    /// whether an operand of a comparison was a NaN
+    pub(crate) compared_a_nan: bool,
 }
 
 impl<R: Real> Slots<R> {
     /// A fresh instance.
     pub(crate) fn start(from: &Slots<f64>) -> Self {
         let reals = from.reals.iter().map(|&value| R::lit(value)).collect();
-        Self { reals, bools: from.bools.clone(), words: from.words.clone() }
+        Self { reals, bools: from.bools.clone(), words: from.words.clone(), compared_a_nan: false }
     }
 
     /// One cycle. Every jump goes forward. If `MIXED`, doubles hold the reals of a block of REAL: an operation that is not
     /// wide rounds its result to REAL, and so does one that writes a variable.
     pub(crate) fn cycle<const MIXED: bool>(&mut self, ops: &[Op]) {
-        let Self { reals, bools, words } = self;
+        let Self { reals, bools, words, compared_a_nan } = self;
         let kept = |op: &Op, value: R| if MIXED && !(op.wide && op.part) { in_single(value) } else { value };
+        let mut ordered = |order: Option<Ordering>| {
+            *compared_a_nan |= order.is_none();
+            order
+        };
         let mut next = 0;
         while let Some(op) = ops.get(next) {
             next += 1;
@@ -42,10 +49,10 @@ impl<R: Real> Slots<R> {
                 Code::FusedSubtractFrom => {
                     reals[to] = kept(op, fused::<R, MIXED>(op, [-reals[a], reals[b], reals[c]]));
                 }
-                Code::LessReal => bools[to] = reals[a] < reals[b],
-                Code::AtMostReal => bools[to] = reals[a] <= reals[b],
-                Code::EqualReal => bools[to] = reals[a] == reals[b],
-                Code::UnequalReal => bools[to] = reals[a] != reals[b],
+                Code::LessReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])).is_some_and(Ordering::is_lt),
+                Code::AtMostReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])).is_some_and(Ordering::is_le),
+                Code::EqualReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])) == Some(Ordering::Equal),
+                Code::UnequalReal => bools[to] = ordered(reals[a].partial_cmp(&reals[b])) != Some(Ordering::Equal),
                 Code::MoveBool => bools[to] = bools[a],
                 Code::Not => bools[to] = !bools[a],
                 Code::And => bools[to] = bools[a] & bools[b],

@@ -109,6 +109,15 @@ impl Instance<'_> {
         fits
     }
 
+    /// Whether a cycle so far has compared a NaN, which can stop a runtime. A range test by the function `F_axgen_in_range` does not.
+    #[must_use]
+    pub fn has_compared_a_nan(&self) -> bool {
+        match &self.slots {
+            Memory::Double(slots) | Memory::Mixed(slots) => slots.compared_a_nan,
+            Memory::Single(slots) => slots.compared_a_nan,
+        }
+    }
+
     /// One cycle: the values of the inputs in the order of the signals, then those of the outputs.
     pub fn cycle(&mut self, inputs: &[Literal], outputs: &mut Vec<Literal>) {
         let (own, results) = (&self.inputs, (&self.outputs[..], &mut *outputs));

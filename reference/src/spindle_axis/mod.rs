@@ -109,7 +109,9 @@ pub fn act<R: Real>(
     copy!(axis_inputs = inputs:
         a_interpolator, j_interpolator, v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active,
         feedforward_percentage);
-    axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, spindle_outputs.loop_closed);
+    // A reset ends what is added, as everywhere; the position loop still holds the spindle.
+    let improves = spindle_outputs.loop_closed && !inputs.reset;
+    axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
     gives_up
 }
 

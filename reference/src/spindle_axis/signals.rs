@@ -58,7 +58,7 @@ pub struct Inputs<R> {
     pub feedforward_active: bool,
     /// weight of G136 [%], limited to 0..100
     pub feedforward_percentage: i32,
-    /// CNC reset, a level: the spindle goes back to position control and stops
+    /// CNC reset, a level: the spindle goes back to position control and stops; while TRUE v_add is 0
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,

@@ -55,26 +55,34 @@ pub fn length<R: Real>(coeffs: &Coeffs<R>) -> u32 {
 pub fn is_sound<R: Real>(state: &State<R>, coeffs: &ipc::Coeffs<R>) -> bool {
     let number = state.picked.number;
     let role = state.picked.role;
+    // Nested conditions instead of `&&`: some languages evaluate both operands, and a NaN is compared by `in_range` only.
+    let mut is_sound = false;
     if role == role_limit() {
-        in_range(number, coeffs.limit) && number >= R::ZERO
+        if in_range(number, coeffs.limit) {
+            is_sound = number >= R::ZERO;
+        }
     } else if role == role_lower_limit() {
-        in_range(number + state.before, R::ZERO)
+        is_sound = in_range(number + state.before, R::ZERO);
     } else if role == role_sum_limit() {
-        in_range(number * limit_scale(), largest_number()) && number >= state.two_before
+        if in_range(number * limit_scale(), largest_number()) {
+            is_sound = number >= state.two_before;
+        }
     } else if coeffs.watch.active && role == role_quiet() {
-        in_range(number, coeffs.limit)
+        is_sound = in_range(number, coeffs.limit);
     } else if role == role_gain() {
-        in_range(number, weight_limit())
+        is_sound = in_range(number, weight_limit());
     } else if !is_driven_by_change::<R>() && role == role_a2() {
-        is_stable_biquad(state.before, number)
+        is_sound = is_stable_biquad(state.before, number);
     } else if is_driven_by_change::<R>() && role == role_c() {
-        is_stable_trapezoidal(state.two_before, state.before, number)
+        is_sound = is_stable_trapezoidal(state.two_before, state.before, number);
     } else if is_driven_by_change::<R>() && simulates(&coeffs.stage) && role == role_g2() {
-        in_range(number, largest_number())
-            && are_poles_inside(state.before * state.three_before, state.before * state.two_before, number)
+        if in_range(number, largest_number()) {
+            is_sound = are_poles_inside(state.before * state.three_before, state.before * state.two_before, number);
+        }
     } else {
-        in_range(number, largest_number())
+        is_sound = in_range(number, largest_number());
     }
+    is_sound
 }
 
 /// Adds the next piece of the picked number to the check word. Returns whether it was the last one of the set.

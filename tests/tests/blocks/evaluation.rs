@@ -2,11 +2,13 @@
 
 use axgen_tests::cases::{in_both_real_types, title};
 use axgen_tests::environment::by_depth;
+use axgen_tests::random::rng::Rng;
 use compiler::interp::Machine;
 use generator::target::TARGETS;
 use golden::case::{self, VECTOR_SAMPLES};
 use golden::compare::{Difference, compare};
 use golden::engine::{self, Engine, emitted};
+use golden::samples::Samples;
 use portable::{Literal, RealKind};
 use rayon::prelude::*;
 use st::Dialect;
@@ -28,6 +30,34 @@ fn a_wider_evaluation_gives_the_same_bits() {
             let wide = emitted::read(dialect, &file, &case.axis, &case.block).unwrap().wide();
             let found = emitted::run_read(dialect, &wide, &case.block, &inputs).unwrap();
             assert_eq!(compare(&expected, &found), Difference { bits: 0, first: None }, "{}: {dialect:?}", title(case));
+        }
+    });
+}
+
+/// A comparison with a NaN stops some runtimes, and AND evaluates both of its operands: `run_read` looks at every one.
+#[test]
+fn no_nan_is_compared() {
+    in_both_real_types().par_iter().for_each(|case| {
+        let given = case::inputs(case, by_depth(2_000, 4_000, 50_000)).unwrap();
+        let (mut hostile, mut sample) = (Samples::with_capacity(given.shape.clone(), given.len()), Vec::new());
+        let mut rng = Rng::new(0x6e61_6e73);
+        for at in 0..given.len() {
+            given.read(at, &mut sample);
+            for value in &mut sample {
+                match value {
+                    Literal::F64(value) if rng.below(100) == 0 => *value = f64::NAN,
+                    Literal::F32(value) if rng.below(100) == 0 => *value = f32::NAN,
+                    _ => {}
+                }
+            }
+            hostile.push(&sample);
+        }
+        for dialect in [Dialect::TwinCat, Dialect::Codesys] {
+            let [file, _] = emitted::files(dialect, &case.axis, &case.block).unwrap();
+            let read = emitted::read(dialect, &file, &case.axis, &case.block).unwrap();
+            if let Err(failure) = emitted::run_read(dialect, &read, &case.block, &hostile) {
+                panic!("{}: {dialect:?}: {failure}", title(case));
+            }
         }
     });
 }

@@ -10,6 +10,7 @@ mod feedforward;
 mod literals;
 mod scenarios;
 mod scl;
+mod spindle_reset;
 mod stated;
 mod stated_ipc;
 mod usual_cycles;

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   cc95df405caec619406ea3760acb980d
- * checksum    fa5b3369d9c7198692ab22a0521d4859
+ * structure   95669367a3b3299ce23d8575fd831cb2
+ * checksum    b4f18ea6b0356bc28cf33d0df144a8c9
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -274,14 +274,19 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                             const float check_number = state->check_picked_number;
                             const int32_t check_role = state->check_picked_role;
                             if (check_role == role_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit && check_number >= 0.0f;
+                                if (axis_x_ipc_magnitude(check_number) <= axis_x_ipc_ipc_limit) {
+                                    check_is_in_order = check_number >= 0.0f;
+                                } else {
+                                    check_is_in_order = false;
+                                }
                             } else if (check_role == role_lower_limit) {
                                 check_is_in_order = axis_x_ipc_is_zero(check_number + state->check_before);
                             } else if (check_role == role_sum_limit) {
-                                check_is_in_order =
-                                    axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number
-                                        && check_number >= state->check_two_before;
+                                if (axis_x_ipc_magnitude(check_number * limit_scale) <= largest_number) {
+                                    check_is_in_order = check_number >= state->check_two_before;
+                                } else {
+                                    check_is_in_order = false;
+                                }
                             } else if (check_role == role_gain) {
                                 check_is_in_order = axis_x_ipc_magnitude(check_number) <= weight_limit;
                             } else if (check_role == role_c) {

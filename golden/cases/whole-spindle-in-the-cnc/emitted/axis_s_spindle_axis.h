@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   9e03940c14aa5bc9dc63d949d7a69167
- * checksum    0d26ff4b113141d3545add04d0ebd9da
+ * structure   f20382bf15b2cf774665904e99f3352c
+ * checksum    6f037102fa6081f8b8e1471fabf97f18
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x9e03940cu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x14aa5bc9u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0xdc63d949u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xd7a69167u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xf20382bfu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x15b2cf77u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x4665904eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x99f3352cu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -135,7 +135,8 @@ typedef struct {
     int32_t mode;
     bool feedforward_active; /* G135: TRUE, G137: FALSE; acts at once: switch it at standstill; start false */
     int32_t feedforward_percentage; /* weight of G136 [%], limited to 0..100; start 100 */
-    bool reset; /* CNC reset, a level: the spindle goes back to position control and stops; start false */
+    /* CNC reset, a level: the spindle goes back to position control and stops; while TRUE v_add is 0; start false */
+    bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_s_spindle_axis_inputs;
