@@ -71,15 +71,16 @@ pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> 
         SHORT..LONG => 1,
         LONG.. => 2,
     };
-    let letters = set_of_letters(end);
-    let lengths = BY_LENGTH.get(length.saturating_sub(most)..BY_LENGTH.len().min(length + most + 1))?;
+    let drawer = &BY_FIRST_LETTERS[first_letters(written, end)];
+    let mut alike = drawer.iter().filter(|of| of.whole.text.len().abs_diff(length) <= most).peekable();
+    alike.peek()?;
     // Each letter of difference changes the set by two letters at most.
-    let is_alike = |(of, _): &&(u32, usize)| (of ^ letters).count_ones() as usize <= 2 * most;
-    let mut alike = lengths.iter().flatten().filter(is_alike).peekable();
+    let letters = set_of_letters(end);
+    let mut alike = alike.filter(|of| (of.letters ^ letters).count_ones() as usize <= 2 * most).peekable();
     alike.peek()?;
     let plain = path::without_indices(written);
-    let near = alike.filter_map(|(_, at)| Some((distance(Letters::new(&plain), TEMPLATES[*at].whole, most)?, *at)));
-    near.min().map(|(_, at)| with_indices_of(TEMPLATES[at].template, written))
+    let near = alike.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
+    near.min_by_key(|(distance, _)| *distance).map(|(_, template)| with_indices_of(template, written))
 }
 
 /// Shorter names of other functions have one letter other than one of axgen's: `kp` and `kv`.
@@ -87,17 +88,18 @@ const SHORT: usize = 4;
 /// Shorter ones have two: `a_max` and `vb_max`.
 const LONG: usize = 8;
 
-/// The set of letters of a last name, and the position among the templates, by the length of the path: a list has many paths
-/// of other functions, and comparing letters is slow.
-static BY_LENGTH: LazyLock<Vec<Vec<(u32, usize)>>> = LazyLock::new(|| {
-    let mut all = Vec::new();
-    for (at, of) in TEMPLATES.iter().enumerate() {
-        let length = of.whole.text.len();
-        all.resize_with(all.len().max(length + 1), Vec::new);
-        all[length].push((set_of_letters(of.end.text), at));
-    }
+/// The paths by the first letters of the whole and of its last name, which are seldom mistyped: a list has many paths of other
+/// functions, and comparing letters is slow.
+static BY_FIRST_LETTERS: LazyLock<Vec<Vec<&Candidate>>> = LazyLock::new(|| {
+    let mut all = vec![Vec::new(); 32 * 32];
+    TEMPLATES.iter().for_each(|of| all[first_letters(of.whole.text, of.end.text)].push(of));
     all
 });
+
+fn first_letters(path: &str, end: &str) -> usize {
+    let [path, end] = [path, end].map(|name| usize::from(name.as_bytes().first().unwrap_or(&0) & 31));
+    path * 32 + end
+}
 
 /// A bit for each letter of a name, regardless of case.
 fn set_of_letters(name: &str) -> u32 {
@@ -108,6 +110,8 @@ struct Candidate {
     template: &'static str,
     whole: Letters<'static>,
     end: Letters<'static>,
+    /// those of the end
+    letters: u32,
 }
 
 static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::templates()));
@@ -116,7 +120,8 @@ static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
     let candidate = |template| {
         let whole = path::without_indices(template).leak();
-        Candidate { template, whole: Letters::new(whole), end: Letters::new(last(whole)) }
+        let end = last(whole);
+        Candidate { template, whole: Letters::new(whole), end: Letters::new(end), letters: set_of_letters(end) }
     };
     templates.map(candidate).collect()
 }
