@@ -34,16 +34,18 @@ pub fn below_full_turn<R: Real>() -> R {
     R::per_kind(359_999.999_999_999_94, 359_999.97)
 }
 
+/// Whether 0 <= angle < full_turn. False for a NaN, which is compared by `in_range` only.
+#[portable]
+pub fn is_within_turn<R: Real>(angle: R) -> bool {
+    in_range(angle, below_full_turn()) && angle >= R::ZERO
+}
+
 /// The angle within one turn: 0 <= angle < full_turn. `angle` is at most half a turn above the position limit; any other value
 /// returns 0.
 #[portable]
 pub fn wrapped<R: Real>(angle: R) -> R {
     let mut within_turn = R::ZERO;
-    let mut is_within_turn = false;
-    if in_range(angle, below_full_turn()) {
-        is_within_turn = angle >= R::ZERO;
-    }
-    if is_within_turn {
+    if is_within_turn(angle) {
         within_turn = angle;
     } else if in_range(angle, counted_limit()) {
         let turns = truncate(angle * per_turn());

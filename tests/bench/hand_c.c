@@ -157,7 +157,8 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
     if (follows) {
         v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * spindle->v;
         v_command = control(spindle->x, inputs->x_actual, v_feedforward, &gives_up);
-        const uint32_t error_id = improve(state, inputs, outputs, cycle.loop_closed, &v_add, &limited);
+        const bool improves = cycle.loop_closed && !inputs->reset;
+        const uint32_t error_id = improve(state, inputs, outputs, improves, &v_add, &limited);
         if (error_id != 0u) {
             cycle.error_id = error_id;
         }

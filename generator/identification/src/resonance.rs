@@ -6,8 +6,9 @@ use crate::response::Lines;
 use crate::{Complex64, magnitude};
 use portable::Extreme;
 
-/// The band around the vibration, as a part of its frequency.
+/// The band around the vibration, as a part of its frequency; and the one that shows what the choice of the band does.
 const BAND: f64 = 0.12;
+const OTHER_BAND: f64 = 0.08;
 /// Iterations with weights from the previous pole.
 const STEPS: u32 = 8;
 /// The damping with which the weights start.
@@ -23,10 +24,22 @@ const LEAST_ERROR: f64 = 1e-6;
 /// ```
 ///
 /// The pole is at 2 pi f0 (j + p). `None` if there are fewer lines than unknowns, or no pole that decays within the band.
-/// The amplitude is the largest |H|.
+/// The amplitude is the largest |H|. The standard errors contain how much a fit within f0 +-8 % differs: a pole whose neighbour
+/// is near, or whose width is that of the band, depends on the band by more than the noise says.
 #[must_use]
 pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
-    let inside = |k: &usize| libm::fabs(lines.hz[*k] / f0 - 1.0) <= BAND;
+    let of = pole_within(lines, f0, BAND)?;
+    let Some(other) = pole_within(lines, f0, OTHER_BAND) else { return Some(of) };
+    Some(Decay {
+        hz_error: libm::hypot(of.hz_error, other.hz - of.hz),
+        damping_error: libm::hypot(of.damping_error, other.damping - of.damping),
+        ..of
+    })
+}
+
+/// The fit within a band.
+fn pole_within(lines: &Lines, f0: f64, band: f64) -> Option<Decay> {
+    let inside = |k: &usize| libm::fabs(lines.hz[*k] / f0 - 1.0) <= band;
     let inside: Vec<usize> = (0..lines.hz.len()).filter(inside).collect();
     let mut pole = Complex64::new(-START, 0.0);
     let mut variances = [0.0; 2];
@@ -51,7 +64,7 @@ pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
         pole = Complex64::new(fit.coefficients[6], fit.coefficients[7]);
         variances = [scale * fit.variances[6], scale * fit.variances[7]];
     }
-    let is_inside = pole.re < 0.0 && libm::fabs(pole.im) <= BAND;
+    let is_inside = pole.re < 0.0 && libm::fabs(pole.im) <= band;
     let size = magnitude(Complex64::new(pole.re, 1.0 + pole.im));
     let peak = inside.iter().fold(0.0, |peak: f64, k| peak.larger(magnitude(lines.response[*k])));
     is_inside.then(|| Decay {

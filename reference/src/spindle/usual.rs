@@ -6,7 +6,7 @@ use super::put_out::{put_out_job, put_out_mode, put_out_motion};
 use super::repair::is_request;
 use super::signals::{Inputs, Outputs};
 use super::state::{Coeffs, SpindleState, State, usual_none, usual_position, usual_velocity};
-use crate::angle::{below_full_turn, position_limit};
+use crate::angle::{is_within_turn, position_limit};
 use crate::call_rate;
 use crate::signal::{error_none, sample_limit};
 use portable::{Real, in_range, note, portable};
@@ -43,37 +43,26 @@ pub fn asks_nothing<R: Real>(coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
 #[portable]
 pub fn stays_in_position<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
     let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
-    let mut stays = false;
-    if state.usual == usual_position()
+    state.usual == usual_position()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
         && in_range(inputs.v_interpolator, v_largest)
-        && in_range(inputs.x_command, below_full_turn())
+        && is_within_turn(inputs.x_command)
         && (!coeffs.closes_loop || in_range(inputs.x_actual, position_limit()))
         && is_displayed(coeffs, inputs, coeffs.position_mode)
-    {
-        // Not part of the condition: some languages evaluate all of it, and a NaN is compared by `in_range` only.
-        stays = inputs.x_command >= R::ZERO;
-    }
-    stays
 }
 
 /// Whether the spindle turns under velocity control, and continues to do so.
 #[portable]
 pub fn stays_in_velocity<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    let mut stays = false;
-    if state.usual == usual_velocity()
+    state.usual == usual_velocity()
         && asks_nothing(coeffs, inputs)
         && call_rate::is_usual(&state.call_rate, &coeffs.call_rate, inputs.cycle_counter)
         && is_request(&state.present)
         && in_range(inputs.v_interpolator, sample_limit())
-        && in_range(inputs.x_actual, below_full_turn())
+        && is_within_turn(inputs.x_actual)
         && is_displayed(coeffs, inputs, coeffs.velocity_mode)
-    {
-        stays = inputs.x_actual >= R::ZERO;
-    }
-    stays
 }
 
 /// POSITION.

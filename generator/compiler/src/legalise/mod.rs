@@ -10,6 +10,7 @@ mod copied;
 mod early;
 mod enable;
 mod general;
+mod guarded;
 mod joined;
 mod nearest;
 mod negation;
@@ -66,7 +67,7 @@ pub const WITH_ENABLE: &[Stage] = &with_enable(("bounded", bound::run), ("named"
 /// The passes for SCL: digits need not be LREAL, so numbers have names.
 pub const WITH_NAMES: &[Stage] = &with_enable(("bounded", bound::run_digits), ("all named", operands::run));
 
-const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 16] {
+const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 17] {
     [
         ("general", general::run),
         ("enabled", enable::run),
@@ -75,6 +76,7 @@ const fn with_enable(bounded: Stage, named: Stage) -> [Stage; 16] {
         (presumed::NAME, presumed::run),
         ("joined", joined::run),
         ("started", start::run),
+        ("guarded", guarded::run),
         ("rounded", nearest::run),
         bounded,
         ("negated", negation::run),

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   f20382bf15b2cf774665904e99f3352c
- * checksum    e2821052f8e6ada2157f3cb1dbbc8493
+ * structure   04e212c37f3c63f1152b6ca52990cb7c
+ * checksum    3e6347aadb6167cbe9663875c1713f4f
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -110,7 +110,6 @@ static const double axis_s_spindle_axis_axis_ipc_rest = 7.806255641895632e-12;
 
 /* fade from OFF to ON: 0.1 s (key fade) */
 static const uint32_t axis_s_spindle_axis_axis_ipc_fade_cycles = 100u; /* length of the fade from 0 to 1 [cycles] */
-static const double axis_s_spindle_axis_axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
 
 /* position control in the CNC: Kv = 100/s (P-AXIS-00099) */
 static const double axis_s_spindle_axis_axis_position_control_kv = 100.0; /* gain of the position controller Kv [1/s] */
@@ -148,6 +147,7 @@ static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle (fast path) is next */
+static const uint32_t axis_s_spindle_axis_usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fresh)
 {
@@ -273,14 +273,1145 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     /* 1.08s (key spindle.brake_timeout); from the largest velocity (P-AXIS-00212) the ramp takes 290ms */
     static const uint32_t spindle_brake_cycles = 1080u; /* cycles within which the spindle has braked */
 
+    /* fade from OFF to ON: 0.1 s (key fade) */
+    static const double axis_ipc_fade_step = 0.01; /* 1 / fade_cycles */
+
     /* constants that do not depend on the axis */
-    static const uint32_t usual_velocity = 43690u; /* the usual cycle (fast path) of VELOCITY may be next */
     static const uint32_t largest_count = 4000000000u; /* upper bound of the cycle count of a state, above any permitted time */
     /* largest lead of the position command, above the need of any spindle [0.001 deg] */
     static const double lead_limit = 1000000000.0;
 
-    bool stays_2;
-    if (state->spindle_usual == usual_velocity
+    /* any other cycle: requests, changes of the state, missing samples, errors */
+    const bool spindle_is_job =
+        (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit;
+    /* memory that no cycle can have left is repaired, and the spindle stops */
+    if (state->spindle_missing > 4u) {
+        state->spindle_missing = 4u;
+    }
+    if (state->spindle_settled > 3u) {
+        state->spindle_settled = 3u;
+    }
+    if (state->spindle_cycles > largest_count) {
+        state->spindle_cycles = largest_count;
+    }
+    const bool spindle_is_error =
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_STATE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER
+            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+    const bool spindle_is_control =
+        (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
+                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
+            && state->spindle_control_copy == state->spindle_control
+            && (state->spindle_is_moving || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION);
+    const bool spindle_is_motion_sound =
+        state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
+            && state->spindle_x_start < axis_s_spindle_axis_full_turn
+            && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
+    const bool spindle_is_intact =
+        spindle_is_error && spindle_is_control && spindle_is_motion_sound && spindle_is_job
+            && state->spindle_queued <= 4u;
+    if (!spindle_is_intact) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+    }
+    if (state->spindle_queued > 4u) {
+        state->spindle_queued = 0u;
+    }
+    int32_t spindle_cycle_control;
+    if (spindle_is_control) {
+        spindle_cycle_control = state->spindle_control;
+    } else {
+        spindle_cycle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+    }
+    const bool spindle_begins = !spindle_is_control;
+    if (!spindle_is_motion_sound) {
+        state->spindle_x = 0.0;
+        state->spindle_x_start = 0.0;
+        state->spindle_v = 0.0;
+        state->spindle_seen_v = 0.0;
+        state->spindle_seen_v_last = 0.0;
+        state->spindle_seen_v_before = 0.0;
+    }
+    const bool spindle_forgets = !spindle_is_motion_sound;
+    const bool spindle_is_any = inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
+    uint32_t spindle_request_error;
+    if (spindle_is_any || state->spindle_before_any) {
+        state->spindle_before_any = spindle_is_any;
+        /* requests: each counts in the cycle in which its input becomes TRUE */
+        const bool spindle_new_m19 = inputs->m19 && !state->spindle_before_m19;
+        const bool spindle_new_turn =
+            !spindle_new_m19
+                && ((inputs->m3 && !state->spindle_before_m3) || (inputs->m4 && !state->spindle_before_m4));
+        const bool spindle_new_m5 = inputs->m5 && !state->spindle_before_m5;
+        const bool spindle_new_putax = inputs->putax && !state->spindle_before_putax;
+        const bool spindle_new_g74 = inputs->g74 && !state->spindle_before_g74;
+        state->spindle_before_m3 = inputs->m3;
+        state->spindle_before_m4 = inputs->m4;
+        state->spindle_before_m5 = inputs->m5;
+        state->spindle_before_m19 = inputs->m19;
+        state->spindle_before_putax = inputs->putax;
+        state->spindle_before_g74 = inputs->g74;
+        if (!inputs->reset
+                && (spindle_new_g74 || spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn)) {
+            bool spindle_has_others;
+            int32_t spindle_wanted;
+            if (spindle_new_g74) {
+                spindle_has_others = spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_HOME;
+            } else if (spindle_new_putax) {
+                spindle_has_others = spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_RELEASE;
+            } else if (spindle_new_m19) {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
+                spindle_has_others = spindle_new_m5;
+            } else if (spindle_new_m5) {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+                spindle_has_others = spindle_new_turn;
+            } else {
+                spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_TURN;
+                spindle_has_others = false;
+            }
+            const bool spindle_has_speed =
+                spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
+            uint32_t spindle_why;
+            if (spindle_has_speed && inputs->m3 && inputs->m4) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DIRECTION;
+            } else if (spindle_has_speed
+                    && !(axis_s_spindle_axis_magnitude(inputs->s_word) <= axis_s_spindle_axis_sample_limit)) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_WORD;
+            } else if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                    && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= axis_s_spindle_axis_position_limit)) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
+            } else if (!inputs->drive_on) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
+            } else if (state->spindle_queued >= 4u) {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_WAITING;
+            } else {
+                spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            }
+            if (spindle_why != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+                spindle_request_error = spindle_why;
+            } else {
+                double spindle_speed;
+                if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                        || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
+                    const bool spindle_is_negative = inputs->s_word < 0.0;
+                    if (spindle_is_negative == inputs->m4) {
+                        spindle_speed = inputs->s_word;
+                    } else {
+                        spindle_speed = -inputs->s_word;
+                    }
+                } else {
+                    spindle_speed = 0.0;
+                }
+                double spindle_target;
+                if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
+                    spindle_target = inputs->s_position;
+                } else {
+                    spindle_target = 0.0;
+                }
+                if (state->spindle_queued == 0u) {
+                    state->spindle_request0_kind = spindle_wanted;
+                    state->spindle_request0_speed = spindle_speed;
+                    state->spindle_request0_position = spindle_target;
+                } else if (state->spindle_queued == 1u) {
+                    state->spindle_request1_kind = spindle_wanted;
+                    state->spindle_request1_speed = spindle_speed;
+                    state->spindle_request1_position = spindle_target;
+                } else if (state->spindle_queued == 2u) {
+                    state->spindle_request2_kind = spindle_wanted;
+                    state->spindle_request2_speed = spindle_speed;
+                    state->spindle_request2_position = spindle_target;
+                } else {
+                    state->spindle_request3_kind = spindle_wanted;
+                    state->spindle_request3_speed = spindle_speed;
+                    state->spindle_request3_position = spindle_target;
+                }
+                state->spindle_queued = state->spindle_queued + 1u;
+                if (spindle_has_others) {
+                    spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_REQUESTS;
+                } else {
+                    spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                }
+            }
+        } else {
+            spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        }
+    } else {
+        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    }
+    int32_t spindle_cycle_control_2;
+    bool spindle_forgets_2;
+    bool spindle_begins_2;
+    if (inputs->reset) {
+        if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            /* the reset ends the error that stayed */
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            if (inputs->drive_on) {
+                const bool spindle_at_start =
+                    spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+                if (spindle_at_start) {
+                    spindle_cycle_control_2 = spindle_cycle_control;
+                    spindle_forgets_2 = true;
+                } else {
+                    spindle_cycle_control_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    spindle_forgets_2 = spindle_forgets;
+                }
+                spindle_begins_2 = true;
+            } else {
+                spindle_cycle_control_2 = spindle_cycle_control;
+                spindle_begins_2 = spindle_begins;
+                spindle_forgets_2 = spindle_forgets;
+            }
+        } else {
+            if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                    || spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                /* the reset leads back to position control */
+                state->spindle_returns = true;
+            }
+            spindle_cycle_control_2 = spindle_cycle_control;
+            spindle_begins_2 = spindle_begins;
+            spindle_forgets_2 = spindle_forgets;
+        }
+    } else {
+        spindle_cycle_control_2 = spindle_cycle_control;
+        spindle_begins_2 = spindle_begins;
+        spindle_forgets_2 = spindle_forgets;
+    }
+    const bool spindle_is_wrong =
+        inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
+    if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
+    }
+    int32_t spindle_cycle_control_3;
+    bool spindle_forgets_3;
+    if (inputs->drive_on) {
+        spindle_cycle_control_3 = spindle_cycle_control_2;
+        spindle_forgets_3 = spindle_forgets_2;
+    } else {
+        /* the drive is off: the start begins again */
+        spindle_forgets_3 =
+            spindle_forgets_2 || spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
+                || state->spindle_is_moving;
+        state->spindle_is_moving = false;
+        state->spindle_takes_over = false;
+        spindle_cycle_control_3 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+    }
+    outputs->spindle_state = spindle_cycle_control_3;
+    state->spindle_control_copy = spindle_cycle_control_3;
+    state->spindle_control = spindle_cycle_control_3;
+    if (inputs->reset || !inputs->drive_on) {
+        state->spindle_queued = 0u;
+    }
+    if (spindle_begins_2 || !inputs->drive_on) {
+        state->spindle_cycles = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_missing = 0u;
+        state->spindle_returns = false;
+    }
+    const bool spindle_at_start_2 =
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
+    const bool spindle_may_act = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_is_seized =
+        inputs->drive_on && !spindle_may_act && spindle_at_start_2 && state->spindle_cycles == 0u;
+    const bool spindle_is_followed = spindle_at_start_2 && (!inputs->drive_on || spindle_may_act || spindle_is_seized);
+    const bool spindle_is_known = axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
+    if (spindle_forgets_3 || (spindle_is_followed && !spindle_is_known)) {
+        state->spindle_seen_samples = 0u;
+        state->spindle_seen_slow = 0u;
+    }
+    double spindle_v_turning;
+    bool spindle_holds_back;
+    uint32_t spindle_sample_error;
+    if (spindle_is_followed) {
+        /* the block does not move the spindle yet: the commands follow it */
+        if (spindle_is_known) {
+            if (state->spindle_seen_samples == 0u) {
+                state->spindle_seen_v_last = inputs->v_actual;
+                state->spindle_seen_v_before = inputs->v_actual;
+            }
+            const double spindle_seen_low = state->spindle_seen_v_last;
+            const double spindle_seen_high = state->spindle_seen_v_before;
+            double spindle_seen_low_2;
+            double spindle_seen_high_2;
+            if (state->spindle_seen_v_before < state->spindle_seen_v_last) {
+                spindle_seen_low_2 = state->spindle_seen_v_before;
+                spindle_seen_high_2 = state->spindle_seen_v_last;
+            } else {
+                spindle_seen_low_2 = spindle_seen_low;
+                spindle_seen_high_2 = spindle_seen_high;
+            }
+            double spindle_seen_below_high;
+            if (inputs->v_actual < spindle_seen_high_2) {
+                spindle_seen_below_high = inputs->v_actual;
+            } else {
+                spindle_seen_below_high = spindle_seen_high_2;
+            }
+            double spindle_seen_v_middle;
+            if (spindle_seen_below_high < spindle_seen_low_2) {
+                spindle_seen_v_middle = spindle_seen_low_2;
+            } else {
+                spindle_seen_v_middle = spindle_seen_below_high;
+            }
+            state->spindle_seen_v = spindle_seen_v_middle;
+            state->spindle_seen_v_before = state->spindle_seen_v_last;
+            state->spindle_seen_v_last = inputs->v_actual;
+            if (state->spindle_seen_samples < 3u) {
+                state->spindle_seen_samples = state->spindle_seen_samples + 1u;
+            }
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
+                state->spindle_seen_slow = 0u;
+            } else if (state->spindle_seen_slow < 3u) {
+                state->spindle_seen_slow = state->spindle_seen_slow + 1u;
+            } else {
+                /* no action */
+            }
+            if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
+                spindle_v_turning = 0.0;
+            } else {
+                spindle_v_turning = state->spindle_seen_v;
+            }
+            if (inputs->drive_on) {
+                state->spindle_v = spindle_v_turning;
+                spindle_holds_back = false;
+            } else {
+                spindle_holds_back = true;
+            }
+        } else {
+            spindle_holds_back = false;
+            spindle_v_turning = 0.0;
+        }
+        const bool spindle_is_found =
+            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+        if (spindle_is_found) {
+            double spindle_v_shown;
+            if (inputs->drive_on) {
+                spindle_v_shown = state->spindle_v;
+            } else {
+                spindle_v_shown = spindle_v_turning;
+            }
+            double spindle_lead;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                int32_t spindle_percentage;
+                if (inputs->feedforward_percentage < 100) {
+                    spindle_percentage = inputs->feedforward_percentage;
+                } else {
+                    spindle_percentage = 100;
+                }
+                spindle_lead = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
+            } else {
+                spindle_lead = spindle_lead_time;
+            }
+            const double spindle_lead_shown = spindle_lead - spindle_cycle_time;
+            const double spindle_way = spindle_v_shown * spindle_lead_shown;
+            double spindle_ahead;
+            if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
+                spindle_ahead = inputs->x_actual + spindle_way;
+            } else {
+                /* reached only if the block's memory was corrupted */
+                spindle_ahead = inputs->x_actual;
+            }
+            double spindle_within_turn;
+            if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_below_full_turn
+                    && spindle_ahead >= 0.0) {
+                spindle_within_turn = spindle_ahead;
+            } else if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t spindle_turns = (int32_t)(spindle_ahead * axis_s_spindle_axis_per_turn);
+                const double spindle_rest = spindle_ahead - (double)spindle_turns * axis_s_spindle_axis_full_turn;
+                double spindle_above;
+                if (spindle_rest < 0.0) {
+                    spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_above = spindle_rest;
+                }
+                if (spindle_above >= axis_s_spindle_axis_full_turn) {
+                    spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
+                } else {
+                    spindle_within_turn = spindle_above;
+                }
+            } else {
+                /* reached only if the block's memory was corrupted */
+                spindle_within_turn = 0.0;
+            }
+            state->spindle_x = spindle_within_turn;
+        } else if (inputs->drive_on) {
+            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+        } else {
+            /* no action */
+        }
+        if (!spindle_is_known && inputs->drive_on) {
+            spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+        } else if (spindle_is_found) {
+            spindle_sample_error = 0u;
+        } else {
+            spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+        }
+    } else {
+        spindle_sample_error = 0u;
+        spindle_holds_back = false;
+        spindle_v_turning = 0.0;
+    }
+    uint32_t spindle_sample_error_3;
+    bool spindle_brakes;
+    bool spindle_advances_2;
+    bool spindle_resynchronises;
+    int32_t spindle_next_2;
+    if (spindle_is_seized) {
+        state->spindle_is_moving = true;
+        spindle_sample_error_3 = spindle_sample_error;
+        spindle_brakes = false;
+        spindle_advances_2 = false;
+        spindle_resynchronises = false;
+        spindle_next_2 = spindle_cycle_control_3;
+    } else if (inputs->drive_on && spindle_may_act) {
+        if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                && spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            state->spindle_cycles = state->spindle_cycles + 1u;
+        }
+        uint32_t spindle_lacking;
+        bool spindle_advances;
+        uint32_t spindle_sample_error_2;
+        if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+            const bool spindle_needs_position = spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+            bool spindle_leads;
+            if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+                spindle_leads = false;
+            } else if (spindle_needs_position
+                    && !(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
+                spindle_leads = false;
+            } else if (spindle_needs_position
+                    && !(axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit)) {
+                spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                spindle_leads = false;
+            } else {
+                if (spindle_needs_position && state->spindle_takes_over) {
+                    const double spindle_distance =
+                        inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
+                    double spindle_shorter;
+                    if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
+                        const int32_t spindle_whole_turns =
+                            axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
+                        spindle_shorter =
+                            spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
+                    } else {
+                        /* reached only if the block's memory was corrupted */
+                        spindle_shorter = 0.0;
+                    }
+                    spindle_leads = axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window;
+                    if (!spindle_leads) {
+                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
+                    }
+                } else {
+                    spindle_leads = true;
+                }
+                spindle_lacking = 0u;
+            }
+            const bool spindle_is_changing = spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+            if (spindle_leads) {
+                state->spindle_missing = 0u;
+                state->spindle_takes_over = false;
+                state->spindle_v = inputs->v_interpolator;
+                if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
+                    state->spindle_x = inputs->x_command;
+                    spindle_advances = false;
+                } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
+                    state->spindle_x = inputs->x_actual;
+                    spindle_advances = false;
+                } else {
+                    spindle_advances = true;
+                }
+                const bool spindle_is_reached =
+                    inputs->v_interpolator >= spindle_v_velocity_control_on
+                        || -inputs->v_interpolator >= spindle_v_velocity_control_on;
+                if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
+                    if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
+                        /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+                    } else {
+                        spindle_next_2 = spindle_cycle_control_3;
+                    }
+                } else if (spindle_is_changing) {
+                    /* TO_VELOCITY -> VELOCITY: the CNC opens its position loop */
+                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
+                } else {
+                    const bool spindle_first_is_free =
+                        state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN;
+                    if (state->spindle_returns || (state->spindle_queued > 0u && !spindle_first_is_free)) {
+                        /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
+                        state->spindle_returns = false;
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                    } else {
+                        spindle_next_2 = spindle_cycle_control_3;
+                    }
+                }
+            } else {
+                spindle_advances = false;
+                spindle_next_2 = spindle_cycle_control_3;
+            }
+            spindle_sample_error_2 = spindle_sample_error;
+            spindle_brakes = false;
+            spindle_resynchronises = false;
+        } else {
+            if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+                bool spindle_has_slowed;
+                if (spindle_is_known) {
+                    const bool spindle_is_backward = state->spindle_v < 0.0;
+                    double spindle_v_magnitude_2;
+                    if (spindle_is_backward) {
+                        spindle_v_magnitude_2 = -state->spindle_v;
+                    } else {
+                        spindle_v_magnitude_2 = state->spindle_v;
+                    }
+                    double spindle_v_along;
+                    if (spindle_is_backward) {
+                        spindle_v_along = -inputs->v_actual;
+                    } else {
+                        spindle_v_along = inputs->v_actual;
+                    }
+                    spindle_has_slowed =
+                        axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
+                            && spindle_v_along <= spindle_v_magnitude_2 + spindle_window
+                            && -spindle_v_along <= spindle_window;
+                } else {
+                    spindle_has_slowed = false;
+                }
+                if (spindle_has_slowed) {
+                    state->spindle_settled = state->spindle_settled + 1u;
+                } else {
+                    state->spindle_settled = 0u;
+                }
+                const bool spindle_is_settled = state->spindle_settled >= 3u;
+                const bool spindle_can_leave =
+                    spindle_is_settled
+                        && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
+                if (!spindle_is_known) {
+                    spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
+                } else if (spindle_is_settled && !spindle_can_leave) {
+                    spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
+                } else {
+                    spindle_sample_error_2 = spindle_sample_error;
+                }
+                if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
+                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
+                    spindle_brakes = false;
+                    spindle_advances = false;
+                    spindle_resynchronises = false;
+                    spindle_next_2 = spindle_cycle_control_3;
+                } else {
+                    if (spindle_can_leave) {
+                        /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
+                        spindle_resynchronises = true;
+                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
+                    } else {
+                        spindle_resynchronises = false;
+                        spindle_next_2 = spindle_cycle_control_3;
+                    }
+                    spindle_brakes = true;
+                    spindle_advances = true;
+                }
+            } else {
+                bool spindle_completes;
+                int32_t spindle_next;
+                if (state->spindle_is_moving) {
+                    if (state->spindle_cycles == 1u) {
+                        state->spindle_x = state->spindle_x_start;
+                        spindle_advances = false;
+                    } else {
+                        spindle_advances = true;
+                    }
+                    spindle_completes = true;
+                    spindle_resynchronises = false;
+                    spindle_next = spindle_cycle_control_3;
+                } else {
+                    const bool spindle_is_measured =
+                        state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+                    const bool spindle_turns_slowly = spindle_is_measured && state->spindle_seen_slow >= 3u;
+                    if (spindle_is_measured
+                            && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
+                        /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
+                        state->spindle_is_moving = true;
+                        spindle_resynchronises = false;
+                        spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
+                        spindle_completes = false;
+                    } else {
+                        if (spindle_turns_slowly && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
+                            /* TO_POSITION: the spindle turns slowly, and goes on doing so */
+                            spindle_resynchronises = true;
+                            spindle_completes = false;
+                        } else {
+                            if (!spindle_turns_slowly && state->spindle_cycles > spindle_start_cycles) {
+                                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
+                            }
+                            spindle_resynchronises = false;
+                            spindle_completes = spindle_turns_slowly;
+                        }
+                        spindle_next = spindle_cycle_control_3;
+                    }
+                    spindle_advances = false;
+                }
+                if (spindle_completes) {
+                    state->spindle_takes_over = true;
+                    state->spindle_is_moving = true;
+                    /* TO_POSITION -> POSITION: the CNC closes its position loop */
+                    spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+                } else {
+                    spindle_next_2 = spindle_next;
+                }
+                spindle_sample_error_2 = spindle_sample_error;
+                spindle_brakes = false;
+            }
+            spindle_lacking = 0u;
+        }
+        if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+            /* a sample is missing: the spindle goes on as before, and stops if this lasts */
+            state->spindle_missing = state->spindle_missing + 1u;
+            state->spindle_takes_over = true;
+            if (state->spindle_missing > 3u) {
+                state->spindle_lasting_error = spindle_lacking;
+                spindle_advances_2 = spindle_advances;
+            } else {
+                spindle_advances_2 = true;
+            }
+            spindle_sample_error_3 = spindle_lacking;
+        } else {
+            spindle_sample_error_3 = spindle_sample_error_2;
+            spindle_advances_2 = spindle_advances;
+        }
+    } else {
+        spindle_sample_error_3 = spindle_sample_error;
+        spindle_brakes = false;
+        spindle_advances_2 = false;
+        spindle_resynchronises = false;
+        spindle_next_2 = spindle_cycle_control_3;
+    }
+    const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    const bool spindle_is_stopped = spindle_has_failed && inputs->drive_on && !spindle_is_seized;
+    if (spindle_is_stopped || spindle_brakes || !inputs->drive_on) {
+        double spindle_v_end;
+        double spindle_v_end_negative;
+        if (spindle_brakes) {
+            spindle_v_end = spindle_v_position_control_on;
+            spindle_v_end_negative = spindle_v_position_control_on_negative;
+        } else {
+            spindle_v_end = 0.0;
+            spindle_v_end_negative = 0.0;
+        }
+        if (state->spindle_v > spindle_v_end) {
+            state->spindle_v = state->spindle_v - spindle_v_step;
+            if (state->spindle_v < spindle_v_end) {
+                state->spindle_v = spindle_v_end;
+            }
+        } else if (state->spindle_v < spindle_v_end_negative) {
+            state->spindle_v = state->spindle_v + spindle_v_step;
+            if (state->spindle_v > spindle_v_end_negative) {
+                state->spindle_v = spindle_v_end_negative;
+            }
+        } else {
+            /* no action */
+        }
+    }
+    if (spindle_holds_back) {
+        double spindle_v_low;
+        double spindle_v_high;
+        if (spindle_v_turning < 0.0) {
+            spindle_v_low = spindle_v_turning;
+            spindle_v_high = 0.0;
+        } else {
+            spindle_v_low = 0.0;
+            spindle_v_high = spindle_v_turning;
+        }
+        if (state->spindle_v > spindle_v_high) {
+            state->spindle_v = spindle_v_high;
+        } else if (state->spindle_v < spindle_v_low) {
+            state->spindle_v = spindle_v_low;
+        } else {
+            /* no action */
+        }
+    }
+    if (spindle_is_stopped || spindle_advances_2) {
+        state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
+    }
+    if (spindle_resynchronises) {
+        state->spindle_is_moving = true;
+        double spindle_lead_2;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            int32_t spindle_percentage_2;
+            if (inputs->feedforward_percentage < 100) {
+                spindle_percentage_2 = inputs->feedforward_percentage;
+            } else {
+                spindle_percentage_2 = 100;
+            }
+            spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
+        } else {
+            spindle_lead_2 = spindle_lead_time;
+        }
+        const double spindle_way_2 = state->spindle_v * spindle_lead_2;
+        double spindle_ahead_2;
+        if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
+            spindle_ahead_2 = inputs->x_actual + spindle_way_2;
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_ahead_2 = inputs->x_actual;
+        }
+        double spindle_within_turn_2;
+        if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn
+                && spindle_ahead_2 >= 0.0) {
+            spindle_within_turn_2 = spindle_ahead_2;
+        } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
+            const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
+            const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
+            double spindle_above_2;
+            if (spindle_rest_2 < 0.0) {
+                spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_above_2 = spindle_rest_2;
+            }
+            if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
+                spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
+            } else {
+                spindle_within_turn_2 = spindle_above_2;
+            }
+        } else {
+            /* reached only if the block's memory was corrupted */
+            spindle_within_turn_2 = 0.0;
+        }
+        state->spindle_x_start = spindle_within_turn_2;
+    }
+    if (spindle_resynchronises || spindle_next_2 != state->spindle_control) {
+        state->spindle_control = spindle_next_2;
+        state->spindle_control_copy = spindle_next_2;
+        state->spindle_cycles = 0u;
+        state->spindle_settled = 0u;
+        state->spindle_missing = 0u;
+    }
+    const double spindle_angle = state->spindle_x;
+    double spindle_within_turn_3;
+    if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_below_full_turn && spindle_angle >= 0.0) {
+        spindle_within_turn_3 = spindle_angle;
+    } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
+        const int32_t spindle_turns_3 = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
+        const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
+        double spindle_above_3;
+        if (spindle_rest_3 < 0.0) {
+            spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
+        } else {
+            spindle_above_3 = spindle_rest_3;
+        }
+        if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
+            spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
+        } else {
+            spindle_within_turn_3 = spindle_above_3;
+        }
+    } else {
+        /* reached only if the block's memory was corrupted */
+        spindle_within_turn_3 = 0.0;
+    }
+    state->spindle_x = spindle_within_turn_3;
+    const double spindle_x_spindle_2 = state->spindle_x;
+    outputs->x_spindle = spindle_x_spindle_2;
+    const double spindle_v_spindle_3 = state->spindle_v;
+    outputs->v_spindle = spindle_v_spindle_3;
+    uint32_t spindle_error_now;
+    if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = state->spindle_lasting_error;
+    } else if (spindle_sample_error_3 != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
+        spindle_error_now = spindle_sample_error_3;
+    } else {
+        spindle_error_now = spindle_request_error;
+    }
+    const bool spindle_loop_closed =
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
+            && spindle_sample_error_3 == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    outputs->loop_closed = spindle_loop_closed;
+    if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
+            || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
+        if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP || !spindle_is_job) {
+            state->spindle_turns_fast = false;
+            state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+            state->spindle_present_speed = 0.0;
+            state->spindle_present_position = 0.0;
+            uint32_t spindle_jobs;
+            if (state->spindle_jobs < 4294967295u) {
+                spindle_jobs = state->spindle_jobs + 1u;
+            } else {
+                spindle_jobs = 0u;
+            }
+            state->spindle_jobs = spindle_jobs;
+        }
+    } else if (state->spindle_queued > 0u) {
+        const bool spindle_is_over =
+            state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN || inputs->job_done;
+        const bool spindle_can_serve =
+            state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY && !state->spindle_returns
+                    && (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN));
+        if (spindle_is_over && spindle_can_serve) {
+            const bool spindle_is_intact_2 =
+                (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                        || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+                    && axis_s_spindle_axis_magnitude(state->spindle_request0_speed) <= axis_s_spindle_axis_sample_limit
+                    && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
+                    <= axis_s_spindle_axis_position_limit;
+            if (!spindle_is_intact_2) {
+                /* the request was corrupted */
+                state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
+                state->spindle_request0_speed = 0.0;
+                state->spindle_request0_position = 0.0;
+            }
+            const bool spindle_is_fast =
+                state->spindle_request0_speed > spindle_v_velocity_control_on
+                    || -state->spindle_request0_speed > spindle_v_velocity_control_on;
+            state->spindle_turns_fast = state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN && spindle_is_fast;
+            state->spindle_present_kind = state->spindle_request0_kind;
+            state->spindle_present_speed = state->spindle_request0_speed;
+            state->spindle_present_position = state->spindle_request0_position;
+            state->spindle_request0_kind = state->spindle_request1_kind;
+            state->spindle_request0_speed = state->spindle_request1_speed;
+            state->spindle_request0_position = state->spindle_request1_position;
+            state->spindle_request1_kind = state->spindle_request2_kind;
+            state->spindle_request1_speed = state->spindle_request2_speed;
+            state->spindle_request1_position = state->spindle_request2_position;
+            state->spindle_request2_kind = state->spindle_request3_kind;
+            state->spindle_request2_speed = state->spindle_request3_speed;
+            state->spindle_request2_position = state->spindle_request3_position;
+            state->spindle_queued = state->spindle_queued - 1u;
+            uint32_t spindle_jobs_2;
+            if (state->spindle_jobs < 4294967295u) {
+                spindle_jobs_2 = state->spindle_jobs + 1u;
+            } else {
+                spindle_jobs_2 = 0u;
+            }
+            state->spindle_jobs = spindle_jobs_2;
+        }
+    } else {
+        /* no action */
+    }
+    outputs->job = state->spindle_present_kind;
+    outputs->job_speed = state->spindle_present_speed;
+    outputs->job_position = state->spindle_present_position;
+    outputs->job_number = state->spindle_jobs;
+    outputs->waiting = state->spindle_queued;
+    const bool spindle_is_quiet =
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
+            && !state->spindle_before_any && !state->spindle_takes_over;
+    uint32_t spindle_usual;
+    if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+            && !state->spindle_turns_fast) {
+        spindle_usual = axis_s_spindle_axis_usual_position;
+    } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
+            && !state->spindle_returns) {
+        spindle_usual = axis_s_spindle_axis_usual_velocity;
+    } else {
+        spindle_usual = axis_s_spindle_axis_usual_none;
+    }
+    state->spindle_usual = spindle_usual;
+    const bool is_led =
+        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_missing == 0u
+            && inputs->drive_on;
+    const bool follows =
+        is_led
+            && (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
+    if (follows) {
+        const double lag_3 = spindle_x_spindle_2 - inputs->x_actual;
+        bool gives_up_2;
+        double lag_4;
+        if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit) {
+            gives_up_2 = false;
+            lag_4 = lag_3;
+        } else {
+            if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_3 * axis_s_spindle_axis_per_turn);
+                lag_4 = lag_3 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
+            } else {
+                /* reached only if the block's memory was corrupted */
+                lag_4 = 0.0;
+            }
+            gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_lag_limit);
+        }
+        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_4;
+        const bool improves = spindle_loop_closed && !inputs->reset;
+        double axis_feedforward_v_feedforward_2;
+        bool axis_feedforward_fault;
+        uint32_t axis_feedforward_error_id;
+        if (axis_s_spindle_axis_magnitude(spindle_v_spindle_3) <= axis_s_spindle_axis_sample_limit) {
+            double axis_feedforward_gain_now_2;
+            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+                if (inputs->feedforward_percentage >= 100) {
+                    axis_feedforward_gain_now_2 = axis_s_spindle_axis_axis_feedforward_weight;
+                } else {
+                    axis_feedforward_gain_now_2 =
+                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
+                }
+            } else {
+                axis_feedforward_gain_now_2 = 0.0;
+            }
+            axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_v_spindle_3;
+            axis_feedforward_fault = false;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            axis_feedforward_v_feedforward_2 = 0.0;
+            axis_feedforward_fault = true;
+            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
+        }
+        outputs->v_feedforward = axis_feedforward_v_feedforward_2;
+        uint32_t axis_error_id;
+        bool axis_fault;
+        if (axis_feedforward_fault) {
+            axis_error_id = axis_feedforward_error_id;
+            axis_fault = true;
+        } else {
+            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_fault = false;
+        }
+        const double axis_lag_2 = spindle_x_spindle_2 - axis_inputs_x_actual_2;
+        const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
+        const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
+        outputs->v_command = axis_v_controller_2;
+        bool axis_ipc_runs;
+        uint32_t axis_ipc_reason;
+        if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
+        } else if (improves && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
+                && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
+            axis_ipc_runs = true;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
+        } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
+                || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
+            if (improves) {
+                if (state->axis_ipc_preset) {
+                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
+                        state->axis_ipc_fade = state->axis_ipc_fade + 1u;
+                    } else if (state->axis_ipc_fade > 1u) {
+                        state->axis_ipc_fade = state->axis_ipc_fade - 1u;
+                    } else {
+                        state->axis_ipc_fade = 0u;
+                        if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                            state->axis_ipc_preset = false;
+                        }
+                    }
+                    axis_ipc_runs = true;
+                } else {
+                    state->axis_ipc_fade = 0u;
+                    if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                        /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+                        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+                         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+                        const double axis_ipc_stage0_filter0_section0_s =
+                            axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+                        state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
+                        state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
+                        state->axis_ipc_preset = true;
+                    }
+                    axis_ipc_runs = false;
+                }
+            } else {
+                state->axis_ipc_preset = false;
+                state->axis_ipc_fade = 0u;
+                axis_ipc_runs = false;
+            }
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            state->axis_ipc_preset = false;
+            state->axis_ipc_fade = 0u;
+            axis_ipc_runs = false;
+            axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
+        }
+        bool axis_limited_2;
+        double axis_ipc_v_add;
+        bool axis_ipc_fault;
+        uint32_t axis_ipc_error_id;
+        if (axis_ipc_runs) {
+            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
+            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+            const double axis_ipc_stage0_filter0_section0_t_2 =
+                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+            const double axis_ipc_stage0_filter0_section0_y_2 =
+                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_2;
+            state->axis_ipc_stage0_filter0_section0_s1 =
+                state->axis_ipc_stage0_filter0_section0_s2
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_2;
+            state->axis_ipc_stage0_filter0_section0_s2 =
+                axis_ipc_stage0_filter0_section0_t_2 + axis_s_spindle_axis_anti_denormal
+                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_2;
+            const double axis_ipc_v_stage0_2 =
+                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_2;
+            double axis_ipc_v_limited;
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_limit) {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_rest) {
+                    axis_ipc_v_limited = 0.0;
+                } else {
+                    axis_ipc_v_limited = axis_ipc_v_stage0_2;
+                }
+                axis_limited_2 = false;
+            } else {
+                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                    if (axis_ipc_v_stage0_2 > 0.0) {
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
+                    } else {
+                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
+                    }
+                } else {
+                    /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                     * the block restarts */
+                    state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
+                    axis_ipc_v_limited = 0.0;
+                }
+                axis_limited_2 = true;
+            }
+            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
+                if (axis_ipc_fade > 0u) {
+                    axis_ipc_v_add = axis_ipc_v_limited * ((double)axis_ipc_fade * axis_ipc_fade_step);
+                } else {
+                    axis_ipc_v_add = 0.0;
+                }
+                if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
+                    outputs->v_add_calculated = 0.0;
+                } else {
+                    outputs->v_add_calculated = axis_ipc_v_limited;
+                }
+            } else {
+                axis_ipc_v_add = axis_ipc_v_limited;
+                outputs->v_add_calculated = axis_ipc_v_limited;
+            }
+            axis_ipc_fault = false;
+            axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        } else {
+            axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+            axis_ipc_v_add = 0.0;
+            outputs->v_add_calculated = 0.0;
+            axis_limited_2 = false;
+            axis_ipc_error_id = axis_ipc_reason;
+        }
+        outputs->v_add = axis_ipc_v_add;
+        uint32_t axis_error_id_2;
+        bool axis_fault_2;
+        if (axis_ipc_fault) {
+            axis_error_id_2 = axis_ipc_error_id;
+            axis_fault_2 = true;
+        } else {
+            axis_error_id_2 = axis_error_id;
+            axis_fault_2 = axis_fault;
+        }
+        const double axis_position_control_v_drive_2 = axis_v_controller_2 + axis_ipc_v_add;
+        const double axis_position_control_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_2;
+        bool axis_position_control_limited_2;
+        if (axis_s_spindle_axis_magnitude(axis_position_control_increments_2)
+                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_2);
+            axis_position_control_limited_2 = false;
+        } else if (axis_position_control_increments_2 > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            axis_position_control_limited_2 = true;
+        } else if (axis_position_control_increments_2 < 0.0) {
+            axis_position_control_limited_2 =
+                axis_position_control_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
+            outputs->manipulated_variable = 0;
+            axis_position_control_limited_2 = true;
+        }
+        outputs->limited = axis_position_control_limited_2 || axis_limited_2;
+        uint32_t error_now_3;
+        if (axis_fault_2) {
+            error_now_3 = axis_error_id_2;
+        } else {
+            error_now_3 = spindle_error_now;
+        }
+        uint32_t error_now_4;
+        if (gives_up_2) {
+            state->spindle_usual = axis_s_spindle_axis_usual_none;
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+            double spindle_v_magnitude_3;
+            if (state->spindle_v < 0.0) {
+                spindle_v_magnitude_3 = -state->spindle_v;
+            } else {
+                spindle_v_magnitude_3 = state->spindle_v;
+            }
+            if (axis_s_spindle_axis_magnitude(axis_v_controller_2) <= spindle_v_magnitude_3) {
+                state->spindle_v = axis_v_controller_2;
+            }
+            error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+        } else {
+            error_now_4 = error_now_3;
+        }
+        outputs->error_id = error_now_4;
+        outputs->fault = error_now_4 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    } else {
+        outputs->error_id = spindle_error_now;
+        outputs->v_add_calculated = 0.0;
+        outputs->v_add = 0.0;
+        outputs->v_feedforward = 0.0;
+        outputs->v_command = spindle_v_spindle_3;
+        state->axis_ipc_preset = false;
+        state->axis_ipc_fade = 0u;
+        const double open_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_3;
+        if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
+            outputs->limited = false;
+        } else if (open_increments_2 > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            outputs->limited = true;
+        } else if (open_increments_2 < 0.0) {
+            outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
+            outputs->manipulated_variable = 0;
+            outputs->limited = true;
+        }
+        outputs->fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    }
+}
+
+AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
+    axis_s_spindle_axis_state *restrict state,
+    const axis_s_spindle_axis_inputs *restrict inputs,
+    axis_s_spindle_axis_outputs *restrict outputs)
+{
+    const bool in_position =
+        state->spindle_usual == axis_s_spindle_axis_usual_position
             && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
             && inputs->drive_on && !inputs->reset
             && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
@@ -292,12 +1423,156 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
             && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
             && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_below_full_turn) {
-        stays_2 = inputs->x_actual >= 0.0;
-    } else {
-        stays_2 = false;
-    }
-    if (stays_2) {
+            && axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_below_full_turn
+            && inputs->x_command >= 0.0
+            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit
+            && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
+            && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles
+            && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
+    if (in_position) {
+        outputs->loop_closed = true;
+        outputs->waiting = 0u;
+        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
+        /* the fast path of POSITION: nothing is requested, and all samples are valid */
+        state->spindle_x = inputs->x_command;
+        state->spindle_v = inputs->v_interpolator;
+        const double spindle_x_spindle = state->spindle_x;
+        outputs->x_spindle = spindle_x_spindle;
+        const double spindle_v_spindle = state->spindle_v;
+        outputs->v_spindle = spindle_v_spindle;
+        outputs->job = state->spindle_present_kind;
+        outputs->job_speed = state->spindle_present_speed;
+        outputs->job_position = state->spindle_present_position;
+        outputs->job_number = state->spindle_jobs;
+        const double lag = spindle_x_spindle - inputs->x_actual;
+        bool gives_up;
+        double lag_2;
+        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_lag_limit) {
+            gives_up = false;
+            lag_2 = lag;
+        } else {
+            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
+                lag_2 = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
+            } else {
+                /* reached only if the block's memory was corrupted */
+                lag_2 = 0.0;
+            }
+            gives_up = !(axis_s_spindle_axis_magnitude(lag_2) <= axis_s_spindle_axis_lag_limit);
+        }
+        const double axis_inputs_x_actual = spindle_x_spindle - lag_2;
+        double axis_feedforward_gain_now;
+        if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
+            if (inputs->feedforward_percentage >= 100) {
+                axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
+            } else {
+                axis_feedforward_gain_now =
+                    axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
+            }
+        } else {
+            axis_feedforward_gain_now = 0.0;
+        }
+        const double axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
+        outputs->v_feedforward = axis_feedforward_v_feedforward;
+        const double axis_lag = spindle_x_spindle - axis_inputs_x_actual;
+        const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
+        const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
+        outputs->v_command = axis_v_controller;
+        /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
+        /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
+         * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
+        const double axis_ipc_stage0_filter0_section0_t =
+            axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
+        const double axis_ipc_stage0_filter0_section0_y =
+            state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
+        state->axis_ipc_stage0_filter0_section0_s1 =
+            state->axis_ipc_stage0_filter0_section0_s2
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
+        state->axis_ipc_stage0_filter0_section0_s2 =
+            axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
+                - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
+        const double axis_ipc_v_stage0 = axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
+        double axis_ipc_v_add_calculated;
+        bool axis_limited;
+        if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
+                axis_ipc_v_add_calculated = 0.0;
+            } else {
+                axis_ipc_v_add_calculated = axis_ipc_v_stage0;
+            }
+            axis_limited = false;
+        } else {
+            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
+                if (axis_ipc_v_stage0 > 0.0) {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_limit;
+                } else {
+                    axis_ipc_v_add_calculated = axis_s_spindle_axis_axis_ipc_lower_limit;
+                }
+            } else {
+                /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
+                 * the block restarts */
+                state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
+                axis_ipc_v_add_calculated = 0.0;
+            }
+            axis_limited = true;
+        }
+        outputs->v_add_calculated = axis_ipc_v_add_calculated;
+        outputs->v_add = axis_ipc_v_add_calculated;
+        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add_calculated;
+        const double axis_position_control_increments =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
+        bool axis_position_control_limited;
+        if (axis_s_spindle_axis_magnitude(axis_position_control_increments)
+                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
+            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
+            axis_position_control_limited = false;
+        } else if (axis_position_control_increments > 0.0) {
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
+            axis_position_control_limited = true;
+        } else if (axis_position_control_increments < 0.0) {
+            axis_position_control_limited =
+                axis_position_control_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
+            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
+        } else {
+            /* reached only by NaN, which samples in range never produce: the output is 0 */
+            outputs->manipulated_variable = 0;
+            axis_position_control_limited = true;
+        }
+        outputs->limited = axis_position_control_limited || axis_limited;
+        const uint32_t error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+        uint32_t error_now_2;
+        if (gives_up) {
+            state->spindle_usual = axis_s_spindle_axis_usual_none;
+            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+            double spindle_v_magnitude;
+            if (state->spindle_v < 0.0) {
+                spindle_v_magnitude = -state->spindle_v;
+            } else {
+                spindle_v_magnitude = state->spindle_v;
+            }
+            if (axis_s_spindle_axis_magnitude(axis_v_controller) <= spindle_v_magnitude) {
+                state->spindle_v = axis_v_controller;
+            }
+            error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+        } else {
+            error_now_2 = error_now;
+        }
+        outputs->error_id = error_now_2;
+        outputs->fault = error_now_2 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    } else if (state->spindle_usual == axis_s_spindle_axis_usual_velocity
+            && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
+            && inputs->drive_on && !inputs->reset
+            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
+            && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
+                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
+            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
+            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
+            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_below_full_turn
+            && inputs->x_actual >= 0.0) {
         outputs->loop_closed = false;
         outputs->waiting = 0u;
         outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
@@ -335,1372 +1610,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             outputs->manipulated_variable = 0;
             outputs->limited = true;
         }
-    } else {
-        /* any other cycle: requests, changes of the state, missing samples, errors */
-        const bool spindle_is_job =
-            (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-                && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit;
-        /* memory that no cycle can have left is repaired, and the spindle stops */
-        if (state->spindle_missing > 4u) {
-            state->spindle_missing = 4u;
-        }
-        if (state->spindle_settled > 3u) {
-            state->spindle_settled = 3u;
-        }
-        if (state->spindle_cycles > largest_count) {
-            state->spindle_cycles = largest_count;
-        }
-        const bool spindle_is_error =
-            state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_STATE
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER
-                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-        const bool spindle_is_control =
-            (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION)
-                && state->spindle_control_copy == state->spindle_control
-                && (state->spindle_is_moving
-                    || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION);
-        const bool spindle_is_motion_sound =
-            state->spindle_x >= 0.0 && state->spindle_x < axis_s_spindle_axis_full_turn && state->spindle_x_start >= 0.0
-                && state->spindle_x_start < axis_s_spindle_axis_full_turn
-                && axis_s_spindle_axis_magnitude(state->spindle_v) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_last) <= axis_s_spindle_axis_sample_limit
-                && axis_s_spindle_axis_magnitude(state->spindle_seen_v_before) <= axis_s_spindle_axis_sample_limit;
-        const bool spindle_is_intact =
-            spindle_is_error && spindle_is_control && spindle_is_motion_sound && spindle_is_job
-                && state->spindle_queued <= 4u;
-        if (!spindle_is_intact) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-        }
-        if (state->spindle_queued > 4u) {
-            state->spindle_queued = 0u;
-        }
-        int32_t spindle_cycle_control;
-        if (spindle_is_control) {
-            spindle_cycle_control = state->spindle_control;
-        } else {
-            spindle_cycle_control = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        }
-        const bool spindle_begins = !spindle_is_control;
-        if (!spindle_is_motion_sound) {
-            state->spindle_x = 0.0;
-            state->spindle_x_start = 0.0;
-            state->spindle_v = 0.0;
-            state->spindle_seen_v = 0.0;
-            state->spindle_seen_v_last = 0.0;
-            state->spindle_seen_v_before = 0.0;
-        }
-        const bool spindle_forgets = !spindle_is_motion_sound;
-        const bool spindle_is_any =
-            inputs->m3 || inputs->m4 || inputs->m5 || inputs->m19 || inputs->putax || inputs->g74;
-        uint32_t spindle_request_error;
-        if (spindle_is_any || state->spindle_before_any) {
-            state->spindle_before_any = spindle_is_any;
-            /* requests: each counts in the cycle in which its input becomes TRUE */
-            const bool spindle_new_m19 = inputs->m19 && !state->spindle_before_m19;
-            const bool spindle_new_turn =
-                !spindle_new_m19
-                    && ((inputs->m3 && !state->spindle_before_m3) || (inputs->m4 && !state->spindle_before_m4));
-            const bool spindle_new_m5 = inputs->m5 && !state->spindle_before_m5;
-            const bool spindle_new_putax = inputs->putax && !state->spindle_before_putax;
-            const bool spindle_new_g74 = inputs->g74 && !state->spindle_before_g74;
-            state->spindle_before_m3 = inputs->m3;
-            state->spindle_before_m4 = inputs->m4;
-            state->spindle_before_m5 = inputs->m5;
-            state->spindle_before_m19 = inputs->m19;
-            state->spindle_before_putax = inputs->putax;
-            state->spindle_before_g74 = inputs->g74;
-            if (!inputs->reset
-                    && (spindle_new_g74 || spindle_new_putax || spindle_new_m19 || spindle_new_m5
-                        || spindle_new_turn)) {
-                bool spindle_has_others;
-                int32_t spindle_wanted;
-                if (spindle_new_g74) {
-                    spindle_has_others = spindle_new_putax || spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_HOME;
-                } else if (spindle_new_putax) {
-                    spindle_has_others = spindle_new_m19 || spindle_new_m5 || spindle_new_turn;
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_RELEASE;
-                } else if (spindle_new_m19) {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
-                    spindle_has_others = spindle_new_m5;
-                } else if (spindle_new_m5) {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                    spindle_has_others = spindle_new_turn;
-                } else {
-                    spindle_wanted = AXIS_S_SPINDLE_AXIS_JOB_TURN;
-                    spindle_has_others = false;
-                }
-                const bool spindle_has_speed =
-                    spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT;
-                uint32_t spindle_why;
-                if (spindle_has_speed && inputs->m3 && inputs->m4) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DIRECTION;
-                } else if (spindle_has_speed
-                        && !(axis_s_spindle_axis_magnitude(inputs->s_word) <= axis_s_spindle_axis_sample_limit)) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_WORD;
-                } else if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                        && !(axis_s_spindle_axis_magnitude(inputs->s_position) <= axis_s_spindle_axis_position_limit)) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_S_POSITION;
-                } else if (!inputs->drive_on) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_DRIVE_OFF;
-                } else if (state->spindle_queued >= 4u) {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_WAITING;
-                } else {
-                    spindle_why = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                }
-                if (spindle_why != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-                    spindle_request_error = spindle_why;
-                } else {
-                    double spindle_speed;
-                    if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                            || spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
-                        const bool spindle_is_negative = inputs->s_word < 0.0;
-                        if (spindle_is_negative == inputs->m4) {
-                            spindle_speed = inputs->s_word;
-                        } else {
-                            spindle_speed = -inputs->s_word;
-                        }
-                    } else {
-                        spindle_speed = 0.0;
-                    }
-                    double spindle_target;
-                    if (spindle_wanted == AXIS_S_SPINDLE_AXIS_JOB_ORIENT) {
-                        spindle_target = inputs->s_position;
-                    } else {
-                        spindle_target = 0.0;
-                    }
-                    if (state->spindle_queued == 0u) {
-                        state->spindle_request0_kind = spindle_wanted;
-                        state->spindle_request0_speed = spindle_speed;
-                        state->spindle_request0_position = spindle_target;
-                    } else if (state->spindle_queued == 1u) {
-                        state->spindle_request1_kind = spindle_wanted;
-                        state->spindle_request1_speed = spindle_speed;
-                        state->spindle_request1_position = spindle_target;
-                    } else if (state->spindle_queued == 2u) {
-                        state->spindle_request2_kind = spindle_wanted;
-                        state->spindle_request2_speed = spindle_speed;
-                        state->spindle_request2_position = spindle_target;
-                    } else {
-                        state->spindle_request3_kind = spindle_wanted;
-                        state->spindle_request3_speed = spindle_speed;
-                        state->spindle_request3_position = spindle_target;
-                    }
-                    state->spindle_queued = state->spindle_queued + 1u;
-                    if (spindle_has_others) {
-                        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_REQUESTS;
-                    } else {
-                        spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                    }
-                }
-            } else {
-                spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            }
-        } else {
-            spindle_request_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-        int32_t spindle_cycle_control_2;
-        bool spindle_forgets_2;
-        bool spindle_begins_2;
-        if (inputs->reset) {
-            if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-                /* the reset ends the error that stayed */
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                if (inputs->drive_on) {
-                    const bool spindle_at_start =
-                        spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
-                            && !state->spindle_is_moving;
-                    if (spindle_at_start) {
-                        spindle_cycle_control_2 = spindle_cycle_control;
-                        spindle_forgets_2 = true;
-                    } else {
-                        spindle_cycle_control_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                        spindle_forgets_2 = spindle_forgets;
-                    }
-                    spindle_begins_2 = true;
-                } else {
-                    spindle_cycle_control_2 = spindle_cycle_control;
-                    spindle_begins_2 = spindle_begins;
-                    spindle_forgets_2 = spindle_forgets;
-                }
-            } else {
-                if (spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                        || spindle_cycle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-                    /* the reset leads back to position control */
-                    state->spindle_returns = true;
-                }
-                spindle_cycle_control_2 = spindle_cycle_control;
-                spindle_begins_2 = spindle_begins;
-                spindle_forgets_2 = spindle_forgets;
-            }
-        } else {
-            spindle_cycle_control_2 = spindle_cycle_control;
-            spindle_begins_2 = spindle_begins;
-            spindle_forgets_2 = spindle_forgets;
-        }
-        const bool spindle_is_wrong =
-            inputs->task_cycle_ns != 0u && inputs->task_cycle_ns != axis_s_spindle_axis_spindle_cycle_time_ns;
-        if (spindle_is_wrong && state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_CYCLE_TIME;
-        }
-        int32_t spindle_cycle_control_3;
-        bool spindle_forgets_3;
-        if (inputs->drive_on) {
-            spindle_cycle_control_3 = spindle_cycle_control_2;
-            spindle_forgets_3 = spindle_forgets_2;
-        } else {
-            /* the drive is off: the start begins again */
-            spindle_forgets_3 =
-                spindle_forgets_2 || spindle_cycle_control_2 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION
-                    || state->spindle_is_moving;
-            state->spindle_is_moving = false;
-            state->spindle_takes_over = false;
-            spindle_cycle_control_3 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-        }
-        outputs->spindle_state = spindle_cycle_control_3;
-        state->spindle_control_copy = spindle_cycle_control_3;
-        state->spindle_control = spindle_cycle_control_3;
-        if (inputs->reset || !inputs->drive_on) {
-            state->spindle_queued = 0u;
-        }
-        if (spindle_begins_2 || !inputs->drive_on) {
-            state->spindle_cycles = 0u;
-            state->spindle_settled = 0u;
-            state->spindle_missing = 0u;
-            state->spindle_returns = false;
-        }
-        const bool spindle_at_start_2 =
-            spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION && !state->spindle_is_moving;
-        const bool spindle_may_act = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        const bool spindle_is_seized =
-            inputs->drive_on && !spindle_may_act && spindle_at_start_2 && state->spindle_cycles == 0u;
-        const bool spindle_is_followed =
-            spindle_at_start_2 && (!inputs->drive_on || spindle_may_act || spindle_is_seized);
-        const bool spindle_is_known =
-            axis_s_spindle_axis_magnitude(inputs->v_actual) <= axis_s_spindle_axis_sample_limit;
-        if (spindle_forgets_3 || (spindle_is_followed && !spindle_is_known)) {
-            state->spindle_seen_samples = 0u;
-            state->spindle_seen_slow = 0u;
-        }
-        double spindle_v_turning;
-        bool spindle_holds_back;
-        uint32_t spindle_sample_error;
-        if (spindle_is_followed) {
-            /* the block does not move the spindle yet: the commands follow it */
-            if (spindle_is_known) {
-                if (state->spindle_seen_samples == 0u) {
-                    state->spindle_seen_v_last = inputs->v_actual;
-                    state->spindle_seen_v_before = inputs->v_actual;
-                }
-                const double spindle_seen_low = state->spindle_seen_v_last;
-                const double spindle_seen_high = state->spindle_seen_v_before;
-                double spindle_seen_low_2;
-                double spindle_seen_high_2;
-                if (state->spindle_seen_v_before < state->spindle_seen_v_last) {
-                    spindle_seen_low_2 = state->spindle_seen_v_before;
-                    spindle_seen_high_2 = state->spindle_seen_v_last;
-                } else {
-                    spindle_seen_low_2 = spindle_seen_low;
-                    spindle_seen_high_2 = spindle_seen_high;
-                }
-                double spindle_seen_below_high;
-                if (inputs->v_actual < spindle_seen_high_2) {
-                    spindle_seen_below_high = inputs->v_actual;
-                } else {
-                    spindle_seen_below_high = spindle_seen_high_2;
-                }
-                double spindle_seen_v_middle;
-                if (spindle_seen_below_high < spindle_seen_low_2) {
-                    spindle_seen_v_middle = spindle_seen_low_2;
-                } else {
-                    spindle_seen_v_middle = spindle_seen_below_high;
-                }
-                state->spindle_seen_v = spindle_seen_v_middle;
-                state->spindle_seen_v_before = state->spindle_seen_v_last;
-                state->spindle_seen_v_last = inputs->v_actual;
-                if (state->spindle_seen_samples < 3u) {
-                    state->spindle_seen_samples = state->spindle_seen_samples + 1u;
-                }
-                if (!(axis_s_spindle_axis_magnitude(inputs->v_actual) <= spindle_v_taken_up)) {
-                    state->spindle_seen_slow = 0u;
-                } else if (state->spindle_seen_slow < 3u) {
-                    state->spindle_seen_slow = state->spindle_seen_slow + 1u;
-                } else {
-                    /* no action */
-                }
-                if (axis_s_spindle_axis_magnitude(state->spindle_seen_v) <= spindle_window) {
-                    spindle_v_turning = 0.0;
-                } else {
-                    spindle_v_turning = state->spindle_seen_v;
-                }
-                if (inputs->drive_on) {
-                    state->spindle_v = spindle_v_turning;
-                    spindle_holds_back = false;
-                } else {
-                    spindle_holds_back = true;
-                }
-            } else {
-                spindle_holds_back = false;
-                spindle_v_turning = 0.0;
-            }
-            const bool spindle_is_found =
-                axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-            if (spindle_is_found) {
-                double spindle_v_shown;
-                if (inputs->drive_on) {
-                    spindle_v_shown = state->spindle_v;
-                } else {
-                    spindle_v_shown = spindle_v_turning;
-                }
-                double spindle_lead;
-                if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                    int32_t spindle_percentage;
-                    if (inputs->feedforward_percentage < 100) {
-                        spindle_percentage = inputs->feedforward_percentage;
-                    } else {
-                        spindle_percentage = 100;
-                    }
-                    spindle_lead = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage);
-                } else {
-                    spindle_lead = spindle_lead_time;
-                }
-                const double spindle_lead_shown = spindle_lead - spindle_cycle_time;
-                const double spindle_way = spindle_v_shown * spindle_lead_shown;
-                double spindle_ahead;
-                if (axis_s_spindle_axis_magnitude(spindle_way) <= lead_limit) {
-                    spindle_ahead = inputs->x_actual + spindle_way;
-                } else {
-                    /* reached only if the block's memory was corrupted */
-                    spindle_ahead = inputs->x_actual;
-                }
-                bool spindle_is_within_turn;
-                if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_below_full_turn) {
-                    spindle_is_within_turn = spindle_ahead >= 0.0;
-                } else {
-                    spindle_is_within_turn = false;
-                }
-                double spindle_within_turn;
-                if (spindle_is_within_turn) {
-                    spindle_within_turn = spindle_ahead;
-                } else if (axis_s_spindle_axis_magnitude(spindle_ahead) <= axis_s_spindle_axis_counted_limit) {
-                    const int32_t spindle_turns = (int32_t)(spindle_ahead * axis_s_spindle_axis_per_turn);
-                    const double spindle_rest = spindle_ahead - (double)spindle_turns * axis_s_spindle_axis_full_turn;
-                    double spindle_above;
-                    if (spindle_rest < 0.0) {
-                        spindle_above = spindle_rest + axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_above = spindle_rest;
-                    }
-                    if (spindle_above >= axis_s_spindle_axis_full_turn) {
-                        spindle_within_turn = spindle_above - axis_s_spindle_axis_full_turn;
-                    } else {
-                        spindle_within_turn = spindle_above;
-                    }
-                } else {
-                    /* reached only if the block's memory was corrupted */
-                    spindle_within_turn = 0.0;
-                }
-                state->spindle_x = spindle_within_turn;
-            } else if (inputs->drive_on) {
-                state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-            } else {
-                /* no action */
-            }
-            if (!spindle_is_known && inputs->drive_on) {
-                spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-            } else if (spindle_is_found) {
-                spindle_sample_error = 0u;
-            } else {
-                spindle_sample_error = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-            }
-        } else {
-            spindle_sample_error = 0u;
-            spindle_holds_back = false;
-            spindle_v_turning = 0.0;
-        }
-        uint32_t spindle_sample_error_3;
-        bool spindle_brakes;
-        bool spindle_advances_2;
-        bool spindle_resynchronises;
-        int32_t spindle_next_2;
-        if (spindle_is_seized) {
-            state->spindle_is_moving = true;
-            spindle_sample_error_3 = spindle_sample_error;
-            spindle_brakes = false;
-            spindle_advances_2 = false;
-            spindle_resynchronises = false;
-            spindle_next_2 = spindle_cycle_control_3;
-        } else if (inputs->drive_on && spindle_may_act) {
-            if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    && spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-                state->spindle_cycles = state->spindle_cycles + 1u;
-            }
-            uint32_t spindle_lacking;
-            bool spindle_advances;
-            uint32_t spindle_sample_error_2;
-            if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY
-                    || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-                const bool spindle_needs_position =
-                    spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                bool spindle_leads;
-                if (!(axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit)) {
-                    spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-                    spindle_leads = false;
-                } else if (spindle_needs_position
-                        && !(axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_position_limit)) {
-                    spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND;
-                    spindle_leads = false;
-                } else if (spindle_needs_position
-                        && !(axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit)) {
-                    spindle_lacking = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    spindle_leads = false;
-                } else {
-                    if (spindle_needs_position && state->spindle_takes_over) {
-                        const double spindle_distance =
-                            inputs->x_command - (state->spindle_x + state->spindle_v * spindle_cycle_time);
-                        double spindle_shorter;
-                        if (axis_s_spindle_axis_magnitude(spindle_distance) <= axis_s_spindle_axis_counted_limit) {
-                            const int32_t spindle_whole_turns =
-                                axis_s_spindle_axis_nearest(spindle_distance * axis_s_spindle_axis_per_turn);
-                            spindle_shorter =
-                                spindle_distance - (double)spindle_whole_turns * axis_s_spindle_axis_full_turn;
-                        } else {
-                            /* reached only if the block's memory was corrupted */
-                            spindle_shorter = 0.0;
-                        }
-                        spindle_leads = axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window;
-                        if (!spindle_leads) {
-                            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
-                        }
-                    } else {
-                        spindle_leads = true;
-                    }
-                    spindle_lacking = 0u;
-                }
-                const bool spindle_is_changing =
-                    spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                if (spindle_leads) {
-                    state->spindle_missing = 0u;
-                    state->spindle_takes_over = false;
-                    state->spindle_v = inputs->v_interpolator;
-                    if (spindle_cycle_control_3 != AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY) {
-                        state->spindle_x = inputs->x_command;
-                        spindle_advances = false;
-                    } else if (axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-                        state->spindle_x = inputs->x_actual;
-                        spindle_advances = false;
-                    } else {
-                        spindle_advances = true;
-                    }
-                    const bool spindle_is_reached =
-                        inputs->v_interpolator >= spindle_v_velocity_control_on
-                            || -inputs->v_interpolator >= spindle_v_velocity_control_on;
-                    if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION) {
-                        if (state->spindle_turns_fast && spindle_is_reached && !inputs->reset) {
-                            /* POSITION -> TO_VELOCITY: M3 or M4 with more than Von, and Von is reached */
-                            spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
-                        } else {
-                            spindle_next_2 = spindle_cycle_control_3;
-                        }
-                    } else if (spindle_is_changing) {
-                        /* TO_VELOCITY -> VELOCITY: the CNC opens its position loop */
-                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY;
-                    } else {
-                        const bool spindle_first_is_free =
-                            state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                                || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN;
-                        if (state->spindle_returns || (state->spindle_queued > 0u && !spindle_first_is_free)) {
-                            /* VELOCITY -> BRAKE: M19, G74, S[PUTAX] or a reset */
-                            state->spindle_returns = false;
-                            spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                        } else {
-                            spindle_next_2 = spindle_cycle_control_3;
-                        }
-                    }
-                } else {
-                    spindle_advances = false;
-                    spindle_next_2 = spindle_cycle_control_3;
-                }
-                spindle_sample_error_2 = spindle_sample_error;
-                spindle_brakes = false;
-                spindle_resynchronises = false;
-            } else {
-                if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-                    bool spindle_has_slowed;
-                    if (spindle_is_known) {
-                        const bool spindle_is_backward = state->spindle_v < 0.0;
-                        double spindle_v_magnitude_2;
-                        if (spindle_is_backward) {
-                            spindle_v_magnitude_2 = -state->spindle_v;
-                        } else {
-                            spindle_v_magnitude_2 = state->spindle_v;
-                        }
-                        double spindle_v_along;
-                        if (spindle_is_backward) {
-                            spindle_v_along = -inputs->v_actual;
-                        } else {
-                            spindle_v_along = inputs->v_actual;
-                        }
-                        spindle_has_slowed =
-                            axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
-                                && spindle_v_along <= spindle_v_magnitude_2 + spindle_window
-                                && -spindle_v_along <= spindle_window;
-                    } else {
-                        spindle_has_slowed = false;
-                    }
-                    if (spindle_has_slowed) {
-                        state->spindle_settled = state->spindle_settled + 1u;
-                    } else {
-                        state->spindle_settled = 0u;
-                    }
-                    const bool spindle_is_settled = state->spindle_settled >= 3u;
-                    const bool spindle_can_leave =
-                        spindle_is_settled
-                            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
-                    if (!spindle_is_known) {
-                        spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_V_ACTUAL;
-                    } else if (spindle_is_settled && !spindle_can_leave) {
-                        spindle_sample_error_2 = AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL;
-                    } else {
-                        spindle_sample_error_2 = spindle_sample_error;
-                    }
-                    if (!spindle_can_leave && state->spindle_cycles > spindle_brake_cycles) {
-                        state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_BRAKE;
-                        spindle_brakes = false;
-                        spindle_advances = false;
-                        spindle_resynchronises = false;
-                        spindle_next_2 = spindle_cycle_control_3;
-                    } else {
-                        if (spindle_can_leave) {
-                            /* BRAKE -> TO_POSITION: the actual velocity has settled at Voff */
-                            spindle_resynchronises = true;
-                            spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION;
-                        } else {
-                            spindle_resynchronises = false;
-                            spindle_next_2 = spindle_cycle_control_3;
-                        }
-                        spindle_brakes = true;
-                        spindle_advances = true;
-                    }
-                } else {
-                    bool spindle_completes;
-                    int32_t spindle_next;
-                    if (state->spindle_is_moving) {
-                        if (state->spindle_cycles == 1u) {
-                            state->spindle_x = state->spindle_x_start;
-                            spindle_advances = false;
-                        } else {
-                            spindle_advances = true;
-                        }
-                        spindle_completes = true;
-                        spindle_resynchronises = false;
-                        spindle_next = spindle_cycle_control_3;
-                    } else {
-                        const bool spindle_is_measured =
-                            state->spindle_seen_samples >= 3u && spindle_sample_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                        const bool spindle_turns_slowly = spindle_is_measured && state->spindle_seen_slow >= 3u;
-                        if (spindle_is_measured
-                                && !(axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_taken_up)) {
-                            /* TO_POSITION -> BRAKE: the spindle turns too fast for position control, and is caught */
-                            state->spindle_is_moving = true;
-                            spindle_resynchronises = false;
-                            spindle_next = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE;
-                            spindle_completes = false;
-                        } else {
-                            if (spindle_turns_slowly && !axis_s_spindle_axis_is_zero(state->spindle_v)) {
-                                /* TO_POSITION: the spindle turns slowly, and goes on doing so */
-                                spindle_resynchronises = true;
-                                spindle_completes = false;
-                            } else {
-                                if (!spindle_turns_slowly && state->spindle_cycles > spindle_start_cycles) {
-                                    state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION;
-                                }
-                                spindle_resynchronises = false;
-                                spindle_completes = spindle_turns_slowly;
-                            }
-                            spindle_next = spindle_cycle_control_3;
-                        }
-                        spindle_advances = false;
-                    }
-                    if (spindle_completes) {
-                        state->spindle_takes_over = true;
-                        state->spindle_is_moving = true;
-                        /* TO_POSITION -> POSITION: the CNC closes its position loop */
-                        spindle_next_2 = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-                    } else {
-                        spindle_next_2 = spindle_next;
-                    }
-                    spindle_sample_error_2 = spindle_sample_error;
-                    spindle_brakes = false;
-                }
-                spindle_lacking = 0u;
-            }
-            if (spindle_lacking != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-                /* a sample is missing: the spindle goes on as before, and stops if this lasts */
-                state->spindle_missing = state->spindle_missing + 1u;
-                state->spindle_takes_over = true;
-                if (state->spindle_missing > 3u) {
-                    state->spindle_lasting_error = spindle_lacking;
-                    spindle_advances_2 = spindle_advances;
-                } else {
-                    spindle_advances_2 = true;
-                }
-                spindle_sample_error_3 = spindle_lacking;
-            } else {
-                spindle_sample_error_3 = spindle_sample_error_2;
-                spindle_advances_2 = spindle_advances;
-            }
-        } else {
-            spindle_sample_error_3 = spindle_sample_error;
-            spindle_brakes = false;
-            spindle_advances_2 = false;
-            spindle_resynchronises = false;
-            spindle_next_2 = spindle_cycle_control_3;
-        }
-        const bool spindle_has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        const bool spindle_is_stopped = spindle_has_failed && inputs->drive_on && !spindle_is_seized;
-        if (spindle_is_stopped || spindle_brakes || !inputs->drive_on) {
-            double spindle_v_end;
-            double spindle_v_end_negative;
-            if (spindle_brakes) {
-                spindle_v_end = spindle_v_position_control_on;
-                spindle_v_end_negative = spindle_v_position_control_on_negative;
-            } else {
-                spindle_v_end = 0.0;
-                spindle_v_end_negative = 0.0;
-            }
-            if (state->spindle_v > spindle_v_end) {
-                state->spindle_v = state->spindle_v - spindle_v_step;
-                if (state->spindle_v < spindle_v_end) {
-                    state->spindle_v = spindle_v_end;
-                }
-            } else if (state->spindle_v < spindle_v_end_negative) {
-                state->spindle_v = state->spindle_v + spindle_v_step;
-                if (state->spindle_v > spindle_v_end_negative) {
-                    state->spindle_v = spindle_v_end_negative;
-                }
-            } else {
-                /* no action */
-            }
-        }
-        if (spindle_holds_back) {
-            double spindle_v_low;
-            double spindle_v_high;
-            if (spindle_v_turning < 0.0) {
-                spindle_v_low = spindle_v_turning;
-                spindle_v_high = 0.0;
-            } else {
-                spindle_v_low = 0.0;
-                spindle_v_high = spindle_v_turning;
-            }
-            if (state->spindle_v > spindle_v_high) {
-                state->spindle_v = spindle_v_high;
-            } else if (state->spindle_v < spindle_v_low) {
-                state->spindle_v = spindle_v_low;
-            } else {
-                /* no action */
-            }
-        }
-        if (spindle_is_stopped || spindle_advances_2) {
-            state->spindle_x = state->spindle_x + state->spindle_v * spindle_cycle_time;
-        }
-        if (spindle_resynchronises) {
-            state->spindle_is_moving = true;
-            double spindle_lead_2;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                int32_t spindle_percentage_2;
-                if (inputs->feedforward_percentage < 100) {
-                    spindle_percentage_2 = inputs->feedforward_percentage;
-                } else {
-                    spindle_percentage_2 = 100;
-                }
-                spindle_lead_2 = spindle_lead_time - spindle_lead_time_per_percent * ((double)spindle_percentage_2);
-            } else {
-                spindle_lead_2 = spindle_lead_time;
-            }
-            const double spindle_way_2 = state->spindle_v * spindle_lead_2;
-            double spindle_ahead_2;
-            if (axis_s_spindle_axis_magnitude(spindle_way_2) <= lead_limit) {
-                spindle_ahead_2 = inputs->x_actual + spindle_way_2;
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_ahead_2 = inputs->x_actual;
-            }
-            bool spindle_is_within_turn_2;
-            if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_below_full_turn) {
-                spindle_is_within_turn_2 = spindle_ahead_2 >= 0.0;
-            } else {
-                spindle_is_within_turn_2 = false;
-            }
-            double spindle_within_turn_2;
-            if (spindle_is_within_turn_2) {
-                spindle_within_turn_2 = spindle_ahead_2;
-            } else if (axis_s_spindle_axis_magnitude(spindle_ahead_2) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t spindle_turns_2 = (int32_t)(spindle_ahead_2 * axis_s_spindle_axis_per_turn);
-                const double spindle_rest_2 = spindle_ahead_2 - (double)spindle_turns_2 * axis_s_spindle_axis_full_turn;
-                double spindle_above_2;
-                if (spindle_rest_2 < 0.0) {
-                    spindle_above_2 = spindle_rest_2 + axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_above_2 = spindle_rest_2;
-                }
-                if (spindle_above_2 >= axis_s_spindle_axis_full_turn) {
-                    spindle_within_turn_2 = spindle_above_2 - axis_s_spindle_axis_full_turn;
-                } else {
-                    spindle_within_turn_2 = spindle_above_2;
-                }
-            } else {
-                /* reached only if the block's memory was corrupted */
-                spindle_within_turn_2 = 0.0;
-            }
-            state->spindle_x_start = spindle_within_turn_2;
-        }
-        if (spindle_resynchronises || spindle_next_2 != state->spindle_control) {
-            state->spindle_control = spindle_next_2;
-            state->spindle_control_copy = spindle_next_2;
-            state->spindle_cycles = 0u;
-            state->spindle_settled = 0u;
-            state->spindle_missing = 0u;
-        }
-        const double spindle_angle = state->spindle_x;
-        bool spindle_is_within_turn_3;
-        if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_below_full_turn) {
-            spindle_is_within_turn_3 = spindle_angle >= 0.0;
-        } else {
-            spindle_is_within_turn_3 = false;
-        }
-        double spindle_within_turn_3;
-        if (spindle_is_within_turn_3) {
-            spindle_within_turn_3 = spindle_angle;
-        } else if (axis_s_spindle_axis_magnitude(spindle_angle) <= axis_s_spindle_axis_counted_limit) {
-            const int32_t spindle_turns_3 = (int32_t)(spindle_angle * axis_s_spindle_axis_per_turn);
-            const double spindle_rest_3 = spindle_angle - (double)spindle_turns_3 * axis_s_spindle_axis_full_turn;
-            double spindle_above_3;
-            if (spindle_rest_3 < 0.0) {
-                spindle_above_3 = spindle_rest_3 + axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_above_3 = spindle_rest_3;
-            }
-            if (spindle_above_3 >= axis_s_spindle_axis_full_turn) {
-                spindle_within_turn_3 = spindle_above_3 - axis_s_spindle_axis_full_turn;
-            } else {
-                spindle_within_turn_3 = spindle_above_3;
-            }
-        } else {
-            /* reached only if the block's memory was corrupted */
-            spindle_within_turn_3 = 0.0;
-        }
-        state->spindle_x = spindle_within_turn_3;
-        const double spindle_x_spindle_2 = state->spindle_x;
-        outputs->x_spindle = spindle_x_spindle_2;
-        const double spindle_v_spindle_3 = state->spindle_v;
-        outputs->v_spindle = spindle_v_spindle_3;
-        uint32_t spindle_error_now;
-        if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            spindle_error_now = state->spindle_lasting_error;
-        } else if (spindle_sample_error_3 != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
-            spindle_error_now = spindle_sample_error_3;
-        } else {
-            spindle_error_now = spindle_request_error;
-        }
-        const bool spindle_loop_closed =
-            spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION && !spindle_has_failed
-                && spindle_sample_error_3 == AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        outputs->loop_closed = spindle_loop_closed;
-        if (!spindle_is_job || !inputs->drive_on || inputs->reset || spindle_has_failed
-                || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE) {
-            if (state->spindle_present_kind != AXIS_S_SPINDLE_AXIS_JOB_STOP || !spindle_is_job) {
-                state->spindle_turns_fast = false;
-                state->spindle_present_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                state->spindle_present_speed = 0.0;
-                state->spindle_present_position = 0.0;
-                uint32_t spindle_jobs;
-                if (state->spindle_jobs < 4294967295u) {
-                    spindle_jobs = state->spindle_jobs + 1u;
-                } else {
-                    spindle_jobs = 0u;
-                }
-                state->spindle_jobs = spindle_jobs;
-            }
-        } else if (state->spindle_queued > 0u) {
-            const bool spindle_is_over =
-                state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                    || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN || inputs->job_done;
-            const bool spindle_can_serve =
-                state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY && !state->spindle_returns
-                        && (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN));
-            if (spindle_is_over && spindle_can_serve) {
-                const bool spindle_is_intact_2 =
-                    (state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                            || state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-                        && axis_s_spindle_axis_magnitude(state->spindle_request0_speed)
-                        <= axis_s_spindle_axis_sample_limit
-                        && axis_s_spindle_axis_magnitude(state->spindle_request0_position)
-                        <= axis_s_spindle_axis_position_limit;
-                if (!spindle_is_intact_2) {
-                    /* the request was corrupted */
-                    state->spindle_request0_kind = AXIS_S_SPINDLE_AXIS_JOB_STOP;
-                    state->spindle_request0_speed = 0.0;
-                    state->spindle_request0_position = 0.0;
-                }
-                const bool spindle_is_fast =
-                    state->spindle_request0_speed > spindle_v_velocity_control_on
-                        || -state->spindle_request0_speed > spindle_v_velocity_control_on;
-                state->spindle_turns_fast =
-                    state->spindle_request0_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN && spindle_is_fast;
-                state->spindle_present_kind = state->spindle_request0_kind;
-                state->spindle_present_speed = state->spindle_request0_speed;
-                state->spindle_present_position = state->spindle_request0_position;
-                state->spindle_request0_kind = state->spindle_request1_kind;
-                state->spindle_request0_speed = state->spindle_request1_speed;
-                state->spindle_request0_position = state->spindle_request1_position;
-                state->spindle_request1_kind = state->spindle_request2_kind;
-                state->spindle_request1_speed = state->spindle_request2_speed;
-                state->spindle_request1_position = state->spindle_request2_position;
-                state->spindle_request2_kind = state->spindle_request3_kind;
-                state->spindle_request2_speed = state->spindle_request3_speed;
-                state->spindle_request2_position = state->spindle_request3_position;
-                state->spindle_queued = state->spindle_queued - 1u;
-                uint32_t spindle_jobs_2;
-                if (state->spindle_jobs < 4294967295u) {
-                    spindle_jobs_2 = state->spindle_jobs + 1u;
-                } else {
-                    spindle_jobs_2 = 0u;
-                }
-                state->spindle_jobs = spindle_jobs_2;
-            }
-        } else {
-            /* no action */
-        }
-        outputs->job = state->spindle_present_kind;
-        outputs->job_speed = state->spindle_present_speed;
-        outputs->job_position = state->spindle_present_position;
-        outputs->job_number = state->spindle_jobs;
-        outputs->waiting = state->spindle_queued;
-        const bool spindle_is_quiet =
-            state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_queued == 0u
-                && !state->spindle_before_any && !state->spindle_takes_over;
-        uint32_t spindle_usual;
-        if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                && !state->spindle_turns_fast) {
-            spindle_usual = axis_s_spindle_axis_usual_position;
-        } else if (spindle_is_quiet && state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_VELOCITY
-                && !state->spindle_returns) {
-            spindle_usual = usual_velocity;
-        } else {
-            spindle_usual = axis_s_spindle_axis_usual_none;
-        }
-        state->spindle_usual = spindle_usual;
-        const bool is_led =
-            state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_missing == 0u
-                && inputs->drive_on;
-        const bool follows =
-            is_led
-                && (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                    || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
-        if (follows) {
-            const double lag_3 = spindle_x_spindle_2 - inputs->x_actual;
-            bool gives_up_2;
-            double lag_4;
-            if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit) {
-                gives_up_2 = false;
-                lag_4 = lag_3;
-            } else {
-                if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_counted_limit) {
-                    const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_3 * axis_s_spindle_axis_per_turn);
-                    lag_4 = lag_3 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
-                } else {
-                    /* reached only if the block's memory was corrupted */
-                    lag_4 = 0.0;
-                }
-                gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_lag_limit);
-            }
-            const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_4;
-            const bool improves_2 = spindle_loop_closed && !inputs->reset;
-            double axis_feedforward_v_feedforward_2;
-            bool axis_feedforward_fault_2;
-            uint32_t axis_feedforward_error_id_2;
-            if (axis_s_spindle_axis_magnitude(spindle_v_spindle_3) <= axis_s_spindle_axis_sample_limit) {
-                double axis_feedforward_gain_now_2;
-                if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                    if (inputs->feedforward_percentage >= 100) {
-                        axis_feedforward_gain_now_2 = axis_s_spindle_axis_axis_feedforward_weight;
-                    } else {
-                        axis_feedforward_gain_now_2 =
-                            axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                    }
-                } else {
-                    axis_feedforward_gain_now_2 = 0.0;
-                }
-                axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_v_spindle_3;
-                axis_feedforward_fault_2 = false;
-                axis_feedforward_error_id_2 = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                axis_feedforward_v_feedforward_2 = 0.0;
-                axis_feedforward_fault_2 = true;
-                axis_feedforward_error_id_2 = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-            }
-            outputs->v_feedforward = axis_feedforward_v_feedforward_2;
-            uint32_t axis_error_id_2;
-            bool axis_fault_2;
-            if (axis_feedforward_fault_2) {
-                axis_error_id_2 = axis_feedforward_error_id_2;
-                axis_fault_2 = true;
-            } else {
-                axis_error_id_2 = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                axis_fault_2 = false;
-            }
-            const double axis_lag_2 = spindle_x_spindle_2 - axis_inputs_x_actual_2;
-            const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
-            const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
-            outputs->v_command = axis_v_controller_2;
-            bool axis_ipc_runs_2;
-            uint32_t axis_ipc_reason;
-            if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_2 = false;
-                axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_V_MOTOR;
-            } else if (improves_2 && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
-                    && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                axis_ipc_runs_2 = true;
-                axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else if (state->axis_ipc_fade > axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_2 = false;
-                axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_STATE;
-            } else if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF
-                    || inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_DRYRUN) {
-                if (improves_2) {
-                    if (state->axis_ipc_preset) {
-                        if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON) {
-                            state->axis_ipc_fade = state->axis_ipc_fade + 1u;
-                        } else if (state->axis_ipc_fade > 1u) {
-                            state->axis_ipc_fade = state->axis_ipc_fade - 1u;
-                        } else {
-                            state->axis_ipc_fade = 0u;
-                            if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                                state->axis_ipc_preset = false;
-                            }
-                        }
-                        axis_ipc_runs_2 = true;
-                    } else {
-                        state->axis_ipc_fade = 0u;
-                        if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                            const double axis_ipc_stage0_filter0_section0_s =
-                                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                            state->axis_ipc_stage0_filter0_section0_s1 = axis_ipc_stage0_filter0_section0_s;
-                            state->axis_ipc_stage0_filter0_section0_s2 = axis_ipc_stage0_filter0_section0_s;
-                            state->axis_ipc_preset = true;
-                        }
-                        axis_ipc_runs_2 = false;
-                    }
-                } else {
-                    state->axis_ipc_preset = false;
-                    state->axis_ipc_fade = 0u;
-                    axis_ipc_runs_2 = false;
-                }
-                axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                state->axis_ipc_preset = false;
-                state->axis_ipc_fade = 0u;
-                axis_ipc_runs_2 = false;
-                axis_ipc_reason = AXIS_S_SPINDLE_AXIS_ERROR_MODE;
-            }
-            bool axis_limited_2;
-            double axis_ipc_v_add_2;
-            bool axis_ipc_fault;
-            uint32_t axis_ipc_error_id;
-            if (axis_ipc_runs_2) {
-                const uint32_t axis_ipc_fade_2 = state->axis_ipc_fade;
-                /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-                /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-                 * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-                const double axis_ipc_stage0_filter0_section0_t_2 =
-                    axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-                const double axis_ipc_stage0_filter0_section0_y_2 =
-                    state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t_2;
-                state->axis_ipc_stage0_filter0_section0_s1 =
-                    state->axis_ipc_stage0_filter0_section0_s2
-                        - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y_2;
-                state->axis_ipc_stage0_filter0_section0_s2 =
-                    axis_ipc_stage0_filter0_section0_t_2 + axis_s_spindle_axis_anti_denormal
-                        - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y_2;
-                const double axis_ipc_v_stage0_2 =
-                    axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y_2;
-                double axis_ipc_v_limited_2;
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_limit) {
-                    if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_rest) {
-                        axis_ipc_v_limited_2 = 0.0;
-                    } else {
-                        axis_ipc_v_limited_2 = axis_ipc_v_stage0_2;
-                    }
-                    axis_limited_2 = false;
-                } else {
-                    if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0_2) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                        if (axis_ipc_v_stage0_2 > 0.0) {
-                            axis_ipc_v_limited_2 = axis_s_spindle_axis_axis_ipc_limit;
-                        } else {
-                            axis_ipc_v_limited_2 = axis_s_spindle_axis_axis_ipc_lower_limit;
-                        }
-                    } else {
-                        /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
-                         * the block restarts */
-                        state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                        axis_ipc_v_limited_2 = 0.0;
-                    }
-                    axis_limited_2 = true;
-                }
-                if (axis_ipc_fade_2 < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                    if (axis_ipc_fade_2 > 0u) {
-                        axis_ipc_v_add_2 =
-                            axis_ipc_v_limited_2 * ((double)axis_ipc_fade_2 * axis_s_spindle_axis_axis_ipc_fade_step);
-                    } else {
-                        axis_ipc_v_add_2 = 0.0;
-                    }
-                    if (inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_OFF) {
-                        outputs->v_add_calculated = 0.0;
-                    } else {
-                        outputs->v_add_calculated = axis_ipc_v_limited_2;
-                    }
-                } else {
-                    axis_ipc_v_add_2 = axis_ipc_v_limited_2;
-                    outputs->v_add_calculated = axis_ipc_v_limited_2;
-                }
-                axis_ipc_fault = false;
-                axis_ipc_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            } else {
-                axis_ipc_fault = axis_ipc_reason != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-                axis_ipc_v_add_2 = 0.0;
-                outputs->v_add_calculated = 0.0;
-                axis_limited_2 = false;
-                axis_ipc_error_id = axis_ipc_reason;
-            }
-            outputs->v_add = axis_ipc_v_add_2;
-            uint32_t axis_error_id_3;
-            bool axis_fault_3;
-            if (axis_ipc_fault) {
-                axis_error_id_3 = axis_ipc_error_id;
-                axis_fault_3 = true;
-            } else {
-                axis_error_id_3 = axis_error_id_2;
-                axis_fault_3 = axis_fault_2;
-            }
-            const double axis_position_control_v_drive_2 = axis_v_controller_2 + axis_ipc_v_add_2;
-            const double axis_position_control_increments_2 =
-                axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive_2;
-            bool axis_position_control_limited_2;
-            if (axis_s_spindle_axis_magnitude(axis_position_control_increments_2)
-                    <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-                outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments_2);
-                axis_position_control_limited_2 = false;
-            } else if (axis_position_control_increments_2 > 0.0) {
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-                axis_position_control_limited_2 = true;
-            } else if (axis_position_control_increments_2 < 0.0) {
-                axis_position_control_limited_2 =
-                    axis_position_control_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-            } else {
-                /* reached only by NaN, which samples in range never produce: the output is 0 */
-                outputs->manipulated_variable = 0;
-                axis_position_control_limited_2 = true;
-            }
-            outputs->limited = axis_position_control_limited_2 || axis_limited_2;
-            uint32_t error_now_3;
-            if (axis_fault_3) {
-                error_now_3 = axis_error_id_3;
-            } else {
-                error_now_3 = spindle_error_now;
-            }
-            uint32_t error_now_4;
-            if (gives_up_2) {
-                state->spindle_usual = axis_s_spindle_axis_usual_none;
-                state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-                double spindle_v_magnitude_3;
-                if (state->spindle_v < 0.0) {
-                    spindle_v_magnitude_3 = -state->spindle_v;
-                } else {
-                    spindle_v_magnitude_3 = state->spindle_v;
-                }
-                if (axis_s_spindle_axis_magnitude(axis_v_controller_2) <= spindle_v_magnitude_3) {
-                    state->spindle_v = axis_v_controller_2;
-                }
-                error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            } else {
-                error_now_4 = error_now_3;
-            }
-            outputs->error_id = error_now_4;
-            outputs->fault = error_now_4 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            outputs->error_id = spindle_error_now;
-            outputs->v_add_calculated = 0.0;
-            outputs->v_add = 0.0;
-            outputs->v_feedforward = 0.0;
-            outputs->v_command = spindle_v_spindle_3;
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            const double open_increments_2 =
-                axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_3;
-            if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-                outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
-                outputs->limited = false;
-            } else if (open_increments_2 > 0.0) {
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-                outputs->limited = true;
-            } else if (open_increments_2 < 0.0) {
-                outputs->limited = open_increments_2 < axis_s_spindle_axis_manipulated_range_lower_limit;
-                outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-            } else {
-                /* reached only by NaN, which samples in range never produce: the output is 0 */
-                outputs->manipulated_variable = 0;
-                outputs->limited = true;
-            }
-            outputs->fault = spindle_error_now != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-    }
-}
-
-AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
-    axis_s_spindle_axis_state *restrict state,
-    const axis_s_spindle_axis_inputs *restrict inputs,
-    axis_s_spindle_axis_outputs *restrict outputs)
-{
-    bool stays;
-    if (state->spindle_usual == axis_s_spindle_axis_usual_position
-            && !inputs->m3 && !inputs->m4 && !inputs->m5 && !inputs->m19 && !inputs->putax && !inputs->g74
-            && inputs->drive_on && !inputs->reset
-            && (inputs->task_cycle_ns == 0u || inputs->task_cycle_ns == axis_s_spindle_axis_spindle_cycle_time_ns)
-            && (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_ORIENT
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_RELEASE
-                || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_HOME)
-            && axis_s_spindle_axis_magnitude(state->spindle_present_speed) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(state->spindle_present_position) <= axis_s_spindle_axis_position_limit
-            && axis_s_spindle_axis_magnitude(inputs->v_interpolator) <= axis_s_spindle_axis_sample_limit
-            && axis_s_spindle_axis_magnitude(inputs->x_command) <= axis_s_spindle_axis_below_full_turn
-            && axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit) {
-        stays = inputs->x_command >= 0.0;
-    } else {
-        stays = false;
-    }
-    const bool in_position =
-        stays
-            && inputs->mode == AXIS_S_SPINDLE_AXIS_MODE_ON
-            && state->axis_ipc_fade == axis_s_spindle_axis_axis_ipc_fade_cycles
-            && axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit;
-    if (in_position) {
-        outputs->loop_closed = true;
-        outputs->waiting = 0u;
-        outputs->spindle_state = AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION;
-        /* the fast path of POSITION: nothing is requested, and all samples are valid */
-        state->spindle_x = inputs->x_command;
-        state->spindle_v = inputs->v_interpolator;
-        const double spindle_x_spindle = state->spindle_x;
-        outputs->x_spindle = spindle_x_spindle;
-        const double spindle_v_spindle = state->spindle_v;
-        outputs->v_spindle = spindle_v_spindle;
-        outputs->job = state->spindle_present_kind;
-        outputs->job_speed = state->spindle_present_speed;
-        outputs->job_position = state->spindle_present_position;
-        outputs->job_number = state->spindle_jobs;
-        const double lag = spindle_x_spindle - inputs->x_actual;
-        bool gives_up;
-        double lag_2;
-        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_lag_limit) {
-            gives_up = false;
-            lag_2 = lag;
-        } else {
-            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
-                lag_2 = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
-            } else {
-                /* reached only if the block's memory was corrupted */
-                lag_2 = 0.0;
-            }
-            gives_up = !(axis_s_spindle_axis_magnitude(lag_2) <= axis_s_spindle_axis_lag_limit);
-        }
-        const double axis_inputs_x_actual = spindle_x_spindle - lag_2;
-        const bool improves = !inputs->reset;
-        double axis_feedforward_v_feedforward;
-        bool axis_feedforward_fault;
-        uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_v_spindle) <= axis_s_spindle_axis_sample_limit) {
-            double axis_feedforward_gain_now;
-            if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
-                if (inputs->feedforward_percentage >= 100) {
-                    axis_feedforward_gain_now = axis_s_spindle_axis_axis_feedforward_weight;
-                } else {
-                    axis_feedforward_gain_now =
-                        axis_s_spindle_axis_axis_feedforward_weight_per_percent * ((double)inputs->feedforward_percentage);
-                }
-            } else {
-                axis_feedforward_gain_now = 0.0;
-            }
-            axis_feedforward_v_feedforward = axis_feedforward_gain_now * spindle_v_spindle;
-            axis_feedforward_fault = false;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        } else {
-            axis_feedforward_v_feedforward = 0.0;
-            axis_feedforward_fault = true;
-            axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR;
-        }
-        outputs->v_feedforward = axis_feedforward_v_feedforward;
-        uint32_t axis_error_id;
-        bool axis_fault;
-        if (axis_feedforward_fault) {
-            axis_error_id = axis_feedforward_error_id;
-            axis_fault = true;
-        } else {
-            axis_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-            axis_fault = false;
-        }
-        const double axis_lag = spindle_x_spindle - axis_inputs_x_actual;
-        const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
-        const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
-        outputs->v_command = axis_v_controller;
-        bool axis_ipc_runs;
-        if (improves) {
-            axis_ipc_runs = true;
-        } else {
-            state->axis_ipc_preset = false;
-            state->axis_ipc_fade = 0u;
-            axis_ipc_runs = false;
-        }
-        bool axis_limited;
-        double axis_ipc_v_add;
-        if (axis_ipc_runs) {
-            const uint32_t axis_ipc_fade = state->axis_ipc_fade;
-            /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
-            /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
-             * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
-            const double axis_ipc_stage0_filter0_section0_t =
-                axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_b2 * inputs->v_motor;
-            const double axis_ipc_stage0_filter0_section0_y =
-                state->axis_ipc_stage0_filter0_section0_s1 - axis_ipc_stage0_filter0_section0_t;
-            state->axis_ipc_stage0_filter0_section0_s1 =
-                state->axis_ipc_stage0_filter0_section0_s2
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a1 * axis_ipc_stage0_filter0_section0_y;
-            state->axis_ipc_stage0_filter0_section0_s2 =
-                axis_ipc_stage0_filter0_section0_t + axis_s_spindle_axis_anti_denormal
-                    - axis_s_spindle_axis_axis_ipc_stage0_filter0_bandpass0_a2 * axis_ipc_stage0_filter0_section0_y;
-            const double axis_ipc_v_stage0 =
-                axis_s_spindle_axis_axis_ipc_stage0_gain * axis_ipc_stage0_filter0_section0_y;
-            double axis_ipc_v_limited;
-            if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_limit) {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_rest) {
-                    axis_ipc_v_limited = 0.0;
-                } else {
-                    axis_ipc_v_limited = axis_ipc_v_stage0;
-                }
-                axis_limited = false;
-            } else {
-                if (axis_s_spindle_axis_magnitude(axis_ipc_v_stage0) <= axis_s_spindle_axis_axis_ipc_sum_limit) {
-                    if (axis_ipc_v_stage0 > 0.0) {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_limit;
-                    } else {
-                        axis_ipc_v_limited = axis_s_spindle_axis_axis_ipc_lower_limit;
-                    }
-                } else {
-                    /* a state was corrupted, or an input is far above P-AXIS-00212: the next cycle reports the fault, then
-                     * the block restarts */
-                    state->axis_ipc_fade = axis_s_spindle_axis_axis_ipc_fade_cycles + 1u;
-                    axis_ipc_v_limited = 0.0;
-                }
-                axis_limited = true;
-            }
-            if (axis_ipc_fade < axis_s_spindle_axis_axis_ipc_fade_cycles) {
-                outputs->v_add_calculated = axis_ipc_v_limited;
-                if (axis_ipc_fade > 0u) {
-                    axis_ipc_v_add =
-                        axis_ipc_v_limited * ((double)axis_ipc_fade * axis_s_spindle_axis_axis_ipc_fade_step);
-                } else {
-                    axis_ipc_v_add = 0.0;
-                }
-            } else {
-                axis_ipc_v_add = axis_ipc_v_limited;
-                outputs->v_add_calculated = axis_ipc_v_limited;
-            }
-        } else {
-            axis_ipc_v_add = 0.0;
-            outputs->v_add_calculated = 0.0;
-            axis_limited = false;
-        }
-        outputs->v_add = axis_ipc_v_add;
-        const double axis_position_control_v_drive = axis_v_controller + axis_ipc_v_add;
-        const double axis_position_control_increments =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * axis_position_control_v_drive;
-        bool axis_position_control_limited;
-        if (axis_s_spindle_axis_magnitude(axis_position_control_increments)
-                <= axis_s_spindle_axis_manipulated_range_upper_limit) {
-            outputs->manipulated_variable = axis_s_spindle_axis_nearest(axis_position_control_increments);
-            axis_position_control_limited = false;
-        } else if (axis_position_control_increments > 0.0) {
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_highest;
-            axis_position_control_limited = true;
-        } else if (axis_position_control_increments < 0.0) {
-            axis_position_control_limited =
-                axis_position_control_increments < axis_s_spindle_axis_manipulated_range_lower_limit;
-            outputs->manipulated_variable = axis_s_spindle_axis_position_control_manipulated_range_lowest;
-        } else {
-            /* reached only by NaN, which samples in range never produce: the output is 0 */
-            outputs->manipulated_variable = 0;
-            axis_position_control_limited = true;
-        }
-        outputs->limited = axis_position_control_limited || axis_limited;
-        uint32_t error_now;
-        if (axis_fault) {
-            error_now = axis_error_id;
-        } else {
-            error_now = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
-        }
-        uint32_t error_now_2;
-        if (gives_up) {
-            state->spindle_usual = axis_s_spindle_axis_usual_none;
-            state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            double spindle_v_magnitude;
-            if (state->spindle_v < 0.0) {
-                spindle_v_magnitude = -state->spindle_v;
-            } else {
-                spindle_v_magnitude = state->spindle_v;
-            }
-            if (axis_s_spindle_axis_magnitude(axis_v_controller) <= spindle_v_magnitude) {
-                state->spindle_v = axis_v_controller;
-            }
-            error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-        } else {
-            error_now_2 = error_now;
-        }
-        outputs->error_id = error_now_2;
-        outputs->fault = error_now_2 != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     } else {
         axis_s_spindle_axis_any_cycle(state, inputs, outputs);
     }
