@@ -152,6 +152,10 @@ codes! {
     RESPONSE_CELLS = "AX119", "a line of a frequency response with another number of cells",
         "Each line has a cell for each name. With commas between the cells, decimal commas look like separators. In XML, each spectrum \
          has a value for each frequency, and all spectra have the same frequencies.";
+    NEARLY = "AX120", "a name that is nearly one of axgen's",
+        "A list has parameters of other functions, which are passed over. One that differs in a letter or two from a parameter of \
+         axgen's without a value is probably that parameter, mistyped: its default would be used. Correct the name, or give the \
+         parameter its value.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \

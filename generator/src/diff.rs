@@ -5,8 +5,9 @@
 //! is reported as well.
 
 use crate::axis::Stage;
-use crate::blocks::{self, BLOCKS, Designed, Effect, Effects};
+use crate::blocks::{self, BLOCKS, BlockKind, Designed, Effect, Effects, is_same};
 use crate::number::significant;
+use crate::parameters::words::{AxisType, Words};
 use crate::set_change::judge;
 use portable::Literal;
 
@@ -40,10 +41,48 @@ fn differences(old: &Designed, new: &Designed) -> Vec<String> {
     let mut lines = blocks::differences(&effects(old), &effects(new));
     lines.extend(BLOCKS.into_iter().flat_map(|kind| kind.differences(old, new)));
     if lines.is_empty() {
+        lines = without_words(old, new);
+    }
+    if lines.is_empty() {
         lines.push("the coefficients differ by no more than their rounding".to_owned());
     }
     lines.extend(by_set(old, new));
     lines
+}
+
+/// The coefficients that differ by more than their rounding, between blocks that have no words for it. The blocks and their
+/// real type are the same.
+fn without_words(old: &Designed, new: &Designed) -> Vec<String> {
+    let of_block = |kind: &'static dyn BlockKind| {
+        let values = kind.coefficients(old).into_iter().zip(kind.coefficients(new));
+        let named = kind.coefficient_paths().into_iter().zip(values);
+        let differ = named.filter(|(_, (old, new))| !is_rounding(*old, *new));
+        differ.map(move |(path, (old, new))| {
+            format!("{}: coefficient {path} {} -> {}", kind.name(), text(old), text(new))
+        })
+    };
+    blocks::of_axis(&new.axis).flat_map(of_block).collect()
+}
+
+/// Whether two coefficients are equal, or two reals that differ in their last digits.
+fn is_rounding(old: Literal, new: Literal) -> bool {
+    match (old, new) {
+        (Literal::F64(old), Literal::F64(new)) => is_same(old, new),
+        (Literal::F32(old), Literal::F32(new)) => [old.next_down(), old, old.next_up()].contains(&new),
+        _ => old == new,
+    }
+}
+
+fn text(of: Literal) -> String {
+    match of {
+        Literal::F64(value) => format!("{value:?}"),
+        Literal::F32(value) => format!("{value:?}"),
+        Literal::Bool(value) => value.to_string(),
+        Literal::I32(value) => value.to_string(),
+        Literal::U32(value) => value.to_string(),
+        Literal::Usize(value) => value.to_string(),
+        Literal::Variant(variant) => variant.def().name.to_owned(),
+    }
 }
 
 /// Whether a parameter set transfers the change to the block on the machine, if a version takes sets.
@@ -66,12 +105,21 @@ fn by_set(old: &Designed, new: &Designed) -> Option<String> {
 fn effects(of: &Designed) -> Effects {
     let values = [
         ("cycle time", Effect::Number(cycle_time(of), " us")),
+        ("axis type", Effect::Words(axis_type(of).name().to_owned())),
         ("v_max", Effect::Number(of.axis.ipc.v_max, "")),
         ("real type", Effect::Words(of.axis.real_name().to_owned())),
         ("calls", Effect::Words(of.axis.calls().to_owned())),
         ("blocks", Effect::Words(blocks::names(&of.axis).join(", "))),
     ];
     values.into_iter().map(|(what, value)| (what.to_owned(), value)).collect()
+}
+
+fn axis_type(of: &Designed) -> AxisType {
+    match (of.axis.control.is_spindle, of.axis.control.is_rotary) {
+        (true, _) => AxisType::Spindle,
+        (false, true) => AxisType::Rotator,
+        (false, false) => AxisType::Translator,
+    }
 }
 
 /// The lines of an axis that has no older version.

@@ -2,7 +2,6 @@
 //! depends on a parameter if another value of the parameter changes it: the axis is designed again for each. No text of a note
 //! is read.
 
-use crate::blocks::ipc::check::damping_given;
 use crate::blocks::{self, Designed};
 use crate::check::{self, Checked};
 use crate::config::given::{self, GivenAxis};
@@ -10,6 +9,7 @@ use crate::config::values::{Key, Setting, Values, key};
 use crate::config::{ListOptions, Load};
 use crate::diagnostics::{Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Value, path_with};
+use crate::rules::effective::Effective;
 use portable::Literal;
 use std::mem::discriminant;
 use std::path::Path;
@@ -28,6 +28,8 @@ pub struct Traced {
     pub given: Option<Place>,
     /// the coefficients of each block that depend on it, by their positions among all of the block
     pub coefficients: Vec<(&'static str, Vec<usize>)>,
+    /// the axis with each other value
+    pub versions: Vec<Designed>,
 }
 
 /// The numbers of each block.
@@ -50,20 +52,20 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
     let values = of.values.as_ref()?;
     let Checked { axis, effective, .. } = check::axis(&of.name, Some(cycle_time), values, of.home.clone(), false);
     let before = numbers(&Designed::from(axis?));
-    let after = |other: (Key, Value)| {
+    let version = |other: (Key, Value)| {
         let cycle_time = match other {
             (name, Value::Duration(ns)) if name == key(Name::CycleTime) => u32::try_from(ns).ok()?,
             _ => cycle_time,
         };
         let checked = check::varied((&of.name, values, of.home.clone()), cycle_time, other);
-        Some(numbers(&Designed::from(checked.axis?)))
+        checked.axis.map(Designed::from)
     };
     let traced = |((name, index), value): (Key, &Value)| {
         let parameter = name.parameter();
-        // The damping of a stage may be given by its predecessor.
-        let source = if name == Name::OscDamping { damping_given(&effective, index[0]) } else { name };
+        let source = source(&effective, (name, index));
         let others = others(parameter, value).into_iter();
-        let after: Vec<Numbers> = others.filter_map(|other| after(((source, index), other))).collect();
+        let versions: Vec<Designed> = others.filter_map(|other| version(((source, index), other))).collect();
+        let after: Vec<Numbers> = versions.iter().map(numbers).collect();
         Traced {
             id: parameter.id,
             path: path_with(parameter.path, index),
@@ -73,9 +75,23 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
             meaning: parameter.meaning,
             given: values.get((source, index)).or(top.get((name, index))).map(Setting::value_place),
             coefficients: changed(&before, &after),
+            versions,
         }
     };
     Some(effective.used().map(traced).collect())
+}
+
+/// The parameter that a value comes from: its predecessor, if only that is given.
+fn source(effective: &Effective<'_>, (name, index): Key) -> Name {
+    let predecessor = match name {
+        Name::OscDamping => Name::FilterDamping,
+        Name::VVelocityControlOn => Name::VelocityPositionControlOn,
+        Name::VPositionControlOn => Name::VelocityPositionControlOff,
+        Name::FeedForwardVWeighting => Name::ChangeFeedForwardVWeighting,
+        _ => return name,
+    };
+    let is_given = |name: Name| effective.given((name, index)).is_some();
+    if !is_given(name) && is_given(predecessor) { predecessor } else { name }
 }
 
 fn numbers(designed: &Designed) -> Numbers {

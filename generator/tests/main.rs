@@ -16,7 +16,8 @@ use generator::config::{ListOptions, Unreadable};
 use generator::pipeline::{Set, read, read_with};
 use generator::target::{File, TARGETS};
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 /// A set `set.toml` next to a list of the examples, in which nothing is wrong.
 fn set_of(text: &str) -> Set {
@@ -31,10 +32,37 @@ fn set_of(text: &str) -> Set {
 
 /// A set of a file, or a list at a cycle time of 1 ms.
 fn from_disk(path: &Path) -> Set {
-    let is_list = path.extension().is_some_and(|extension| extension == "lis");
-    let options = ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), ..ListOptions::default() };
-    let (set, report) = read(path, &options);
+    let (set, report) = read(path, &options_of(path));
     set.unwrap_or_else(|| panic!("{}: {report}", path.display()))
+}
+
+/// A cycle time of 1 ms for a list.
+fn options_of(path: &Path) -> ListOptions {
+    let is_list = path.extension().is_some_and(|extension| extension == "lis");
+    ListOptions { cycle_time: is_list.then(|| "1ms".to_owned()), ..ListOptions::default() }
+}
+
+/// The sets and lists that the repository ships, in order.
+fn shipped(root: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    ["examples", "golden/cases"].iter().for_each(|folder| shipped_in(&root.join(folder), &mut files));
+    files.sort();
+    files
+}
+
+/// Sets and lists below a folder, but for what is not an input of `generate`.
+fn shipped_in(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten() {
+        let path = entry.path();
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if path.is_dir() {
+            shipped_in(&path, found);
+        } else if name.ends_with(".lis")
+            || name.ends_with(".toml") && !matches!(name.as_str(), "case.toml" | "Cargo.toml")
+        {
+            found.push(path);
+        }
+    }
 }
 
 /// The files of a set in all targets, by name.

@@ -57,22 +57,24 @@ impl Span {
     }
 }
 
-/// The evidence of a recording for a block with these inputs; `given` are the recorded ones.
+/// The evidence of a recording for a block with these inputs; `given` are the recorded ones, `used` those that its axis has: the
+/// others do not show whether it acts.
 #[must_use]
-pub fn of(inputs: &Samples, given: &[usize], recording: &Recording) -> Evidence {
+pub fn of(inputs: &Samples, given: &[usize], used: &[usize], recording: &Recording) -> Evidence {
     let samples = inputs.len().min(recording.outputs.len());
     let start = |position: &usize| &inputs.shape.signals[*position];
     let taken = (0..inputs.shape.signals.len()).filter(|position| !given.contains(position));
     let taken = taken.map(|position| (start(&position).name.clone(), number(start(&position).start.at_run_time())));
     let recorded = inputs.only(given);
+    let at = inputs.shape.place("mode").filter(|at| used.contains(at));
     let mut evidence = Evidence {
         samples,
         signals: [spans(&recorded, samples, true), spans(&recording.outputs, samples, false)].concat(),
         taken: taken.collect(),
         moving: 0,
-        mode: inputs.shape.place("mode").map(|_| Mode { on: 0, moving_on: 0, off: 0 }),
+        mode: at.map(|_| Mode { on: 0, moving_on: 0, off: 0 }),
     };
-    let (mut values, at) = (Vec::new(), inputs.shape.place("mode"));
+    let mut values = Vec::new();
     for sample in 0..samples {
         let moves = sample > 0 && [&recorded, &recording.outputs].iter().any(|run| run.differs(sample - 1, sample));
         evidence.moving += usize::from(moves);

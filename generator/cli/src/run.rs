@@ -50,7 +50,7 @@ pub fn run(of: &RunArguments, format: Format) -> Result<Exit, Exit> {
         None => {}
     }
     let (Some(recording), Some(file)) = (recording, of.compare.as_deref()) else { return Ok(Exit::Done) };
-    let evidence = evidence::of(&inputs, &given, &recording);
+    let evidence = evidence::of(&inputs, &given, &block.for_axis.inputs, &recording);
     let others = set.axes.iter().filter(|other| other.axis.name != designed.axis.name).collect();
     let subject = compared::Subject { designed, block: &block, engine, others };
     compared::evidence(&evidence, &recording, &subject).into_iter().try_for_each(output::line)?;

@@ -114,7 +114,8 @@ fn emitted(
     target: &Target,
     found: &mut BTreeMap<Leaf, CoefficientRow>,
 ) -> Vec<File> {
-    let named = made(target.coefficients(block));
+    let identity = identity(&designed.axis, block);
+    let named = made(target.coefficients(&identity, block));
     let of_block = block.program.block;
     for (leaf, _, constant) in &named {
         found.entry((of_block, *leaf)).or_insert_with(|| CoefficientRow {
@@ -127,7 +128,7 @@ fn emitted(
         });
     }
     let leaves: BTreeMap<&str, usize> = named.iter().map(|(leaf, name, _)| (name.as_str(), *leaf)).collect();
-    let files = made(target.files(&identity(&designed.axis, block), block));
+    let files = made(target.files(&identity, block));
     for file in &files {
         for (leaf, lines) in lines_of(file, target.comment_marks(), &leaves) {
             let row = found.get_mut(&(of_block, leaf)).expect("trace: each named coefficient has a row");

@@ -177,6 +177,21 @@ fn every_line_of_a_coefficient_leads_to_a_parameter_and_back() {
     }
 }
 
+/// In every target, also where two functions of C share a coefficient, and where it is an enumerator.
+#[test]
+fn every_coefficient_has_lines() {
+    let set = include_str!("../../../golden/cases/spindle-in-a-canopen-drive/set.toml");
+    let read = Read::of("set.toml", set, None);
+    let axis = &read.set.axes[0];
+    let blocks = blocks::blocks(axis).unwrap();
+    let load = |path: &Path| read.files.load(path);
+    for target in TARGETS {
+        let trace = trace::trace((&read.path, &read.options, &load), axis, &blocks, &[target]).unwrap();
+        let without: Vec<_> = trace.coefficients.iter().filter(|of| of.lines.is_empty()).map(|of| &of.path).collect();
+        assert!(without.is_empty() && trace.coefficients.len() > 30, "{}: {without:?}", target.name);
+    }
+}
+
 #[test]
 fn engines_without_a_compiler_agree() {
     let read = Read::of("x.toml", SET, None);

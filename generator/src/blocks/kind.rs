@@ -152,4 +152,6 @@ pub trait Typed: Sync {
     fn make(&self, kind: &dyn BlockKind, designed: &Designed) -> Result<Block, Defect>;
     fn run(&self, designed: &Designed) -> Box<dyn Run>;
     fn numbers(&self, designed: &Designed) -> Vec<Literal>;
+    /// The path of each of its coefficients.
+    fn coefficient_paths(&self) -> Vec<String>;
 }

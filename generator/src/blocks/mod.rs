@@ -27,7 +27,7 @@ mod spindle_axis;
 pub use crate::exercise::Drill;
 pub use block::{Block, Certified, Figure};
 pub use designed::Designed;
-pub(crate) use effects::{Effect, Effects, differences, differing};
+pub(crate) use effects::{Effect, Effects, differences, differing, is_same};
 pub use ipc::feasibility::refusals;
 pub use ipc::row::{ActiveStage, Reserve, StageRow, WithDrive};
 pub(crate) use ipc::sets::shown;

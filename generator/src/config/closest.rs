@@ -63,10 +63,55 @@ pub(crate) fn is_ours(parts: [&str; 2]) -> bool {
     })
 }
 
+/// The path of axgen's that differs from a path of another function in a letter, or in two of a long name, and in nothing else.
+/// `length`: that of the path without the numbers of its indices; `end`: the name of its last part.
+pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> {
+    let most = match end.len() {
+        0..SHORT => return None,
+        SHORT..LONG => 1,
+        LONG.. => 2,
+    };
+    let drawer = &BY_FIRST_LETTERS[first_letters(written, end)];
+    let mut alike = drawer.iter().filter(|of| of.whole.text.len().abs_diff(length) <= most).peekable();
+    alike.peek()?;
+    // Each letter of difference changes the set by two letters at most.
+    let letters = set_of_letters(end);
+    let mut alike = alike.filter(|of| (of.letters ^ letters).count_ones() as usize <= 2 * most).peekable();
+    alike.peek()?;
+    let plain = path::without_indices(written);
+    let near = alike.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
+    near.min_by_key(|(distance, _)| *distance).map(|(_, template)| with_indices_of(template, written))
+}
+
+/// Shorter names of other functions have one letter other than one of axgen's: `kp` and `kv`.
+const SHORT: usize = 4;
+/// Shorter ones have two: `a_max` and `vb_max`.
+const LONG: usize = 8;
+
+/// The paths by the first letters of the whole and of its last name, which are seldom mistyped: a list has many paths of other
+/// functions, and comparing letters is slow.
+static BY_FIRST_LETTERS: LazyLock<Vec<Vec<&Candidate>>> = LazyLock::new(|| {
+    let mut all = vec![Vec::new(); 32 * 32];
+    TEMPLATES.iter().for_each(|of| all[first_letters(of.whole.text, of.end.text)].push(of));
+    all
+});
+
+fn first_letters(path: &str, end: &str) -> usize {
+    let [path, end] = [path, end].map(|name| usize::from(name.as_bytes().first().unwrap_or(&0) & 31));
+    path * 32 + end
+}
+
+/// A bit for each letter of a name, regardless of case.
+fn set_of_letters(name: &str) -> u32 {
+    name.bytes().fold(0, |set, letter| set | 1 << (letter & 31))
+}
+
 struct Candidate {
     template: &'static str,
     whole: Letters<'static>,
     end: Letters<'static>,
+    /// those of the end
+    letters: u32,
 }
 
 static TEMPLATES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::templates()));
@@ -75,7 +120,8 @@ static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
     let candidate = |template| {
         let whole = path::without_indices(template).leak();
-        Candidate { template, whole: Letters::new(whole), end: Letters::new(last(whole)) }
+        let end = last(whole);
+        Candidate { template, whole: Letters::new(whole), end: Letters::new(end), letters: set_of_letters(end) }
     };
     templates.map(candidate).collect()
 }
@@ -88,12 +134,20 @@ fn among(written: &str, candidates: &'static [Candidate]) -> Option<String> {
     let score = |candidate: &'static Candidate| {
         let of_end = distance(end, candidate.end, 1 + end.text.len() / 4);
         let of_whole = distance(whole, candidate.whole, typo);
+        // A beginning of a name comes last.
+        let of_end = of_end.or_else(|| begins(candidate.whole, &plain).then_some(usize::MAX));
         let is_near = of_whole.is_some() || of_end.is_some();
         is_near.then_some(((of_whole.unwrap_or(usize::MAX), of_end), candidate.template))
     };
     // The first of equals, which is a path rather than one of its aliases.
     let best = candidates.iter().filter_map(score).min_by_key(|(score, _)| *score);
     best.map(|(_, template)| path_with(template, indices(written)))
+}
+
+/// Whether a path continues another one within the last name of that: `v_add_max_fact` and `v_add_max`.
+fn begins(whole: Letters<'_>, start: &str) -> bool {
+    let rest = whole.text.strip_prefix(start);
+    last(start).len() > 2 && rest.is_some_and(|rest| !rest.is_empty() && !rest.contains(['.', '[']))
 }
 
 fn last(path: &str) -> &str {

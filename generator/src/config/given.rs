@@ -114,6 +114,7 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
             given.report.diagnostics.extend(other_axis(axis.name, &list.foreign));
             given.foreign = list.foreign;
             given.values = list.complete.then(|| list.values.overridden_by(keys));
+            given.report.diagnostics.extend(given.values.iter().flat_map(|values| given.foreign.mistyped(values)));
         }
     }
     given
@@ -165,9 +166,10 @@ fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<
 
 fn of_list(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> GivenAxis {
     let name = name_of(path, list, options, report);
-    let read = read_as_list(list);
-    let values = read.complete.then_some(read.values);
-    GivenAxis { name, home: list.source.whole(), foreign: read.foreign, report: read.report, values }
+    let List { values, foreign, mut report, complete } = read_as_list(list);
+    let values = complete.then_some(values);
+    report.diagnostics.extend(values.iter().flat_map(|values| foreign.mistyped(values)));
+    GivenAxis { name, home: list.source.whole(), foreign, report, values }
 }
 
 /// The contents of a list, or a message about the probable kind of the file.

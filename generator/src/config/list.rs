@@ -156,10 +156,12 @@ impl Reading<'_> {
                 return true;
             }
             Path::OutOfRange { name, .. } => out_of_range(name, written, place()),
-            Path::Foreign { structure, last } => match self.foreign(start, statement, (structure, last)) {
-                Some(said) => said,
-                None => return true,
-            },
+            Path::Foreign { structure, length, last } => {
+                match self.foreign(start, statement, structure, (length, last)) {
+                    Some(said) => said,
+                    None => return true,
+                }
+            }
             Path::Malformed => {
                 let (found, instead) = odd_line::malformed(statement);
                 Diagnostic { instead, ..error(codes::LINE, found).allowed("path value # comment") }
@@ -177,7 +179,8 @@ impl Reading<'_> {
         &mut self,
         start: usize,
         statement: &Statement<'_>,
-        (structure, last): (Option<[&str; 2]>, &str),
+        structure: Option<[&str; 2]>,
+        (length, last): (usize, &str),
     ) -> Option<Diagnostic> {
         let (written, source) = (statement.path, self.source);
         let place = || source.place(start + statement.path_at());
@@ -193,6 +196,9 @@ impl Reading<'_> {
             // The usual case, tested first, because comparing letters is slow.
             None if !structure.is_some_and(closest::is_ours) => {
                 self.list.foreign.pass_over(statement, source, start);
+                if let Some(known) = closest::nearly(written, length, last) {
+                    self.list.foreign.nearly.push((written.to_owned(), known, place()));
+                }
                 if structure.is_some() || !statement.value.contains(' ') || statement.value.starts_with('=') {
                     return None;
                 }

@@ -12,7 +12,7 @@ pub(super) fn is_of_another_function(before: &[u8]) -> bool {
     let end = before.iter().position(|byte| matches!(byte, b' ' | b'\t'));
     let path = end.and_then(|end| str::from_utf8(&before[..end]).ok());
     path.is_some_and(|path| match path::find(path) {
-        Path::Foreign { structure, last } => {
+        Path::Foreign { structure, last, .. } => {
             !structure.is_some_and(closest::is_ours) && path::ending_with(last, path).is_none()
         }
         _ => false,

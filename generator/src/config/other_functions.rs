@@ -1,8 +1,13 @@
-//! The parameters of other functions in a list that axgen uses: its name, its command filters. No rule.
+//! The parameters of other functions in a list that axgen looks at: its name, its command filters, and names that are nearly
+//! one of axgen's. No rule.
 
 use super::lines::Statement;
+use super::path::{self, Path};
 use super::source::Source;
-use crate::diagnostics::Place;
+use super::value;
+use super::values::Values;
+use crate::codes;
+use crate::diagnostics::{Diagnostic, Place};
 use std::collections::BTreeMap;
 
 /// Parameters of other functions in a list.
@@ -11,6 +16,8 @@ pub(crate) struct OtherFunctions {
     /// the number of skipped parameters
     pub(crate) count: usize,
     looked_at: BTreeMap<String, Found>,
+    /// paths that differ in a letter or two from one of axgen's, which follows
+    pub(super) nearly: Vec<(String, String, Place)>,
 }
 
 /// The value of a skipped parameter.
@@ -31,6 +38,21 @@ impl OtherFunctions {
             let found = Found { text: line.value.to_owned(), place: source.place(start + line.value_at()) };
             self.looked_at.insert(line.path.to_owned(), found);
         }
+    }
+
+    /// Warnings of paths that are nearly those of parameters without a value. Other functions have similar names: where the
+    /// parameter is given, its neighbour is none that was mistyped.
+    pub(crate) fn mistyped(&self, values: &Values) -> Vec<Diagnostic> {
+        let is_missing = |known: &str| match path::find(known) {
+            Path::Known { name, index, .. } => values.get((name, index)).is_none(),
+            _ => false,
+        };
+        let of_missing = self.nearly.iter().filter(|(_, known, _)| is_missing(known));
+        let said = of_missing.map(|(written, known, place)| {
+            let found = format!("{} is passed over, and `{known}` is not given", value::shown(written));
+            Diagnostic::warning(codes::NEARLY, place.clone(), found).instead(format!("{known}, if it is meant"))
+        });
+        said.collect()
     }
 
     pub(crate) fn get(&self, path: &str) -> Option<&Found> {

@@ -17,9 +17,10 @@ pub(crate) enum Path<'p> {
         name: Name,
         spelling: &'static str,
     },
-    /// its first two parts, if it has a point, and the name of its last part
+    /// its first two parts, if it has a point, its length without the numbers of its indices, and the name of its last part
     Foreign {
         structure: Option<[&'p str; 2]>,
+        length: usize,
         last: &'p str,
     },
     Malformed,
@@ -155,6 +156,7 @@ pub(crate) fn find(path: &str) -> Path<'_> {
     let Some(&Spelling { name, template, misprint, .. }) = alike.find(|spelling| spelling.is(path)) else {
         return Path::Foreign {
             structure: path.get(first + 1..second).map(|second| [&path[..first], second]),
+            length,
             last: &path[last],
         };
     };

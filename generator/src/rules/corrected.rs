@@ -15,8 +15,8 @@ pub(crate) fn delay(
     cycle_time: Option<u32>,
     (code, id): (&'static str, u32),
 ) -> Option<u32> {
-    let given = match e.given(key(name)).and_then(|setting| setting.value.clone()) {
-        Some(value) => value,
+    let given = match e.written(key(name)) {
+        Some(value) => value.clone(),
         // A value that is not a number is an ordinary error.
         None => e.validated(key(name))?,
     };
@@ -46,8 +46,7 @@ pub(crate) fn ratio(
     code: &'static str,
     (consequence, corrected): (&str, Option<u32>),
 ) -> Option<Ratio> {
-    let given = e.given(key(denom)).and_then(|setting| setting.value.as_ref());
-    if given != Some(&Value::Integer(0)) {
+    if e.written(key(denom)) != Some(&Value::Integer(0)) {
         return drive::ratio(e, key(num), key(denom));
     }
     let numerator = e.integer(key(num));

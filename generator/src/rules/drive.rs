@@ -127,9 +127,13 @@ fn gear_ratio(e: &mut Effective<'_>, gear: u32) {
     if of != to {
         let given = if e.given(num).is_some() { num } else { denom };
         let found = format!("the gear ratio {of}/{to} (P-AXIS-00511, 00512) would not reach the angle of the motor");
-        let instead = format!(
-            "getriebe[{gear}].wegaufz {of} and getriebe[{gear}].wegaufn {to}, in addition to the feed constant"
-        );
+        let wegauf = [Name::WegaufZ, Name::WegaufN].map(|name| e.validated_integer((name, [gear, 0])));
+        let there = if wegauf == [Some(of), Some(to)] {
+            format!("wegaufz and wegaufn are {of} and {to} already")
+        } else {
+            format!("getriebe[{gear}].wegaufz {of} and getriebe[{gear}].wegaufn {to}, in addition to the feed constant")
+        };
+        let instead = format!("no gear_fact_num and gear_fact_denom; {there}");
         let said = Diagnostic::error(codes::GEAR_RATIO, e.place_of(given), found);
         e.report.push(said.allowed("the ratio in P-AXIS-00234 and 00233 alone").instead(instead));
     }

@@ -52,6 +52,12 @@ impl<'a> Effective<'a> {
         self.values.get(key)
     }
 
+    /// The value that is given, or the one that replaces it, whether it is allowed or not.
+    pub(crate) fn written(&self, key: Key) -> Option<&Value> {
+        let varied = self.varied.as_ref().filter(|(varied, _)| *varied == key).map(|(_, other)| other);
+        varied.or_else(|| self.given(key)?.value.as_ref())
+    }
+
     pub(crate) fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting)> + use<'a> {
         self.values.iter()
     }
@@ -85,8 +91,8 @@ impl<'a> Effective<'a> {
     /// The effective value, validated; it is not added to the canonical form. An error is reported only once.
     pub(crate) fn validated(&mut self, key: Key) -> Option<Value> {
         let parameter = key.0.parameter();
-        if let Some((_, other)) = self.varied.as_ref().filter(|(varied, _)| *varied == key) {
-            return Some(other.clone());
+        if self.varied.as_ref().is_some_and(|(varied, _)| *varied == key) {
+            return self.written(key).cloned();
         }
         let refused = match self.given(key) {
             Some(setting) => match &setting.value {

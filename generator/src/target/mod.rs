@@ -136,13 +136,20 @@ impl Target {
         Ok((self.files)(identity, &self.block(block)?))
     }
 
-    /// The coefficients in the text of a block: the position of each among all of the block, its name, and the constant.
+    /// The coefficients in the text of a block: the position of each among all of the block, its name in the files, and the
+    /// constant.
     ///
     /// # Errors
     /// A defect of a legalising pass.
-    pub fn coefficients(&self, block: &Block) -> Result<Vec<(usize, String, Constant)>, Defect> {
+    pub fn coefficients(
+        &self,
+        identity: &BlockIdentity,
+        block: &Block,
+    ) -> Result<Vec<(usize, String, Constant)>, Defect> {
         let program = self.program(block)?;
-        let printer = Printer::new(&program, self.language, "");
+        // C has one space of names for what is outside of functions.
+        let prefix = if self.name == "c" { c_prefix(identity, program.block) } else { String::new() };
+        let printer = Printer::new(&program, self.language, &prefix);
         let named = program.constants.iter().zip(&printer.names().constants).filter_map(|(constant, name)| {
             let Origin::Coefficient(leaf) = constant.origin else { return None };
             Some((leaf, name.clone(), constant.clone()))

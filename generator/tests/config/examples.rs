@@ -1,11 +1,11 @@
 //! The examples of the repository: they load, and say nothing but what they should.
 
+use crate::{options_of, shipped};
 use generator::axis::{DirectSource, Enable, Filter, Mode, Prototype, Stage};
 use generator::config::ListOptions;
 use generator::pipeline::{Set, read};
 use portable::RealKind;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 fn example(name: &str, options: &ListOptions) -> (Set, String) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples").join(name);
@@ -71,32 +71,13 @@ fn machine() {
     assert_eq!(c.ipc.stage.iter().flatten().count(), 2);
 }
 
-/// Sets and lists below a folder, but for what is not an input of `generate`.
-fn shipped(folder: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display())).flatten() {
-        let path = entry.path();
-        let name = entry.file_name().to_string_lossy().into_owned();
-        if path.is_dir() {
-            shipped(&path, found);
-        } else if name.ends_with(".lis")
-            || name.ends_with(".toml") && !matches!(name.as_str(), "case.toml" | "Cargo.toml")
-        {
-            found.push(path);
-        }
-    }
-}
-
 /// What is shipped is warned of where that is right, and nowhere else: a new warning is looked at here.
 #[test]
 fn every_shipped_set_has_the_warnings_that_are_listed() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let mut files = Vec::new();
-    ["examples", "golden/cases"].iter().for_each(|folder| shipped(&root.join(folder), &mut files));
-    files.sort();
     let mut listed = String::new();
-    for file in files {
-        let options = if file.extension().is_some_and(|end| end == "lis") { at_1ms() } else { ListOptions::default() };
-        let (_, report) = read(&file, &options);
+    for file in shipped(&root) {
+        let (_, report) = read(&file, &options_of(&file));
         let mut codes: Vec<&str> = report.diagnostics.iter().map(|said| said.code).collect();
         codes.sort_unstable();
         if !codes.is_empty() {

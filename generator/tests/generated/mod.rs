@@ -8,3 +8,4 @@ mod error_ids;
 mod set_change;
 mod staged_link;
 mod structure;
+mod trace;

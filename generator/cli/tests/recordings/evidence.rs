@@ -1,6 +1,8 @@
 //! What a recording moves is said first; one that proves nothing ends with 1.
 
 use super::{compare, folder, good};
+use crate::axgen;
+use std::fs;
 
 #[test]
 fn what_moves_and_what_was_taken_is_said_first() {
@@ -49,6 +51,23 @@ fn mode_off_throughout() {
              {off}{ALLOWED}record a move with mode ON (1)\n"
         )
     );
+}
+
+/// An axis without improved position control: its block has no mode, but the recording may have the column.
+#[test]
+fn a_block_without_a_mode() {
+    let folder = folder();
+    let set = "cycle_time = '1ms'\n[axis.T]\ngetriebe = [{ kv = 2000, multi_gain_z = 10000000, multi_gain_n = 360 }]\nvorsteuer.vorsteuerung = 'VEL'\n";
+    fs::write(folder.path().join("t.toml"), set).unwrap();
+    let rows = (0..200).map(|sample| format!("{sample},{sample}.5,0\n")).collect::<String>();
+    fs::write(folder.path().join("in.csv"), "x_command,v_interpolator,mode\n".to_owned() + &rows).unwrap();
+    let run = |more: &[&str]| {
+        axgen(folder.path(), &[&["run", "t.toml", "--block", "axis", "--stimulus", "in.csv"], more].concat())
+    };
+    assert_eq!(run(&["--out", "out.csv"]).code, 0);
+    let compared = run(&["--compare", "out.csv"]);
+    assert_eq!((compared.code, compared.err.as_str()), (0, ""), "{}", compared.out);
+    assert!(compared.out.lines().next().is_some_and(|line| line.ends_with("of 200 samples")), "{}", compared.out);
 }
 
 #[test]

@@ -6,10 +6,11 @@ use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{cycle_time, note};
 use super::ipc::sets::shown;
 use super::{Arithmetic, BlockKind, Design, Drill, Summary};
-use crate::axis::Axis;
+use crate::axis::{Axis, Filter};
 use crate::blocks::designed::Designed;
 use crate::design::rounding::rounded;
 use crate::number::digits;
+use crate::parameters::words::Words;
 use portable::{Block as Reference, Literal, Real, RealKind, Wide};
 use reference::set_design::{Coeffs, Inputs, SetDesign};
 
@@ -81,8 +82,16 @@ impl BlockKind for SetDesign {
     }
 
     fn effects(&self, designed: &Designed) -> Effects {
-        let lowest = designed.axis.ipc.lowest_f0();
-        of_part("set_design", [("lowest f0", lowest.map(|f0| Effect::Number(f0, " Hz")))])
+        let ipc = &designed.axis.ipc;
+        let number = ipc.lowest_f0().map(|f0| Effect::Number(f0, " Hz"));
+        // A set may have another order than the stage, in which the prototype counts.
+        let filters = ipc.stage.iter().flatten().flat_map(|stage| &stage.filter);
+        let prototypes = filters.filter_map(|filter| match filter {
+            Filter::Bandpass { prototype, .. } => Some(prototype.name()),
+            Filter::NoFilter | Filter::Allpass { .. } => None,
+        });
+        let prototypes = number.is_some().then(|| Effect::Words(prototypes.collect::<Vec<_>>().join(", ")));
+        of_part("set_design", [("lowest f0", number), ("prototypes", prototypes)])
     }
 }
 

@@ -118,7 +118,7 @@ fn lags(e: &mut Effective<'_>, changeover: &Changeover, of: &Velocities, least_w
         }
         Changeover::Drive { feed_forward_v_weighting, .. } => {
             let part = (1.0 - f64::from(*feed_forward_v_weighting) / 1000.0).abs();
-            lag::in_drive(e, of, limits::window(of.off.value, least_window), gain, part);
+            lag::in_drive(e, of, least_window, gain, part);
         }
     }
 }

@@ -4,7 +4,8 @@ use super::super::effects::{Effect, Effects, of_part};
 use super::design::{kv, weight};
 use super::limits::window;
 use super::notes::RPM;
-use crate::axis::{Axis, Changeover};
+use crate::axis::{Axis, Changeover, Velocity};
+use crate::{design::scale, parameters::words::Words};
 
 /// The values of the changeover; empty without it.
 pub(crate) fn effects(axis: &Axis) -> Effects {
@@ -12,15 +13,19 @@ pub(crate) fn effects(axis: &Axis) -> Effects {
     let rpm = |velocity: f64| Some(Effect::Number(velocity / RPM, " rpm"));
     let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
     let seconds = |ns: u64| Some(Effect::Number(ns as f64 / 1e9, " s"));
-    let (place, modes) = match &of.drive {
-        Changeover::Cnc { .. } => ("in the CNC", None),
-        Changeover::Drive { position_mode, velocity_mode, .. } => {
-            ("in the drive", Some(format!("{position_mode} and {velocity_mode}")))
+    let (place, modes, velocity) = match &of.drive {
+        Changeover::Cnc { .. } => ("in the CNC", None, None),
+        Changeover::Drive { position_mode, velocity_mode, velocity, .. } => {
+            ("in the drive", Some(format!("{position_mode} and {velocity_mode}")), Some(velocity))
         }
     };
+    let scaling = |velocity: &Velocity| scale::velocity(velocity, axis.cycle_time_ns) * RPM;
+    let width = |velocity: &Velocity| Effect::Words(velocity.width.name().to_owned());
     let values = [
         ("place", Some(Effect::Words(place.to_owned()))),
         ("operation modes", modes.map(Effect::Words)),
+        ("velocity command", velocity.map(|velocity| Effect::Number(scaling(velocity), " increments at 1 rpm"))),
+        ("process data of the velocity command", velocity.map(width)),
         ("velocity control from", rpm(on)),
         ("position control from", rpm(off)),
         ("window", rpm(window(of.v_position_control_on, of.window))),

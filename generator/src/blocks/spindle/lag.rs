@@ -1,5 +1,6 @@
 //! The position lag of a spindle: as an angle it must stay below half a revolution, or it is taken for one the other way.
 
+use super::limits;
 use super::limits::rpm;
 use super::velocities::{Velocities, Velocity, asks};
 use crate::config::values::Key;
@@ -59,15 +60,19 @@ pub(super) fn in_cnc(e: &mut Effective<'_>, of: &Velocities, gain: Gain, (weight
         codes::LOOP_LAG => Diagnostic::error(code, place, found),
         _ => Diagnostic::warning(code, place, found),
     };
-    let (largest, smallest) = (gain.largest_velocity(part), gain.smallest(velocity, part));
+    // What is written instead holds without the feedforward too, if that can be inactive.
+    let worst = if is_always { part } else { part.larger(1.0) };
+    let (largest, smallest) = (gain.largest_velocity(worst), gain.smallest(velocity, worst));
+    let lower = (largest >= f64::from(of.off.value)).then(|| format!("v_velocity_control_on {largest} or less, or "));
     let said = said.allowed("a lag below 170 deg: (1 - w) v / Kv");
-    e.report.push(said.instead(format!("v_velocity_control_on {largest} or less, or {smallest}")));
+    e.report.push(said.instead(lower.unwrap_or_default() + &smallest));
 }
 
 /// Checks the lag with which a drive takes up position control: the position command is an angle, which the drive takes the
 /// shortest way. `part` of the velocity is not fed forward. A spindle that the block finds turning is taken up at up to Voff +
-/// `window`; a window beyond Von is refused elsewhere.
-pub(super) fn in_drive(e: &mut Effective<'_>, of: &Velocities, window: f64, gain: Gain, part: f64) {
+/// its window, which is at least `least`; a window beyond Von is refused elsewhere.
+pub(super) fn in_drive(e: &mut Effective<'_>, of: &Velocities, least: f64, gain: Gain, part: f64) {
+    let window = limits::window(of.off.value, least);
     let [on, off] = [of.on, of.off].map(|of| f64::from(of.value));
     let fastest = (off + window).smaller(on);
     let (code, velocity) = match () {
@@ -79,18 +84,25 @@ pub(super) fn in_drive(e: &mut Effective<'_>, of: &Velocities, window: f64, gain
     let reasons = reasons(e, of.off, gain);
     let [speed, window] = [velocity, window].map(rpm);
     let place = e.place_near(if e.given(of.off.key).is_some() { of.off.key } else { gain.key }, asks);
-    let (largest, smallest) = (gain.largest_velocity(part), gain.smallest(velocity, part));
-    let (said, instead) = if code == codes::LOOP_LAG {
+    let said = if code == codes::LOOP_LAG {
         let found = format!("the drive takes up position control at {speed} rpm with a lag of {lag} deg: {reasons}");
-        (Diagnostic::error(code, place, found), format!("v_position_control_on {largest} or less, or {smallest}"))
+        Diagnostic::error(code, place, found)
     } else {
         let found = format!(
             "the drive can take up position control at up to {speed} rpm, with a lag of {lag} deg: {reasons}, and its window is \
              {window} rpm"
         );
-        let instead = format!("v_position_control_on and its window {largest} or less together, or {smallest}");
-        (Diagnostic::warning(code, place, found), instead)
+        Diagnostic::warning(code, place, found)
     };
+    // With its window it stays within the largest velocity.
+    let largest = gain.largest_velocity(part);
+    let lower = (largest - least).smaller(largest / 1.01).floor();
+    let lower = if lower >= 0.0 {
+        format!("v_position_control_on {lower} or less")
+    } else {
+        format!("v_position_control_on and its window {largest} or less together")
+    };
+    let instead = format!("{lower}, or {}", gain.smallest(fastest, part));
     let allowed = "a lag below 170 deg: (1 - w) v / Kv, which the drive takes the shortest way";
     e.report.push(said.allowed(allowed).instead(instead));
 }
