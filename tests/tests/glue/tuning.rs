@@ -16,41 +16,7 @@ use std::path::Path;
 
 const TUNING: &str = "POUs/FB_damping_tuning.TcPOU";
 /// The program around it, as the head of the block shows it.
-const PROGRAM: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>
-<TcPlcObject Version=\"1.1.0.1\">
-  <POU Name=\"MAIN\" Id=\"{00000000-0000-0000-0000-000000000000}\" SpecialFunc=\"None\">
-    <Declaration><![CDATA[PROGRAM MAIN
-VAR
-    tuning_x : FB_damping_tuning;
-    ipc_x : FB_axis_x_ipc;
-    f0 : LREAL := 50.0;
-    q_factor : LREAL := 2.0;
-    damping : LREAL := 0.5;
-    weight : LREAL := 0.1;
-    largest_velocity : LREAL := 25.0;
-    button : BOOL;
-    busy : BOOL;
-    lamp : BOOL;
-    error_id : UDINT;
-    active_set : UDINT;
-    block_error_id : UDINT;
-END_VAR
-]]></Declaration>
-    <Implementation>
-      <ST><![CDATA[tuning_x(
-    f0 := f0, q_factor := q_factor, damping := damping, weight := weight,
-    largest_velocity := largest_velocity, button := button, active_set := ipc_x.active_set);
-ipc_x(Enable := TRUE, v_motor := 0.0, mode := 1, params := tuning_x.params);
-busy := tuning_x.busy;
-lamp := tuning_x.lamp;
-error_id := tuning_x.error_id;
-active_set := ipc_x.active_set;
-block_error_id := ipc_x.ErrorID + ipc_x.NoticeID;
-]]></ST>
-    </Implementation>
-  </POU>
-</TcPlcObject>
-";
+const PROGRAM: &str = include_str!("tuning.TcPOU");
 
 /// The emitted blocks of the axis, and the text of the block that is tested.
 struct Tuning {
