@@ -150,7 +150,8 @@ fn a_description_has_units_limits_and_names() {
     let tuned = |end: &str| module.characteristic.iter().find(|of| of.get_name().ends_with(end)).unwrap();
     let frequency = tuned("_in.stage0_filter0_f0");
     let method = module.compu_method.iter().find(|of| of.get_name() == frequency.conversion).unwrap();
-    assert_eq!((method.unit.as_str(), frequency.lower_limit), ("Hz", 0.0));
+    let lowest = case.axis.set_design.lowest_f0;
+    assert_eq!((method.unit.as_str(), frequency.lower_limit.to_bits()), ("Hz", lowest.to_bits()));
     let highest = (0.45e9 / f64::from(case.axis.axis.cycle_time_ns)).min(500.0);
     assert_eq!(frequency.upper_limit.to_bits(), highest.to_bits());
     assert_eq!(tuned("_in.stage0_weight").upper_limit.to_bits(), 7.0_f64.to_bits());
