@@ -1,4 +1,5 @@
-//! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here; `askew` has those for motion.
+//! Gantries: finds the master of each slave among the axes of the set. Only rules for two axes are here; those for their
+//! motion are in `askew`.
 
 use super::askew;
 use crate::axis::{Axis, Location, PositionControl, Ratio, Velocity};

@@ -48,7 +48,7 @@ fn assumed_values() {
     );
 }
 
-/// A linear motor has no angle, and with a feed constant the angle of a motor does not depend on its increments.
+/// The increments of a linear motor, and of a motor with a feed constant, have no effect.
 #[test]
 fn assumed_path_resolutions() {
     let assumed = |keys: &str| {

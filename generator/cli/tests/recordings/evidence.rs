@@ -53,7 +53,7 @@ fn mode_off_throughout() {
     );
 }
 
-/// An axis without improved position control: its block has no mode, but the recording may have the column.
+/// The block of an axis without improved position control has no input `mode`; a column with that name proves nothing.
 #[test]
 fn a_block_without_a_mode() {
     let folder = folder();

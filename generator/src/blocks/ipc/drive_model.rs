@@ -12,7 +12,7 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
         Some(_) => e.validated(key).map(Some),
         None => Some(None),
     };
-    let is_valid = given(e, key(Name::DriveDelay)).is_some();
+    let delay = given(e, key(Name::DriveDelay));
     let delay_cycles = stated_delay(e).map(|(cycles, _)| cycles);
     let time_constant = given(e, key(Name::DriveTimeConstant));
     let position_gain = given(e, (Name::Kv, [gear, 0]));
@@ -22,7 +22,7 @@ pub(crate) fn check(e: &mut Effective<'_>) -> Option<DriveModel> {
         Some(Value::Duration(ns)) => Some(ns as f64),
         Some(Value::Word(_) | Value::Words(_) | Value::Text(_)) | None => None,
     };
-    is_valid.then_some(())?;
+    delay?;
     Some(DriveModel {
         delay_cycles,
         time_constant: number(time_constant?).map(|ns| ns / 1e9),
