@@ -117,6 +117,9 @@ fn below(source: &Arc<Source>, table: &DeTable<'_>, path: &mut String, values: &
             }
             (Path::OutOfRange { name, .. }, _) => report.push(list::out_of_range(name, path, place())),
             (_, DeValue::Table(table)) if path::is_structure(path) => {
+                if table.is_empty() {
+                    report.push(no_key(path, place()));
+                }
                 path.push('.');
                 below(source, table, path, values, report);
             }
@@ -199,6 +202,16 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
 fn no_table(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     let found = format!("{} is of type {}", value::shown(path), value.type_str());
     Diagnostic::error(codes::TYPE, place, found).allowed("a table")
+}
+
+/// Warns of an empty table: it asks for nothing, also where a block needs no more than defaults.
+fn no_key(path: &str, place: Place) -> Diagnostic {
+    let found = format!("{} is an empty table: it gives nothing", value::shown(path));
+    let inside = format!("{}.", path::without_indices(path));
+    let key =
+        path::templates().find_map(|template| Some(path::without_indices(template).strip_prefix(&inside)?.to_owned()));
+    let instead = key.map(|key| format!("no line, or a key in it, such as {key}"));
+    Diagnostic { instead, ..Diagnostic::warning(codes::NO_EFFECT, place, found) }
 }
 
 /// Warns of an empty array: it does not remove anything from a list, as was probably meant.
