@@ -244,7 +244,7 @@ fn what_is_said_of_changes() {
         fs::write(folder.path().join("new.toml"), pairs(&new)).unwrap();
         if form == "diff" {
             let (code, out, err) = words(&folder, "diff old.toml new.toml");
-            assert_eq!((code, err.as_str()), (1, ""));
+            assert_eq!(code, 1, "{err}");
             return out.lines().last().unwrap().to_owned();
         }
         let options = lines("options: ");

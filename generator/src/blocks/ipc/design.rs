@@ -56,12 +56,13 @@ const FEWEST_CYCLES: f64 = 8.0;
 const ALARM_TIME: f64 = 0.15;
 const FEWEST_BLOCKS: f64 = 3.0;
 
-/// The watch over the loop. With the limit 0, and on a gantry slave, there is nothing to watch.
+/// The watch over the loop. With the limit 0 there is nothing to watch, and on a gantry slave neither. In a parameter set the
+/// limit 0 is a number like another one: the structure stays, so that a block takes the set.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "whole numbers, at most 2^24")]
 fn watch(axis: &Axis) -> watch::Coeffs<f64> {
     let (ipc, limit) = (&axis.ipc, axis.ipc.limit());
     let lowest = ipc.lowest_f0().or_else(|| ipc.stage.iter().flatten().map(Stage::f0).min_by(f64::total_cmp));
-    let acts = limit > 0.0 && axis.control.master.is_none();
+    let acts = (limit > 0.0 || ipc.takes_sets()) && axis.control.master.is_none();
     let Some(f0) = lowest.filter(|_| ipc.watch && acts) else { return watch::Coeffs::default() };
     // A quotient that differs from a whole number only by its rounding is that number.
     let whole = |quotient: f64| libm::ceil(quotient * (1.0 - 1e-9));
