@@ -45,6 +45,8 @@ pub struct ProposalRow {
     pub stages: Vec<StageRow>,
     pub residuals: Vec<Residual>,
     pub ring_down: Option<f64>,
+    /// of the load's motion after stops
+    pub settled: Option<f64>,
     pub following_error_ratio: Option<f64>,
     pub peak_v_add: Option<f64>,
     pub ms: Option<f64>,
@@ -100,6 +102,7 @@ fn row(tuning: &Tuning, proposal: &Proposal) -> ProposalRow {
         stages: proposal.stages.iter().enumerate().map(stage).collect(),
         residuals: residuals.map(|(chosen, left)| Residual { hz: chosen.hz, ratio: *left }).collect(),
         ring_down: predicted.and_then(|of| of.left.ring),
+        settled: predicted.and_then(|of| of.left.settled),
         following_error_ratio: predicted.and_then(|of| of.effect.following_error),
         peak_v_add: predicted.map(|of| of.effect.peak_v_add),
         ms: predicted.map(|of| of.ms[0]),

@@ -33,6 +33,8 @@ pub struct Record<'a> {
     /// the examined signals: of the load, or of the motor
     pub channels: &'a [&'a [f64]],
     pub v_motor: &'a [f64],
+    /// acceleration of the load; `None` without a sensor there
+    pub load: Option<&'a [f64]>,
     /// following error: command minus position of the motor, in the unit of the way of `v_motor`
     pub error: Option<&'a [f64]>,
     /// the ramps: the samples of each
@@ -45,9 +47,12 @@ const DWELL_SETTLE: f64 = 0.4;
 const LONGEST_DWELL: f64 = 3.0;
 const RAMP: [f64; 2] = [-0.1, 0.9];
 const RING: [f64; 2] = [0.08, 0.6];
+const STOP: [f64; 2] = [0.14, 0.94];
 const OF_DWELL: [f64; 2] = [50.0 / 53.0, 56.0 / 53.0];
 const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
 const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
+/// After a stop the frequencies up to that part of the highest vibration count: R multiplies the noise above it.
+const OF_STOP: f64 = 2.2;
 /// Lines per 1/(length of a window).
 const PADDED: f64 = 8.0;
 /// The highest frequency for the figures, relative to that of a vibration: an amplitude needs little above it, a peak needs
@@ -57,10 +62,13 @@ const HIGHEST: [f64; 2] = [2.2, 8.0];
 /// The signals of the record: the following error, the velocity of the motor, and after them the channels.
 const ERROR: usize = 0;
 const MOTOR: usize = 1;
-const BEFORE: usize = 2;
+const LOAD: usize = 2;
+const BEFORE: usize = 3;
 
 /// Stages that leave more than that of every vibration are useless.
 const USELESS: f64 = 0.8;
+/// Stages with which the load moves more than that after stops make it worse.
+const UNSETTLED: f64 = 1.1;
 
 /// What is left, as parts.
 #[derive(Clone, Debug, PartialEq)]
@@ -69,6 +77,9 @@ pub struct Left {
     pub residuals: Vec<f64>,
     /// the remaining part of the largest ring-down; `None` if no vibration belongs to ramps
     pub ring: Option<f64>,
+    /// rms of the acceleration of the load from 0.14 to 0.94 s after each ramp to standstill, at every frequency up to 2.2
+    /// times the highest vibration, by that without stages: slow creeping, and the ringing of the stages themselves
+    pub settled: Option<f64>,
 }
 
 impl Left {
@@ -84,6 +95,17 @@ impl Left {
     #[must_use]
     pub fn is_useless(&self) -> bool {
         self.residuals.iter().all(|left| *left > USELESS)
+    }
+
+    /// By how much the load moves more after stops than 1.1 times that without stages.
+    pub(crate) fn unsettled(&self) -> f64 {
+        (self.settled.unwrap_or(0.0) - UNSETTLED).larger(0.0)
+    }
+
+    /// Whether the load moves more than that after stops.
+    #[must_use]
+    pub fn is_unsettled(&self) -> bool {
+        self.unsettled() > 0.0
     }
 }
 
@@ -108,8 +130,10 @@ pub struct Judge<'a> {
     dwells: Vec<Range<usize>>,
     about_ramps: Vec<Range<usize>>,
     rings: Vec<Range<usize>>,
-    /// amplitude and ring-down of each vibration without stages
+    stops: Vec<Range<usize>>,
+    /// amplitude and ring-down of each vibration without stages, and the rms of the load after stops
     without: Vec<[f64; 2]>,
+    restless: Option<f64>,
 }
 
 impl<'a> Judge<'a> {
@@ -120,7 +144,8 @@ impl<'a> Judge<'a> {
         let highest = vibrations.iter().map(needed).fold(0.0, f64::larger);
         let has = |channel: Option<usize>| channel.map_or(record.error.is_some(), |at| at < record.channels.len());
         vibrations.iter().all(|vibration| has(vibration.channel) && vibration.hz > 0.0).then_some(())?;
-        let all = [&[record.error.unwrap_or_default(), record.v_motor], record.channels].concat();
+        let load = without_offset(record.load.unwrap_or_default());
+        let all = [&[record.error.unwrap_or_default(), record.v_motor, &load], record.channels].concat();
         let what_if = WhatIf::new(axis, &all, Some(highest));
         let place = |seconds: f64| whole((seconds / what_if.step()).larger(0.0));
         let cycle = axis.cycle_time;
@@ -130,10 +155,13 @@ impl<'a> Judge<'a> {
         };
         let dwells = dwells(&record, cycle).map(|[from, to]| place(from)..place(to)).collect();
         let (about_ramps, rings) = (about(RAMP, |ramp| ramp.start), about(RING, |ramp| ramp.end));
+        let stops = stops(&record, cycle).map(|[from, to]| place(from)..place(to)).collect();
         let of_motor = WhatIf::new(axis, &[record.v_motor], None);
+        let without = Vec::new();
         let mut judge =
-            Self { vibrations, record, axis, what_if, of_motor, dwells, about_ramps, rings, without: Vec::new() };
-        judge.without = judge.amplitudes(&vec![Complex64::from(1.0); judge.what_if.lines()]);
+            Self { vibrations, record, axis, what_if, of_motor, dwells, about_ramps, rings, stops, without, restless: None };
+        let unchanged = vec![Complex64::from(1.0); judge.what_if.lines()];
+        (judge.without, judge.restless) = (judge.amplitudes(&unchanged), judge.after_stops(&unchanged));
         judge.without.iter().all(|[amplitude, ring]| *amplitude > 0.0 && *ring > 0.0).then_some(judge)
     }
 
@@ -145,11 +173,23 @@ impl<'a> Judge<'a> {
 
     /// What a controller C, given at the lines, leaves.
     fn left_of(&self, controller: &[Complex64]) -> Left {
-        let with = self.amplitudes(&self.what_if.left(controller));
+        let left = &self.what_if.left(controller);
+        let with = self.amplitudes(left);
         let is_ramp = |k: &usize| self.vibrations[*k].when == When::Ramps;
         let ring = |of: &[[f64; 2]]| (0..of.len()).filter(is_ramp).map(|k| of[k][1]).reduce(f64::larger);
         let ring = ring(&with).zip(ring(&self.without)).map(|(with, without)| with / without);
-        Left { residuals: with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect(), ring }
+        let residuals = with.iter().zip(&self.without).map(|(with, without)| with[0] / without[0]).collect();
+        let settled = self.restless.and_then(|without| Some(self.after_stops(left)? / without));
+        Left { residuals, ring, settled }
+    }
+
+    /// The rms of the acceleration of the load after stops with the stages that leave R; `None` if it is 0, or not recorded.
+    fn after_stops(&self, left: &[Complex64]) -> Option<f64> {
+        self.record.load?;
+        let highest = self.vibrations.iter().map(|vibration| vibration.hz).fold(0.0, f64::larger);
+        let [_, below] = self.what_if.signal(LOAD, left, 1.0, [0.0, OF_STOP * highest]);
+        let squares = self.stops.iter().flat_map(|window| below.get(window.clone())).flatten().map(|a| a * a);
+        Some(mean(squares).sqrt()).filter(|rms| *rms > 0.0)
     }
 
     /// Amplitude and ring-down of each vibration with the stages that leave R, given at the lines.
@@ -221,6 +261,25 @@ fn dwells(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
         let drives = libm::fabs(*v_motor.get(pair[0].end.midpoint(pair[1].start))?) > standstill;
         (from < to && drives).then_some([from, to])
     })
+}
+
+/// After stops [s]: from 0.14 to 0.94 s after each ramp at whose end the axis stands still, shorter before the next ramp, but
+/// at least half as long.
+fn stops(record: &Record<'_>, cycle: f64) -> impl Iterator<Item = [f64; 2]> {
+    let standstill = 0.05 * peak(record.v_motor);
+    let next = record.ramps.iter().skip(1).map(|ramp| ramp.start).chain([record.v_motor.len()]);
+    record.ramps.iter().zip(next).filter_map(move |(ramp, next)| {
+        let [from, to] = STOP.map(|time| ramp.end as f64 * cycle + time);
+        let until = to.smaller(next as f64 * cycle);
+        let stands = libm::fabs(*record.v_motor.get(whole(until / cycle).checked_sub(1)?)?) <= standstill;
+        (stands && until - from >= (to - from) / 2.0).then_some([from, until])
+    })
+}
+
+/// An acceleration without the offset of its sensor: from rest to rest its mean is 0.
+fn without_offset(acceleration: &[f64]) -> Vec<f64> {
+    let offset = mean(acceleration.iter().copied());
+    acceleration.iter().map(|value| value - offset).collect()
 }
 
 /// The amplitude of a sine of w rad per sample in a windowed signal.

@@ -4,7 +4,7 @@
 use crate::figures::{Effect, Judge, Left, Record, Vibration};
 use crate::response::{Lines, is_too_uncertain};
 use crate::scenarios::{MOST_STAGES, Scenarios, controller, most};
-use crate::search::{Judged, Search};
+use crate::search::{Candidate, Judged, Search};
 use crate::shape::{Mode, Shape, Stages};
 use crate::what_if::Axis;
 use portable::Extreme;
@@ -28,7 +28,7 @@ pub enum Kind {
     Recommended,
     /// Ms within 2 in all scenarios
     Strong,
-    /// the recommended shapes with Ms within 1.4 in all scenarios
+    /// the recommended shapes with Ms within 1.4 in all scenarios, at most the recommended weights
     Cautious,
     /// a tenth of the largest weights with a usual drive: the response is not known
     First,
@@ -164,9 +164,11 @@ pub fn propose(task: &Task<'_, '_>) -> Result<Vec<Proposal>, Refused> {
         proposals.extend(proposal(kind, &search, &found));
         recommended.get_or_insert(found);
     }
-    if let Some(Judged { candidate, .. }) = recommended {
+    if let Some(Judged { candidate, stages, .. }) = recommended {
         let search = search(CAUTIOUS);
-        let cautious = search.judged(&crate::search::Candidate { used: 0.0, ..candidate });
+        let of = |used: f64| search.judged(&Candidate { used, ..candidate.clone() });
+        // The recommended weights are the largest: the search may have found that more would do harm.
+        let cautious = of(0.0).and_then(|whole| of(libm::log(stages[0].1 / whole.stages[0].1).smaller(0.0)));
         proposals.extend(cautious.and_then(|found| proposal(Kind::Cautious, &search, &found)));
     }
     if proposals.is_empty() { Err(Refused::NoWeight) } else { Ok(proposals) }

@@ -30,6 +30,8 @@ const TRIED: f64 = 20.0;
 const MANDATORY: f64 = 90.0;
 /// The factor of Ms in the cost.
 const OF_MS: f64 = 0.1;
+/// The factor of what the load moves too much after stops: more than any gain elsewhere.
+const OF_UNSETTLED: f64 = 10.0;
 /// The largest number of starts with the same modes; above it ratios are left out, then dampings.
 const MOST_STARTS: usize = 150;
 
@@ -78,7 +80,7 @@ impl Search<'_, '_> {
     }
 
     /// The weights that the scenarios allow, the remaining vibration, and the cost: J = max(r, ring) + mean(r, ring) + 0.1
-    /// Ms. `None` if a required all-pass is impossible, or if no weight is allowed.
+    /// Ms, and 10 for what the load moves too much after stops. `None` if a required all-pass is impossible, or if no weight is allowed.
     #[must_use]
     pub fn judged(&self, candidate: &Candidate) -> Option<Judged> {
         let mut of = Vec::new();
@@ -95,7 +97,8 @@ impl Search<'_, '_> {
         of.iter_mut().for_each(|(_, weight)| *weight *= factor);
         let left = self.judge.left(self.stages, &of);
         let [worst, mean] = left.worst_and_mean();
-        let cost = worst + mean + OF_MS * self.scenarios.ms(&controller, factor)[0];
+        let ms = self.scenarios.ms(&controller, factor)[0];
+        let cost = worst + mean + OF_MS * ms + OF_UNSETTLED * left.unsettled();
         cost.is_finite().then(|| Judged { candidate: candidate.clone(), stages: of, left, cost })
     }
 

@@ -22,6 +22,10 @@ const MOVES: f64 = 3.0;
 /// part of its range in one sample.
 const CLIPPED: (usize, usize, f64) = (3, 2, 0.01);
 
+/// A value is a whole number of steps of its last digit within that part; the largest number of decimal places.
+const WHOLE: f64 = 1e-3;
+const MOST_DIGITS: u32 = 16;
+
 /// A sample is wrong if it is more than this multiple of all others.
 const OUTLIER: f64 = 10.0;
 
@@ -105,6 +109,23 @@ impl Record {
             Some(Cow::Owned(command.iter().zip(actual).map(|(command, actual)| command - actual).collect()))
         };
         self.get("following_error").map(Cow::Borrowed).or_else(difference)
+    }
+
+    /// The step of the last written digit of a signal; the sum of those of its parts for a following error that is their
+    /// difference.
+    pub(super) fn written(&self, signal: &str) -> f64 {
+        let parts: &[&str] = match self.get(signal) {
+            None if signal == "following_error" => &["x_command", "x_actual"],
+            _ => &[signal],
+        };
+        parts.iter().filter_map(|part| self.get(part)).map(last_digit).sum()
+    }
+
+    /// The acceleration of the load, from the sensor nearest to the tool; `None` if the load has no sensor.
+    #[must_use]
+    pub fn load(&self) -> Option<Cow<'_, [f64]>> {
+        let derived = || Some(Cow::Owned(rate(self.get("v_direct")?, self.cycle)));
+        self.get("a_load").map(Cow::Borrowed).or_else(derived)
     }
 
     /// The unit of a signal, or of the following error, which may be that of its parts.
@@ -280,6 +301,15 @@ fn clipped(values: &[f64]) -> Option<usize> {
 /// The change per second.
 pub(super) fn rate(x: &[f64], cycle: f64) -> Vec<f64> {
     std::iter::once(0.0).chain(x.windows(2).map(|pair| (pair[1] - pair[0]) / cycle)).collect()
+}
+
+/// The step of the last digit of the values from half of the peak on: smaller ones may have more digits.
+fn last_digit(values: &[f64]) -> f64 {
+    let least = peak(values) / 2.0;
+    let is_whole = |value: f64| libm::fabs(value - libm::round(value)) < WHOLE;
+    let mut digits = (0..MOST_DIGITS).map(|digits| libm::exp10(f64::from(digits)));
+    let is_written = |scale: &f64| values.iter().filter(|v| libm::fabs(**v) >= least).all(|v| is_whole(v * scale));
+    digits.find(is_written).map_or(0.0, |scale| 1.0 / scale)
 }
 
 /// The least squares factor from x to y; `None` if x is 0.

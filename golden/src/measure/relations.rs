@@ -12,6 +12,9 @@ use std::f64::consts::TAU;
 /// An offset counts if it exceeds this part of a cycle, and this number of standard errors.
 const LATE: f64 = 0.25;
 const ERRORS: f64 = 3.0;
+/// The least error of the time between a position and its velocity, in cycles. Within a cycle a drive may take the velocity
+/// anywhere: the difference of two positions is half a cycle older than the velocity at their end.
+const WITHIN: f64 = 0.25;
 /// Limits of Kv [1/s], and of its residual of `v_command`, as a part.
 const KV: [f64; 2] = [1.0, 500.0];
 const LEFT: f64 = 0.05;
@@ -36,7 +39,9 @@ pub(super) fn offsets(record: &Record, verdicts: &mut Vec<Verdict>) -> Vec<Offse
             let (sin, cos) = libm::sincos(angle);
             Complex64::new(1.0 - cos, sin) / Complex64::new(0.0, angle)
         };
-        found.push(Offset { of: "x_actual", to: "v_motor", time: offset::between(v, &rate(x, cycle), cycle, mean) });
+        let time = offset::between(v, &rate(x, cycle), cycle, mean);
+        let time = time.map(|time| Time { error: time.error.larger(WITHIN * cycle), ..time });
+        found.push(Offset { of: "x_actual", to: "v_motor", time });
     }
     if let Some((command, v_cmd)) = record.get("v_command").zip(record.get("v_cmd"))
         && record.get("v_add").is_none()

@@ -28,6 +28,8 @@ const RAMPS: usize = 8;
 const DAMPING: [f64; 2] = [5e-4, 0.4];
 const ERRORS: [f64; 2] = [0.03, 0.5];
 const FROM_PEAK: f64 = 0.15;
+/// The largest line that the rounding to a last digit makes, as a part of its step: that of a sawtooth, 1/pi.
+const OF_A_DIGIT: f64 = std::f64::consts::FRAC_1_PI;
 /// Relative tolerance for equal speeds.
 const SAME_SPEED: f64 = 0.05;
 /// A pole is searched where a response is the largest within this part of its frequency.
@@ -102,6 +104,7 @@ pub(super) fn signals(record: &Record) -> Vec<(&'static str, Cow<'_, [f64]>)> {
 pub(super) fn of_moves(record: &Record, windows: &Windows, kv: Option<f64>) -> Vec<Vibration> {
     let mut all = Vec::new();
     for (channel, signal) in signals(record) {
+        let least = record.written(channel) * OF_A_DIGIT;
         let mut found = driving(channel, &signal, windows, record.cycle);
         let forced: Vec<f64> = found.iter().map(|vibration| vibration.hz).collect();
         // Signals of the motor contain the decay of the position loop; in the following error without Kv it hides everything
@@ -110,7 +113,7 @@ pub(super) fn of_moves(record: &Record, windows: &Windows, kv: Option<f64>) -> V
         if channel != "following_error" || kv.is_some() {
             found.extend(ramps(channel, &signal, &windows.ramps, record.cycle, companions));
         }
-        all.extend(found);
+        all.extend(found.into_iter().filter(|vibration| vibration.amplitude > least));
     }
     all
 }

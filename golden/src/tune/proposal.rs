@@ -5,7 +5,7 @@ use super::stage::{controller, looks_at_motor, responses, rounded};
 use crate::measure::{Record, Verdict};
 use generator::axis::{Axis, Stage};
 use generator::codes;
-use identification::figures::{self, Vibration};
+use identification::figures::{self, Left, Vibration};
 use identification::proposals::{self, Kind, Prediction, Refused, first, propose, try_out};
 use identification::response::Lines;
 use identification::shape::Shape;
@@ -50,6 +50,7 @@ impl Task<'_> {
         verdicts: &mut Vec<Verdict>,
     ) -> Vec<Proposal> {
         let (v_motor, error) = (self.record.get("v_motor").unwrap_or_default(), self.following_error());
+        let load = self.record.load();
         let channel = |chosen: &Chosen| self.record.get(chosen.channel).unwrap_or_default();
         let channels: Vec<&[f64]> = self.chosen.iter().map(channel).collect();
         let vibration = |(channel, chosen): (usize, &Chosen)| {
@@ -57,7 +58,8 @@ impl Task<'_> {
             Vibration { hz: chosen.hz, when: chosen.when, channel }
         };
         let vibrations: Vec<Vibration> = self.chosen.iter().enumerate().map(vibration).collect();
-        let record = figures::Record { channels: &channels, v_motor, error: error.as_deref(), ramps: &self.ramps };
+        let (load, error) = (load.as_deref(), error.as_deref());
+        let record = figures::Record { channels: &channels, v_motor, load, error, ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
         let (cycle_time, position_gain) = (self.axis.cycle_time(), self.axis.drive.position_gain);
         let task =
@@ -66,12 +68,15 @@ impl Task<'_> {
             Some(given) => try_out(&task, controller(given, cycle_time, position_gain))
                 .map(|prediction| vec![self.proposal(Kind::Given, given.to_vec(), prediction)]),
             None => propose(&task).map(|found| {
-                found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction)).collect()
+                let all =
+                    found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction));
+                all.filter(|of| !of.stages.is_empty()).collect()
             }),
         };
         let all: Vec<Proposal> = match found {
-            Ok(found) => found,
-            Err(refused) => {
+            Ok(found) if !found.is_empty() => found,
+            found => {
+                let refused = found.err().unwrap_or(Refused::NoWeight);
                 verdicts.push(self.said(refused));
                 return Vec::new();
             }
@@ -79,6 +84,7 @@ impl Task<'_> {
         if all.iter().any(|of| !is_stable(of, verdicts)) {
             return Vec::new();
         }
+        let all = settled(all, verdicts);
         let useless = all.iter().filter(|of| of.is_useless());
         let useless: Vec<&str> = useless.map(|of| of.kind.word()).collect();
         if !useless.is_empty() {
@@ -189,8 +195,28 @@ impl Task<'_> {
     }
 }
 
+/// Says which stages make the load settle worse after stops; those remain that do not, and those that somebody else chose.
+fn settled(all: Vec<Proposal>, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
+    let left = |of: &Proposal| of.predicted.as_ref().map(|predicted| predicted.left.clone());
+    let restless = |of: &Proposal| left(of).filter(Left::is_unsettled)?.settled;
+    let worse: Vec<String> =
+        all.iter().filter_map(|of| Some(format!("{} x{:.2}", of.kind.word(), restless(of)?))).collect();
+    if worse.is_empty() {
+        return all;
+    }
+    let remaining: Vec<Proposal> =
+        all.into_iter().filter(|of| of.kind == Kind::Given || restless(of).is_none()).collect();
+    let found = format!("the load moves more after stops than without stages: {}", worse.join(", "));
+    let instead = "try smaller weights and a smaller Q with --stage, or ramps with less jerk";
+    let said = if remaining.is_empty() { Verdict::refusal } else { Verdict::note };
+    verdicts.push(said(codes::UNSETTLED, found, instead));
+    remaining
+}
+
+/// Stages as parameters; one whose weight is rounded down to 0 would not be a valid stage, and is left out.
 fn all_rounded(stages: &[(Shape, f64)]) -> Vec<Stage> {
-    stages.iter().map(|(shape, weight)| rounded(shape, *weight)).collect()
+    let all = stages.iter().map(|(shape, weight)| rounded(shape, *weight));
+    all.filter(|stage| stage.weight_fact_num > 0).collect()
 }
 
 /// Says in which cases stages are not stable; whether their figures mean something: they are stable as measured.

@@ -70,7 +70,8 @@ fn of_prediction(tuning: &Tuning, of: &Prediction) -> String {
     let left =
         tuning.chosen.iter().zip(&of.left.residuals).map(|(chosen, left)| format!("{left:.2} of {:.2} Hz", chosen.hz));
     let ring = of.left.ring.map(|ring| format!("{ring:.2} of the ring-down"));
-    let left: Vec<String> = left.chain(ring).collect();
+    let settled = of.left.settled.map(|settled| format!("{settled:.2} of the load's motion after stops"));
+    let left: Vec<String> = left.chain(ring).chain(settled).collect();
     let error = of.effect.following_error.map_or("is not recorded".to_owned(), |error| format!("x{error:.2}"));
     let [ms, later, less, more] =
         of.ms.map(|ms| if ms.is_finite() { format!("{ms:.2}") } else { "unstable".to_owned() });

@@ -127,7 +127,8 @@ pub fn proposed(
     let (off, _) = moved(plant, |_| 0.0);
     let v_motor = Noise::new(22, noise).on(&off.v_motor);
     let ramps = ramps(&off);
-    let record = Record { channels: &[&off.a_load], v_motor: &v_motor, error: Some(&off.error), ramps: &ramps };
+    let (channels, load): (&[&[f64]], _) = (&[&off.a_load], Some(&off.a_load[..]));
+    let record = Record { channels, v_motor: &v_motor, load, error: Some(&off.error), ramps: &ramps };
     propose(&Task { cycle_time: CYCLE, position_gain: Some(KV), lines, record, vibrations, stages })
 }
 

@@ -131,6 +131,14 @@ fn decays_that_are_synthesised() {
         }
         assert!(outside <= 6 && squares > 0.4 && squares < 2.0, "{hz} {damping}: {outside} of 40 outside, {squares}");
     }
+    // The stated errors hold beside a second vibration too.
+    for (other, of_other) in [(8.0, 0.03), (17.0, 0.03), (20.0, 0.05)] {
+        let second = decaying(other, of_other, 0.0, &[], 1).into_iter().map(|v| 0.2 * v);
+        let both: Vec<f64> = decaying(11.0, 0.04, 0.0, &[], 1).iter().zip(second).map(|(a, b)| a + b).collect();
+        let found = decay(&both, &[0..800, 800..1600], CYCLE, 11.0, Companions::default()).unwrap();
+        let apart = [(found.hz - 11.0) / found.hz_error, (found.damping - 0.04) / found.damping_error];
+        assert!(apart.iter().all(|apart| apart.abs() < 3.0), "{other} Hz: {found:?} {apart:?}");
+    }
     assert_eq!(decay(&[0.0; 800], &AFTER, CYCLE, 11.0, Companions::default()), None, "nothing vibrates");
     assert_eq!(decay(&[1.0; 400], &AFTER, CYCLE, 11.0, Companions::default()), None, "the window is not in the record");
 }
