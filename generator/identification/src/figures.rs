@@ -158,8 +158,19 @@ impl<'a> Judge<'a> {
         let stops = stops(&record, cycle).map(|[from, to]| place(from)..place(to)).collect();
         let of_motor = WhatIf::new(axis, &[record.v_motor], None);
         let without = Vec::new();
-        let mut judge =
-            Self { vibrations, record, axis, what_if, of_motor, dwells, about_ramps, rings, stops, without, restless: None };
+        let mut judge = Self {
+            vibrations,
+            record,
+            axis,
+            what_if,
+            of_motor,
+            dwells,
+            about_ramps,
+            rings,
+            stops,
+            without,
+            restless: None,
+        };
         let unchanged = vec![Complex64::from(1.0); judge.what_if.lines()];
         (judge.without, judge.restless) = (judge.amplitudes(&unchanged), judge.after_stops(&unchanged));
         judge.without.iter().all(|[amplitude, ring]| *amplitude > 0.0 && *ring > 0.0).then_some(judge)

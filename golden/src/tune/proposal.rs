@@ -68,8 +68,7 @@ impl Task<'_> {
             Some(given) => try_out(&task, controller(given, cycle_time, position_gain))
                 .map(|prediction| vec![self.proposal(Kind::Given, given.to_vec(), prediction)]),
             None => propose(&task).map(|found| {
-                let all =
-                    found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction));
+                let all = found.into_iter().map(|of| self.proposal(of.kind, all_rounded(&of.stages), of.prediction));
                 all.filter(|of| !of.stages.is_empty()).collect()
             }),
         };

@@ -211,6 +211,12 @@ fn moves_with_a_defect() {
     assert_said("clipped", &of(A_LOAD, &clipped), &[], "AX505", 0);
     let late = assert_said("late", &of(X_ACTUAL, &|values| later(values, 3.0)), &[], "AX509", 0);
     assert!(late.out.contains("ms later than v_motor"), "{}", late.out);
+    // The difference of two positions is half a cycle older than the velocity, and no channel is late.
+    let difference = |pair: &[f64]| (pair[1] - pair[0]) * 1e6;
+    let of_encoder =
+        |_: &[f64]| MOVES[X_ACTUAL].windows(2).map(difference).fold(vec![0.0], |v, x| [v, vec![x]].concat());
+    let encoder = measure(&of(V_MOTOR, &of_encoder), &[]);
+    assert!(encoder.out.contains("-0.500 +-0.250 ms") && !encoder.err.contains("AX509"), "{}", encoder.out);
     let beat = |values: &[f64]| -> Vec<f64> {
         values.iter().enumerate().map(|(n, v)| v + 0.7 * (TAU * 71.0 * n as f64 * CYCLE).sin()).collect()
     };

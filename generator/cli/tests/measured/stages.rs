@@ -66,18 +66,13 @@ fn stages_of_ones_own() {
     write(&folder, "set.toml", &format!("{SET}{STAGES}"));
     assert_eq!(tune(&folder, &["--excited", "excited.csv", "--stage", "set", "--json"]).out, given.out);
     let report = tune(&folder, &["--excited", "excited.csv", "--stage", "set"]);
-    assert!(
-        report.out.contains("given\n  stage[0] DIRECT from v_motor, f0 53 Hz, Q 10, weight 3000/1000\n"),
-        "{}",
-        report.out
-    );
+    let first = "given\n  stage[0] DIRECT from v_motor, f0 53 Hz, Q 10, weight 3000/1000\n";
+    assert!(report.out.contains(first), "{}", report.out);
     // The signals, measured like a recording, show what was predicted; their columns are those of the recording.
     let signals = read(&folder, "s.csv");
     assert_eq!(signals.lines().count(), MOVES.lines().count());
-    assert_eq!(
-        signals.lines().next().unwrap(),
-        "time [s],v_command [um/s],v_motor [um/s],x_command [mm],x_actual [mm],a_load [m/s^2]"
-    );
+    let head = "time [s],v_command [um/s],v_motor [um/s],x_command [mm],x_actual [mm],a_load [m/s^2]";
+    assert_eq!(signals.lines().next(), Some(head));
     let [before, after] = ["moves.csv", "s.csv"].map(|name| axgen(&folder, &["measure", name, "--json"]).json());
     let left = amplitude(&after, "driving", 53.0) / amplitude(&before, "driving", 53.0);
     assert!((left / figures[0].0 - 1.0).abs() < 0.02, "{left} {figures:?}");
@@ -128,6 +123,8 @@ fn stages_that_are_none() {
     said("DIRECT", &["error[AX011]", "`DIRECT` has no value"]);
     said("mode=DIREKT,fg_f0=53,q_factor=10", &["error[AX"]);
     assert_said(&folder, &[good; 4], 2, &["error[AX011]", "4 stages"]);
+    let restless = "mode=DIRECT,fg_f0=3,q_factor=5,weight=5";
+    assert_said(&folder, &[restless], 0, &["warning[AX528]", "more after stops than without stages: given x"]);
     assert_said(&folder, &["set"], 1, &["error[AX522]", "no stage is active"]);
     assert_said(&folder, &["mode=SET_POINT,osc_damping=0.5,fg_f0=53,q_factor=5"], 1, &["error[AX522]", "SET_POINT"]);
     assert_said(&folder, &["mode=DIRECT,direct_source=v_direct,fg_f0=53,q_factor=5"], 1, &["error[AX522]"]);

@@ -130,16 +130,14 @@ fn proposals_for_the_demonstration_plant() {
         assert!(predicted.iter().zip(left).take(3).all(|(found, most)| *found <= most), "{kind}: {predicted:?}");
         assert!(ms.iter().zip(most).all(|(found, most)| *found <= most * 1.005), "{kind}: {ms:?}");
         assert!((1e3..1e5).contains(&number(proposal, "peak_v_add")), "{proposal:#}");
+        assert!((0.1..1.0).contains(&number(proposal, "settled")), "{proposal:#}");
         fs::write(folder.path().join("with.toml"), set_with(proposal)).unwrap();
         let truth = axgen(&folder, &["simulate", "with.toml", "--plant", "demonstration", "--csv", "s.csv"]);
         assert_eq!(truth.code, 0, "{}{}{}", truth.out, truth.err, set_with(proposal));
         let [off, on] = ["off", "all"].map(|name| row(&truth.out, name));
         for (column, predicted) in predicted.iter().take(3).enumerate() {
-            let true_ratio = on[column] / off[column];
-            assert!(
-                (predicted / true_ratio - 1.0).abs() < 0.07,
-                "{kind}, column {column}: {predicted}, in truth {true_ratio}"
-            );
+            let truth = on[column] / off[column];
+            assert!((predicted / truth - 1.0).abs() < 0.07, "{kind}, column {column}: {predicted}, in truth {truth}");
         }
         // The controller sees the position of the cycle before; the table has that of the same instant.
         let [seen, error] = [seen_error(&folder, "s.csv"), on[3] / off[3]];
@@ -165,11 +163,8 @@ fn first_stages_without_a_response() {
     let run = tune(&folder, &[]);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     assert!(run.err.contains("[AX521]") && run.err.contains("[AX514]"), "{}", run.err);
-    assert!(
-        run.out.contains("side unknown") && run.out.contains("measure next: an excitation 12x2 of 2 mm/s"),
-        "{}",
-        run.out
-    );
+    let next = "measure next: an excitation 12x2 of 2 mm/s";
+    assert!(run.out.contains("side unknown") && run.out.contains(next), "{}", run.out);
     let found = tune(&folder, &["--json"]).json();
     let first = &found["proposals"][0];
     assert!(first["kind"] == "first" && first["ms"].is_null() && found["proposals"].as_array().unwrap().len() == 1);
@@ -195,12 +190,8 @@ fn what_enters_at_the_load_gets_no_stage() {
     fs::write(folder.path().join("slow.csv"), drive(0.15, 1e-3)).unwrap();
     fs::write(folder.path().join("set.toml"), SET.replace(", kv = 2000", "")).unwrap();
     let run = tune(&folder, &["--response", "slow.csv"]);
-    assert!(
-        run.code == 0 && run.err.contains("[AX520]") && run.out.contains("strong: hardly useful"),
-        "{}{}",
-        run.out,
-        run.err
-    );
+    let Run { code, out, err } = &run;
+    assert!(*code == 0 && err.contains("[AX520]") && out.contains("strong: hardly useful"), "{out}{err}");
     assert!(run.out.contains("Kv is not in the set: the position loop counts as open"), "{}", run.out);
     // A response of the set counts too; this one is too uncertain.
     fs::write(folder.path().join("vague.csv"), drive(0.003, 0.3)).unwrap();

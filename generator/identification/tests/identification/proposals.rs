@@ -7,7 +7,7 @@ use crate::what_if::{VIBRATIONS, exact, ramps};
 use identification::Complex64;
 use identification::excitation::{Excitation, Sequence};
 use identification::figures::{Record, Vibration};
-use identification::proposals::{Kind, Proposal, Refused, Task, first, propose};
+use identification::proposals::{Kind, Prediction, Proposal, Refused, Task, first, propose};
 use identification::response::Lines;
 use identification::scenarios::{Scenarios, most};
 use identification::shape::{Mode, Shape, Stages};
@@ -157,7 +157,8 @@ fn proposals_for_the_demonstration_plant() {
     assert_eq!(found.len(), 3);
     for (proposal, (kind, left, ms)) in found.iter().zip(expected) {
         let truth = tried(&DEMONSTRATION, proposal);
-        assert!(proposal.kind == kind && !proposal.prediction.left.is_useless());
+        let Prediction { left: stated, effect, ms: stated_ms } = &proposal.prediction;
+        assert!(proposal.kind == kind && !stated.is_useless());
         assert!(truth.iter().zip(left).all(|(truth, left)| *truth <= left), "{kind:?}: {truth:?}");
         let of = |plant: usize, later: f64| true_ms(&plants[plant], &proposal.stages, later);
         let true_ms = [of(0, 0.0), of(0, 0.5), of(1, 0.0), of(2, 0.0)];
@@ -165,30 +166,17 @@ fn proposals_for_the_demonstration_plant() {
         assert!(true_ms.iter().zip(within).all(|(found, most)| *found <= most), "{kind:?}: {true_ms:?}");
         // What is stated holds: within two standard errors, and what is left within what the definition grants.
         assert!(
-            true_ms.iter().zip(proposal.prediction.ms).all(|(truth, stated)| *truth < stated * 1.03),
+            true_ms.iter().zip(stated_ms).all(|(truth, stated)| *truth < stated * 1.03),
             "{true_ms:?} {proposal:?}"
         );
-        let stated = [
-            proposal.prediction.left.residuals[0],
-            proposal.prediction.left.residuals[1],
-            proposal.prediction.left.ring.unwrap(),
-        ];
-        for (stated, truth) in stated.iter().zip(truth) {
+        for (stated, truth) in stated.residuals.iter().copied().chain(stated.ring).zip(truth) {
             assert!((stated / truth - 1.0).abs() < 0.1, "{kind:?}: {stated}, in truth {truth}");
         }
-        assert!(
-            (proposal.prediction.effect.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02,
-            "{proposal:?} {truth:?}"
-        );
-        assert!(
-            proposal.prediction.effect.peak_v_add > 1e-3 && proposal.prediction.effect.peak_v_add < 0.1,
-            "{proposal:?}"
-        );
+        assert!((effect.following_error.unwrap() / truth[3] - 1.0).abs() < 0.02, "{proposal:?} {truth:?}");
+        assert!((1e-3..0.1).contains(&effect.peak_v_add), "{proposal:?}");
     }
-    assert!(
-        found[1].prediction.left.worst_and_mean()[1] < found[0].prediction.left.worst_and_mean()[1],
-        "the strong one leaves less"
-    );
+    let [recommended, strong] = [0, 1].map(|k| found[k].prediction.left.worst_and_mean()[1]);
+    assert!(strong < recommended, "the strong one leaves less");
 }
 
 #[test]
@@ -232,11 +220,9 @@ fn useless_stages_are_said_to_be() {
     let lines = exact(&DEMONSTRATION);
     let found = proposed(&lines, &DEMONSTRATION, 0.0, &VIBRATIONS[..1], &weak).unwrap();
     for proposal in &found {
-        assert!((proposal.stages[0].1 - 7.0).abs() < 1e-9 && proposal.prediction.left.is_useless(), "{proposal:?}");
-        assert!(
-            proposal.prediction.left.residuals[0] > 0.8 && proposal.prediction.left.residuals[0] < 1.0,
-            "{proposal:?}"
-        );
+        let left = &proposal.prediction.left;
+        assert!((proposal.stages[0].1 - 7.0).abs() < 1e-9 && left.is_useless(), "{proposal:?}");
+        assert!(left.residuals[0] > 0.8 && left.residuals[0] < 1.0, "{proposal:?}");
     }
 }
 

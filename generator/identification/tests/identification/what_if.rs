@@ -95,7 +95,8 @@ fn the_pair_of_the_manual() {
 /// The rms of the load from 0.14 s after the second and the fourth ramp, at whose ends the axis stands still, to the next one.
 fn after_stops(of: &Move, ramps: &[Range<usize>]) -> f64 {
     let stops = [ramps[1].end + 140..ramps[2].start, ramps[3].end + 140..ramps[3].end + 940];
-    let mean = |window: Range<usize>| of.a_load[window.clone()].iter().map(|a| a * a / window.len() as f64).sum::<f64>();
+    let mean =
+        |window: Range<usize>| of.a_load[window.clone()].iter().map(|a| a * a / window.len() as f64).sum::<f64>();
     stops.map(mean).iter().sum::<f64>().sqrt()
 }
 
