@@ -211,7 +211,6 @@ fn moves_with_a_defect() {
     assert_said("clipped", &of(A_LOAD, &clipped), &[], "AX505", 0);
     let late = assert_said("late", &of(X_ACTUAL, &|values| later(values, 3.0)), &[], "AX509", 0);
     assert!(late.out.contains("ms later than v_motor"), "{}", late.out);
-    // The difference of two positions is half a cycle older than the velocity, and no channel is late.
     let difference = |pair: &[f64]| (pair[1] - pair[0]) * 1e6;
     let of_encoder =
         |_: &[f64]| MOVES[X_ACTUAL].windows(2).map(difference).fold(vec![0.0], |v, x| [v, vec![x]].concat());

@@ -108,7 +108,6 @@ fn left_at_load(plant: &Plant, truths: &[Truth; 3], proposal: &Proposal) -> Opti
 #[expect(clippy::print_stdout, reason = "the statistics are what a reader of the run wants")]
 fn proposals_for_random_axes() {
     let (axes, noises, least) = by_depth((8..9, &NOISE[..1], 0), (0..10, &NOISE[..1], 0), (0..100, &NOISE[..], 101));
-    let mut worst_of = (String::new(), 0.0);
     let mut all: Vec<Statistics> = noises.iter().map(|_| Statistics::default()).collect();
     for seed in axes {
         let plant = axis(seed);
@@ -119,10 +118,6 @@ fn proposals_for_random_axes() {
             match proposed(&lines, &plant, *noise, &VIBRATIONS[..1], &stages) {
                 Ok(found) => found.iter().for_each(|proposal| {
                     statistics.add(&plant, &truths, proposal);
-                    let wrong = statistics.residual.last().copied().unwrap_or(0.0).abs();
-                    if wrong > worst_of.1 {
-                        worst_of = (format!("axis {seed}, noise {noise}: {proposal:?}"), wrong);
-                    }
                 }),
                 Err(Refused::TooUncertain(_)) => statistics.refused += 1,
                 Err(refused) => panic!("axis {seed}: {refused:?}"),
@@ -136,7 +131,7 @@ fn proposals_for_random_axes() {
         let shown = statistics.shown(*noise);
         let ([usual, worst], [of_error, _]) = (quantiles(&statistics.residual), quantiles(&statistics.error));
         assert!(statistics.ms.iter().all(|ms| *ms < 2.1), "{shown}");
-        assert!(usual < 0.07 && worst < 0.2 && of_error < 0.05, "{shown}\n{}", worst_of.0);
+        assert!(usual < 0.07 && worst < 0.2 && of_error < 0.05, "{shown}");
         assert!(statistics.worst_at_load <= 1.0, "{shown}");
         assert!(statistics.proposals >= least, "{shown}");
     }

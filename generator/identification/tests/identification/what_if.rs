@@ -61,13 +61,9 @@ fn the_pair_of_the_manual() {
     let judge = Judge::new(axis, record, &VIBRATIONS).unwrap();
     let stages = |shape: &Shape| response(shape, CYCLE);
     let left = judge.left(&stages, &manual());
-    let found = [
-        left.residuals[0],
-        left.residuals[1],
-        left.ring.unwrap(),
-        judge.effect(&stages, &manual()).following_error.unwrap(),
-        left.settled.unwrap(),
-    ];
+    let [ring, settled] = [left.ring, left.settled].map(Option::unwrap);
+    let error = judge.effect(&stages, &manual()).following_error.unwrap();
+    let found = [left.residuals[0], left.residuals[1], ring, error, settled];
     // Golden figures, and the simulation: 5 % is what a load's vibration and a mesh that follows the position make.
     // Of the ring-down the definition leaves open which cycle its window begins with.
     for (found, (golden, tolerance)) in found.iter().zip([(0.454, 0.01), (0.311, 0.01), (0.376, 0.03)]) {
