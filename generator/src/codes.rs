@@ -47,8 +47,9 @@ codes! {
     AXIS_NAME = "AX006", "a name that an axis cannot have",
         "The name becomes part of identifiers and of file names in every target: letters, digits and single underscores, \
          a letter first, at most 32. With short_names at most 12: the names that linkers see have 31 characters then.";
-    AXIS_TWICE = "AX007", "two axes whose names differ in case only",
-        "Structured Text and some file systems do not tell upper and lower case apart.";
+    AXIS_TWICE = "AX007", "two axes whose names give one name",
+        "Structured Text and some file systems do not tell upper and lower case apart. The name of a block contains those of its \
+         axis and of its kind: the block spindle_axis of S has the name that the block axis of S_spindle would have.";
     OPTION = "AX008", "an option that a set does not take",
         "--cycle-time and --name are for an axis list without a set; a set states both itself.";
     CYCLE_TIME = "AX009", "no cycle time",
