@@ -63,8 +63,10 @@ fn a_page_belongs_to_an_axis_that_acts_itself() {
         axis("S", "kopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1", &format!("stage = [{{ {STAGE} }}]")),
         axis("N", "kopf.achs_nr = 3", ""),
     ];
-    let names: Vec<String> = of_set(&set.concat()).into_iter().map(|(name, _)| name).collect();
-    assert_eq!(names, ["axis_m_commissioning.md", "axis_n_commissioning.md"], "not the gantry slave");
+    let pages = of_set(&set.concat());
+    let [(master, page), (other, _)] = &pages[..] else { panic!("not the gantry slave") };
+    assert_eq!([master, other], ["axis_m_commissioning.md", "axis_n_commissioning.md"]);
+    assert_says(page, &["each slave (`S`) too. Its input `v_add_master`", "`v_add` of each slave (`S`) is"]);
 }
 
 /// Without a stage the page leads to the first ones; without the block `excitation` to that block.
