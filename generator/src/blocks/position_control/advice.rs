@@ -91,7 +91,7 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
     if let Some((velocity, [largest, finest])) = control.velocity.zip(additive(axis, control)) {
         let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
         fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
-        is_fine(axis, e, &velocity, finest);
+        resolves_addition(axis, e, &velocity, finest);
     }
 }
 
@@ -176,7 +176,7 @@ pub(crate) fn fits(
 }
 
 /// Warns if an additive velocity has few increments of its process datum. A scaling of 0 has another warning.
-fn is_fine(axis: &Axis, e: &mut Effective<'_>, velocity: &Velocity, (what, largest): (&str, f64)) {
+fn resolves_addition(axis: &Axis, e: &mut Effective<'_>, velocity: &Velocity, (what, largest): (&str, f64)) {
     let per_velocity = scale::velocity(velocity, axis.cycle_time_ns);
     let (increments, unit) = (largest * per_velocity, axis.control.velocity_unit());
     if increments >= FEWEST_INCREMENTS || increments <= 0.0 {
