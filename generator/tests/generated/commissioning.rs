@@ -36,9 +36,7 @@ fn page_with(gear: &str, keys: &str, ipc: &str) -> String {
         "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000{gear} }}]\n{keys}\n\
          [axis.X.lr_param.improved_position_control]\n{ipc}\n"
     );
-    let mut pages = of_set(&set);
-    assert_eq!(pages.len(), 1);
-    let (name, page) = pages.remove(0);
+    let Ok([(name, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
     assert_eq!(name, "axis_x_commissioning.md");
     page
 }
