@@ -125,10 +125,8 @@ fn proposals_for_random_axes() {
         }
     }
     for (statistics, noise) in all.iter().zip(noises) {
-        println!("{}", statistics.shown(*noise));
-    }
-    for (statistics, noise) in all.iter().zip(noises) {
         let shown = statistics.shown(*noise);
+        println!("{shown}");
         let ([usual, worst], [of_error, _]) = (quantiles(&statistics.residual), quantiles(&statistics.error));
         assert!(statistics.ms.iter().all(|ms| *ms < 2.1), "{shown}");
         assert!(usual < 0.07 && worst < 0.2 && of_error < 0.05, "{shown}");
