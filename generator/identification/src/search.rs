@@ -80,7 +80,7 @@ impl Search<'_, '_> {
     }
 
     /// The weights that the scenarios allow, the remaining vibration, and the cost: J = max(r, ring) + mean(r, ring) + 0.1
-    /// Ms, and 10 for what the load moves too much after stops. `None` if a required all-pass is impossible, or if no weight is allowed.
+    /// Ms + 10 max(0, settled - 1.1). `None` if a required all-pass is impossible, or if no weight is allowed.
     #[must_use]
     pub fn judged(&self, candidate: &Candidate) -> Option<Judged> {
         let mut of = Vec::new();
