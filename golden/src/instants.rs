@@ -83,10 +83,11 @@ impl<'t> Instants<'t> {
         &self.lines
     }
 
-    /// The time of the first sample [ns].
-    pub(crate) fn first(&self) -> Option<i128> {
-        let unit = self.stated_unit()?;
-        Some(self.first? * i128::from(unit) / 1_000_000_000)
+    /// The time in a line [ns].
+    pub(crate) fn at(&self, line: usize) -> Option<i128> {
+        let unit = self.stated_unit().filter(|_| !self.is_text)?;
+        let since = self.since[self.lines.binary_search(&line).ok()?];
+        Some((self.first? + i128::from(since)) * i128::from(unit) / 1_000_000_000)
     }
 }
 

@@ -4,11 +4,13 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use compiler::program::Type;
+use golden::measure;
 use golden::mistake::Mistake;
 use golden::recording::{self, Recording};
 use golden::samples::{Shape, Signal};
 use golden::table::Table;
 use portable::{Literal, RealKind};
+use std::ops::Range;
 
 /// How a column of times belongs to channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,6 +125,20 @@ fn written(form: Form) -> String {
     }
     lines.extend(form.has_end.then(|| "EOF".to_owned()));
     lines.join(form.line_end) + form.line_end
+}
+
+/// The file with one cell of each sample changed.
+fn changed(form: Form, at: usize, change: impl Fn(usize, &str) -> String) -> String {
+    let (text, separator) = (written(form), form.separator.to_string());
+    let head = text.lines().position(|line| line.starts_with("Unit")).unwrap() + 2;
+    let of = |(line, text): (usize, &str)| {
+        let mut cells: Vec<String> = text.split(form.separator).map(str::to_owned).collect();
+        if let Some(cell) = cells.get_mut(at).filter(|_| line >= head) {
+            *cell = change(line - head, cell);
+        }
+        cells.join(&separator) + "\n"
+    };
+    text.lines().enumerate().map(of).collect()
 }
 
 /// The bytes of a text, and what is written before them.
@@ -242,21 +258,11 @@ fn a_symbol_of_several_channels_is_refused() {
 #[test]
 fn channels_begin_together() {
     let form = Form { times: Times::PerChannel, ..FORM };
-    let later = |by: &str| {
-        let table = written(form);
-        let is_sample = |line: &&str| line.starts_with(|first: char| first.is_ascii_digit());
-        let first_at = 2 + 2 * 2; // after those of `fast` and of both speeds
-        let moved = |line: &str| {
-            let mut cells: Vec<String> = line.split('\t').map(str::to_owned).collect();
-            if let Some(cell) = cells.get_mut(first_at).filter(|cell| *cell != " ") {
-                *cell = (cell.parse::<f64>().unwrap() + by.parse::<f64>().unwrap()).to_string();
-            }
-            cells.join("\t")
-        };
-        let line = |line: &str| if is_sample(&line) { moved(line) } else { line.to_owned() };
-        table.lines().map(line).collect::<Vec<_>>().join("\n")
+    let first_at = 2 + 2 * 2; // after those of `fast` and of both speeds
+    let later = |by: f64| {
+        changed(form, first_at, |_, cell| cell.parse().map_or(String::new(), |time: f64| (time + by).to_string()))
     };
-    let recording = read(&later("2"), &MAP).unwrap();
+    let recording = read(&later(2.0), &MAP).unwrap();
     let skipped = ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2));
     assert_eq!(recording.skipped, skipped);
     assert_eq!(recording.outputs.len(), 38);
@@ -265,29 +271,48 @@ fn channels_begin_together() {
     assert_eq!(values[0], Literal::F64(value(0, 2).parse().unwrap()));
     recording.outputs.read(0, &mut values);
     assert_eq!(values[0], Literal::F64(value(2, 0).parse().unwrap()));
-    let mistakes = read(&later("0.4"), &MAP).unwrap_err();
+    let mistakes = read(&later(0.4), &MAP).unwrap_err();
     assert_eq!(mistakes.len(), 1);
     assert!(mistakes[0].found.contains(" was sampled 0.4 ms apart from the others"), "{mistakes:?}");
 }
 
-/// A value that is missing between others is a mistake; one message says how many are.
+/// Values that are missing between others are a mistake, for measurements too; one message says how many are. Before the
+/// first value they are not: the channel begins later, if it has times.
 #[test]
-fn values_that_are_missing_in_the_middle() {
-    let table = written(FORM);
-    let without = |line: (usize, &str)| {
-        let mut cells: Vec<&str> = line.1.split('\t').collect();
-        if (30..33).contains(&line.0) {
-            cells[3] = " ";
-        }
-        cells.join("\t")
+fn values_that_are_missing() {
+    let map = [("Motor speed", "v_motor"), ("Motor speed (1)", "v_command")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+    let without = |samples: Range<usize>, form: Form, cell| {
+        changed(form, cell, |sample, cell| if samples.contains(&sample) { String::new() } else { cell.to_owned() })
     };
-    let text = table.lines().enumerate().map(without).collect::<Vec<_>>().join("\n");
-    let mistakes = read(&text, &MAP).unwrap_err();
-    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
-    assert_eq!(
-        (mistake.line, mistake.found.as_str()),
-        (31, "3 values are missing in the middle of the column `Motor speed`")
-    );
+    let text = without(18..21, FORM, 3);
+    for mistakes in [read(&text, &MAP).unwrap_err(), measure::read(&Table::read(&text, &[]), &map).unwrap_err()] {
+        let [Mistake { line, column, found, .. }] = &mistakes[..] else { panic!("{mistakes:?}") };
+        assert_eq!((*line, *column), (31, text.lines().nth(30).unwrap().find("\t\t").unwrap() + 2));
+        assert_eq!(found, "3 values are missing in the middle of the column `Motor speed`");
+    }
+    let text = without(0..3, FORM, 3);
+    assert_eq!(read(&text, &MAP).unwrap().skipped.len(), 3);
+    let channels = measure::read(&Table::read(&text, &[]), &map).unwrap();
+    assert_eq!([0, 1].map(|at| channels[at].timing.begins), [Some(0), Some(3_000_000)]);
+    let mistakes = read(&without(0..3, Form { times: Times::None, ..FORM }, 0), &MAP).unwrap_err();
+    assert_eq!(mistakes[0].found, "3 values are missing at the start of the column `Motor speed`");
+}
+
+/// The last channel has no sample at first, or none at all: the cells before it are read as before.
+#[test]
+fn a_last_channel_without_samples() {
+    for (times, last, is_full) in [(Times::One, 4, false), (Times::One, 4, true), (Times::None, 3, false)] {
+        for (separator, count) in [('\t', 3), (' ', 3), ('\t', SAMPLES), (' ', SAMPLES), (',', SAMPLES)] {
+            let form = Form { separator, times, is_full, ..FORM };
+            let map = [MAP[0], MAP[1], MAP[2], ("ready", "-")];
+            let text =
+                changed(form, last, |at, cell| if at < count as usize { String::new() } else { cell.to_owned() });
+            for text in [text.replace(&format!("{separator}\n"), "\n"), text] {
+                let (read, whole) = (read(&text, &map).unwrap(), read(&written(form), &map).unwrap());
+                assert_eq!((read.inputs, read.outputs), (whole.inputs, whole.outputs), "{form:?} {count}\n{text}");
+            }
+        }
+    }
 }
 
 /// Names with blanks between blanks, which neither the user nor a second channel of the name reports apart.

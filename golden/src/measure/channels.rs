@@ -4,9 +4,9 @@ use super::unit::{Quantity, Unit};
 use crate::instants::Instants;
 use crate::mistake::Mistake;
 use crate::samples::{Shape, Signal};
+use crate::series::{self, Series};
 use crate::signals::{self, Map};
 use crate::table::{Column, Table};
-use crate::value::{allowed, instead, parse};
 use compiler::program::Type;
 use portable::{Literal, RealKind};
 
@@ -62,41 +62,29 @@ pub struct Timing {
     /// number of missing samples, and the line before which the first ones are missing
     pub missing: usize,
     pub first_gap: Option<usize>,
-    /// time of the first sample [ns]; `None` if only rows are known
+    /// time of the channel's first sample [ns]; `None` if only rows are known
     pub begins: Option<i128>,
 }
 
 /// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` assigns signals to columns with other names.
 ///
 /// # Errors
-/// All errors: unknown and repeated columns, unknown units; short rows, cells that are not finite numbers.
+/// All errors: unknown and repeated columns, unknown units; those of `series::columns`, and numbers that are not finite.
 pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> {
     let shape = Shape { real: RealKind::F64, signals: SIGNALS.iter().map(|(name, _)| real(name)).collect() };
     let found = signals::of_columns(table, &shape, &OTHERS, &with_units(table, map))?;
-    let chosen: Vec<(&Column<'_>, usize)> =
-        table.columns.iter().zip(&found).filter_map(|(column, signal)| Some((column, (*signal)?))).collect();
-    let units = units(&chosen)?;
-    let mut times: Vec<Instants<'_>> = Vec::new();
-    for (column, _) in &chosen {
-        if let Some(time) = column.time.filter(|time| times.iter().all(|known| known.column != *time)) {
-            times.push(Instants::of(time));
-        }
-    }
-    let mut values: Vec<Vec<f64>> = vec![Vec::with_capacity(table.rows.len()); chosen.len()];
-    let mut mistakes = rows(table, &chosen, &mut values, &mut times);
-    if !mistakes.is_empty() {
-        mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
-        return Err(mistakes);
-    }
+    let units = units(table, &found)?;
+    let is_finite = |value: &Literal| matches!(value, Literal::F64(value) if value.is_finite());
+    let (series, times) = series::columns(table, &found, &shape, is_finite)?;
     let timings: Vec<Timing> = times.iter().map(timing).collect();
-    let channel = |(k, values): (usize, Vec<f64>)| {
-        let ((column, signal), unit) = (chosen[k], units[k]);
+    let channel = |(Series { column, signal, values, begins, .. }, unit): (Series<'_>, Option<Unit>)| {
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
         let (signal, quantity) = SIGNALS[signal];
-        Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing }
+        let values = values.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+        Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing: Timing { begins, ..timing } }
     };
-    let mut channels: Vec<Channel> = values.into_iter().enumerate().map(channel).collect();
+    let mut channels: Vec<Channel> = series.into_iter().zip(units).map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
     Ok(channels)
 }
@@ -112,10 +100,10 @@ fn bracket(name: &str) -> Option<(&str, &str)> {
 }
 
 /// The units that the names of the columns state; a unit that is not known is not replaced by a plausible one.
-fn units(chosen: &[(&Column<'_>, usize)]) -> Result<Vec<Option<Unit>>, Vec<Mistake>> {
+fn units(table: &Table<'_>, found: &[Option<usize>]) -> Result<Vec<Option<Unit>>, Vec<Mistake>> {
     let (mut units, mut mistakes) = (Vec::new(), Vec::new());
-    for (column, signal) in chosen {
-        let (signal, quantity) = SIGNALS[*signal];
+    for (column, signal) in table.columns.iter().zip(found).filter_map(|(column, signal)| Some((column, (*signal)?))) {
+        let (signal, quantity) = SIGNALS[signal];
         let stated = bracket(column.called()).map(|(_, name)| name);
         let unit = stated.and_then(|name| Unit::named(quantity, name));
         if let (Some(name), None) = (stated, unit) {
@@ -136,50 +124,6 @@ fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
         (is_signal && !is_mapped(column.name)).then(|| (column.name.to_owned(), name.to_owned()))
     };
     map.iter().cloned().chain(table.columns.iter().filter_map(of)).collect()
-}
-
-/// Reads all rows once; returns the first error of each kind.
-fn rows<'t>(
-    table: &Table<'t>,
-    chosen: &[(&Column<'_>, usize)],
-    values: &mut [Vec<f64>],
-    times: &mut [Instants<'t>],
-) -> Vec<Mistake> {
-    let mut cells = Vec::new();
-    let (mut wrong_row, mut wrong_cells) = (None, vec![None; chosen.len()]);
-    for row in &table.rows {
-        if let Err([found, right]) = table.cells(row, &mut cells) {
-            wrong_row.get_or_insert_with(|| {
-                Mistake::new([row.line, 1], format!("{found} cells"), format!("{right} cells, one for each column"))
-            });
-            continue;
-        }
-        for times in &mut *times {
-            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
-        }
-        for (((column, signal), values), wrong) in chosen.iter().zip(&mut *values).zip(&mut wrong_cells) {
-            let cell = cells.get(column.cell).copied().unwrap_or_default();
-            if cell.is_empty() && table.is_export {
-                continue;
-            }
-            let content = table.number(cell);
-            let signal = real(SIGNALS[*signal].0);
-            match parse(&content, &signal, RealKind::F64) {
-                Some(Literal::F64(value)) if value.is_finite() => values.push(value),
-                _ => {
-                    let found = || format!("`{}` for {}", content.escape_default(), signal.name);
-                    wrong.get_or_insert_with(|| {
-                        Mistake::new(row.place(cell), found(), allowed(Type::Real, RealKind::F64)).instead(instead(
-                            &content,
-                            Type::Real,
-                            RealKind::F64,
-                        ))
-                    });
-                }
-            }
-        }
-    }
-    wrong_row.into_iter().chain(wrong_cells.into_iter().flatten()).collect()
 }
 
 /// The timing of a column of times.
@@ -206,7 +150,7 @@ fn timing(times: &Instants<'_>) -> Timing {
     let first_gap = steps().position(|step| is_gap(&step)).and_then(|at| times.lines().get(at + 1).copied());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
     let missing = missing as usize;
-    Timing { interval: Some(interval), jitter, missing, first_gap, begins: times.first() }
+    Timing { interval: Some(interval), jitter, missing, first_gap, begins: None }
 }
 
 /// The timing of a column without times: from the head of an export.

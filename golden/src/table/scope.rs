@@ -69,10 +69,13 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
     let rows = Rows { names: row(NAME), symbols: row(SYMBOL), types: row(DATA_TYPE), sample_times: row(SAMPLE_TIME) };
     let samples = lines.get(start).map(|line| {
         cells::split_samples(line, separator, &mut cells);
-        cells.pop_if(|cell| cell.is_empty());
-        cells.len()
+        cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1)
     });
-    match rows.layout(samples) {
+    let first_cells = lines[start..].iter().filter_map(|line| {
+        cells::split_samples(line, separator, &mut cells);
+        cells::number(cells[0], separator).parse().ok()
+    });
+    match rows.layout(samples, first_cells) {
         Some(layout) => Head {
             columns: rows.columns(&layout, wanted),
             cells: layout.row.cells.len() - usize::from(!layout.has_times),
@@ -83,16 +86,28 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
 }
 
 impl<'t> Rows<'t> {
-    /// The first line of samples decides: a row about the channels has the same number of cells, or one more without times.
-    fn layout(&self, samples: Option<usize>) -> Option<Layout<'_, 't>> {
+    /// The first line of samples decides: a row about the channels has the same number of cells, or one more without times. If
+    /// the last channels have no sample there, it has more cells too; then the first cells tell whether they are times.
+    fn layout(&self, samples: Option<usize>, first_cells: impl Iterator<Item = f64>) -> Option<Layout<'_, 't>> {
         let rows: Vec<&Row<'_>> = [&self.symbols, &self.types, &self.names].into_iter().flatten().collect();
-        let with = |more: usize| {
-            let is_it = |row: &&&Row<'_>| samples.is_some_and(|samples| row.cells.len() == samples + more);
-            rows.iter().find(is_it).copied()
-        };
-        let timeless = with(1).filter(|row| with(0).is_none() && !row.cells[1..].contains(&row.cells[0]));
-        let row = with(0).or(timeless).or(rows.first().copied())?;
-        Some(Layout { row, has_times: timeless.is_none() })
+        let of = |count: usize| rows.iter().find(|row| row.cells.len() == count).copied();
+        let row = samples.and_then(|count| of(count).or_else(|| of(count + 1))).or(rows.first().copied())?;
+        let is_longer = samples.is_some_and(|count| count < row.cells.len());
+        let may_lack_times = is_longer && !row.cells[1..].contains(&row.cells[0]);
+        Some(Layout { row, has_times: !may_lack_times || self.are_times(first_cells, row.cells.len()) })
+    }
+
+    /// Whether most steps of these numbers are the sampling time of the first channel, in ms or in 100 ns.
+    fn are_times(&self, numbers: impl Iterator<Item = f64>, cells: usize) -> bool {
+        // All channels have one; between commas, a decimal comma separates it into two cells.
+        let step = self.sample_times.as_ref().and_then(|row| {
+            let parts = (row.cells.len() - 1) / (cells - 1).max(1);
+            row.cells[1..=parts].join(".").replace(',', ".").parse::<f64>().ok()
+        });
+        let Some(step) = step else { return false };
+        let numbers: Vec<f64> = numbers.collect();
+        let is_step = |found: f64| [step, step * 1e4].iter().any(|step| libm::fabs(found - step) < 0.03 * step);
+        2 * numbers.windows(2).filter(|pair| is_step(pair[1] - pair[0])).count() > numbers.len()
     }
 
     /// The channels.
