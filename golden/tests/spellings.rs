@@ -47,6 +47,8 @@ const CHANNELS: [Channel; 6] = [
     ("fast", "MAIN.fbX.fFast", "REAL32", 200, 0),
     ("slow", "MAIN.fbX.fVelo", "REAL32", 5000, -3000),
 ];
+const UNITS: [(&str, &str); 2] =
+    [("Motor speed (1)", "mm/s (Velocity)"), ("Dr\u{fc}cke[{\u{e4}\u{f6}\u{df}}]", "dV (Voltage)")];
 const SAMPLES: u32 = 40;
 
 /// The value of a channel in its sample.
@@ -101,7 +103,9 @@ fn written(form: Form) -> String {
     // In the language of the PC, whatever the decimal mark of the samples is.
     lines.push(row("SampleTime[ms]", &|channel| milliseconds(i64::from(channel.3), ',')));
     lines.push(row("SymbolName", &|channel| channel.1.to_owned()));
-    lines.push(row("Unit", &|_| "dV (Voltage)".to_owned()));
+    lines
+        .push(row("Unit", &|channel| UNITS.iter().find(|of| of.0 == channel.0).map_or("(None)", |of| of.1).to_owned()));
+    lines.push(row("Unit Offset", &|_| "0".to_owned()));
     lines.push(String::new());
     let count = |channel: usize| SAMPLES * 1000 / CHANNELS[channel].3;
     for sample in 0..order.iter().map(|channel| count(*channel)).max().unwrap() {
@@ -130,7 +134,7 @@ fn written(form: Form) -> String {
 /// The file with one cell of each sample changed.
 fn changed(form: Form, at: usize, change: impl Fn(usize, &str) -> String) -> String {
     let (text, separator) = (written(form), form.separator.to_string());
-    let head = text.lines().position(|line| line.starts_with("Unit")).unwrap() + 2;
+    let head = text.lines().position(|line| line.starts_with("Unit Offset")).unwrap() + 2;
     let of = |(line, text): (usize, &str)| {
         let mut cells: Vec<String> = text.split(form.separator).map(str::to_owned).collect();
         if let Some(cell) = cells.get_mut(at).filter(|_| line >= head) {
@@ -161,6 +165,13 @@ fn read(text: &str, map: &[(&str, &str)]) -> Result<Recording, Vec<Mistake>> {
     let wanted: Vec<&str> = map.iter().map(|(name, _)| name.as_str()).collect();
     let [inputs, outputs] = shapes();
     recording::read(&Table::read(text, &wanted), [&inputs, &outputs], true, &map, 1_000_000)
+}
+
+/// Three of the channels, to be measured.
+fn measured(text: &str) -> Result<Vec<measure::Channel>, Vec<Mistake>> {
+    let map = [("Motor speed", "v_motor"), ("Motor speed (1)", "v_command"), (CHANNELS[2].0, "a_load")];
+    let wanted = map.map(|(name, _)| name);
+    measure::read(&Table::read(text, &wanted), &map.map(|(name, signal)| (name.to_owned(), signal.to_owned())))
 }
 
 const MAP: [(&str, &str); 4] = [
@@ -203,6 +214,13 @@ fn every_form_is_read_as_the_same_samples() {
                 read.outputs.read(at, &mut values);
                 assert_eq!(values, [number(2)], "{form:?} {sample}");
             }
+            let [command, motor, load] = &measured(&text).unwrap()[..] else { panic!("{form:?}") };
+            let units = [command, motor, load].map(|channel| channel.unit.map(|unit| unit.name));
+            assert_eq!(
+                (units, load.other_unit.as_deref()),
+                ([Some("mm/s"), None, None], Some("dV")),
+                "{form:?}\n{text}"
+            );
             let line = text.lines().nth(read.lines[7] - 1).unwrap();
             assert!(line.contains(&value(0, 7).replace('.', &form.mark.to_string())), "{form:?}: {line}");
             count += 1;
@@ -280,19 +298,18 @@ fn channels_begin_together() {
 /// first value they are not: the channel begins later, if it has times.
 #[test]
 fn values_that_are_missing() {
-    let map = [("Motor speed", "v_motor"), ("Motor speed (1)", "v_command")].map(|(a, b)| (a.to_owned(), b.to_owned()));
     let without = |samples: Range<usize>, form: Form, cell| {
         changed(form, cell, |sample, cell| if samples.contains(&sample) { String::new() } else { cell.to_owned() })
     };
     let text = without(18..21, FORM, 3);
-    for mistakes in [read(&text, &MAP).unwrap_err(), measure::read(&Table::read(&text, &[]), &map).unwrap_err()] {
+    for mistakes in [read(&text, &MAP).unwrap_err(), measured(&text).unwrap_err()] {
         let [Mistake { line, column, found, .. }] = &mistakes[..] else { panic!("{mistakes:?}") };
-        assert_eq!((*line, *column), (31, text.lines().nth(30).unwrap().find("\t\t").unwrap() + 2));
+        assert_eq!((*line, *column), (32, text.lines().nth(31).unwrap().find("\t\t").unwrap() + 2));
         assert_eq!(found, "3 values are missing in the middle of the column `Motor speed`");
     }
     let text = without(0..3, FORM, 3);
     assert_eq!(read(&text, &MAP).unwrap().skipped.len(), 3);
-    let channels = measure::read(&Table::read(&text, &[]), &map).unwrap();
+    let channels = measured(&text).unwrap();
     assert_eq!([0, 1].map(|at| channels[at].timing.begins), [Some(0), Some(3_000_000)]);
     let mistakes = read(&without(0..3, Form { times: Times::None, ..FORM }, 0), &MAP).unwrap_err();
     assert_eq!(mistakes[0].found, "3 values are missing at the start of the column `Motor speed`");

@@ -38,8 +38,10 @@ pub struct Channel {
     pub quantity: Quantity,
     /// `None` if it is unknown
     pub unit: Option<Unit>,
-    /// whether the name of the column contains the unit
+    /// whether the file states the unit
     pub is_stated: bool,
+    /// what it states instead, if that is no unit of the quantity
+    pub other_unit: Option<String>,
     pub values: Vec<f64>,
     pub timing: Timing,
 }
@@ -77,12 +79,14 @@ pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> 
     let is_finite = |value: &Literal| matches!(value, Literal::F64(value) if value.is_finite());
     let (series, times) = series::columns(table, &found, &shape, is_finite)?;
     let timings: Vec<Timing> = times.iter().map(timing).collect();
-    let channel = |(Series { column, signal, values, begins, .. }, unit): (Series<'_>, Option<Unit>)| {
+    let channel = |(Series { column, signal, values, begins, .. }, unit): (Series<'_>, Option<Stated>)| {
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
         let (signal, quantity) = SIGNALS[signal];
         let values = values.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
-        Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing: Timing { begins, ..timing } }
+        let (unit, other_unit) = unit.map_or((None, None), |unit| (unit.as_ref().ok().copied(), unit.err()));
+        let timing = Timing { begins, ..timing };
+        Channel { signal, quantity, unit, is_stated: unit.is_some(), other_unit, values, timing }
     };
     let mut channels: Vec<Channel> = series.into_iter().zip(units).map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
@@ -99,18 +103,25 @@ fn bracket(name: &str) -> Option<(&str, &str)> {
     unit.contains(char::is_alphabetic).then(|| (name.trim(), unit.trim()))
 }
 
-/// The units that the names of the columns state; a unit that is not known is not replaced by a plausible one.
-fn units(table: &Table<'_>, found: &[Option<usize>]) -> Result<Vec<Option<Unit>>, Vec<Mistake>> {
+/// A unit as stated; the text if it is not known.
+type Stated = Result<Unit, String>;
+
+/// The units that the columns state: in brackets after the name, else in the head of an export. A unit that is not known is an
+/// error after the name of a signal; elsewhere, the brackets may be part of a name, and the unit that of a scope.
+fn units(table: &Table<'_>, found: &[Option<usize>]) -> Result<Vec<Option<Stated>>, Vec<Mistake>> {
     let (mut units, mut mistakes) = (Vec::new(), Vec::new());
     for (column, signal) in table.columns.iter().zip(found).filter_map(|(column, signal)| Some((column, (*signal)?))) {
         let (signal, quantity) = SIGNALS[signal];
-        let stated = bracket(column.called()).map(|(_, name)| name);
-        let unit = stated.and_then(|name| Unit::named(quantity, name));
-        if let (Some(name), None) = (stated, unit) {
-            let found = format!("the unit `{}` of {signal}", name.escape_default());
-            mistakes.push(Mistake::new(column.place, found, quantity.names()));
+        let bracket = bracket(column.called());
+        let stated = [column.unit, bracket.map_or("", |(_, unit)| unit)];
+        let known = stated.iter().rev().find_map(|name| Unit::named(quantity, name));
+        let other = stated.into_iter().find(|name| !name.is_empty()).map(|name| name.escape_default().to_string());
+        match (bracket, known.map(Ok).or(other.map(Err))) {
+            (Some((name, _)), Some(Err(unit))) if name == signal => {
+                mistakes.push(Mistake::new(column.place, format!("the unit `{unit}` of {signal}"), quantity.names()));
+            }
+            (_, unit) => units.push(unit),
         }
-        units.push(unit);
     }
     if mistakes.is_empty() { Ok(units) } else { Err(mistakes) }
 }

@@ -166,6 +166,17 @@ impl Record {
                 channel.unit = channel.unit.map(|unit| unit.rotary().unwrap_or(unit));
             }
         }
+        for channel in &self.channels {
+            let Some(stated) = &channel.other_unit else { continue };
+            let taken = channel.unit.map_or("no unit", |unit| unit.name);
+            let found = format!("{} is stated in `{stated}`, and is taken in {taken} instead", channel.signal);
+            let instead = format!(
+                "state its unit after its name, as in `{} [UNIT]`: {}",
+                channel.signal,
+                channel.quantity.names()
+            );
+            verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
+        }
         self.velocities_fit(verdicts)
     }
 

@@ -106,7 +106,7 @@ fn plain<'t>(lines: &[&'t str]) -> Table<'t> {
         let place = [1, cells::column_of(first, name)];
         match column::time_unit(name) {
             Some(unit) => times.push(TimeColumn { name, cell, unit, place }),
-            None => columns.push(Column { name, symbol: "", place, sample_time: None, cell, time: None }),
+            None => columns.push(Column { name, symbol: "", place, sample_time: None, unit: "", cell, time: None }),
         }
     }
     for column in &mut columns {

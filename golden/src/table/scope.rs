@@ -8,6 +8,7 @@
 //! Name func_a Name test space func_b        between blanks, of names with blanks
 //! SampleTime[ms],0,2,SampleTime[ms],1,1     between commas, with the decimal comma of the PC
 //! Data-Type REAL64 Data-Type REAL64 BIT     the row that determines the columns
+//! Unit (None) Unit mm/s (Velocity) (None)   between blanks, of units that end with a quantity
 //! ```
 
 use super::cells;
@@ -18,6 +19,7 @@ const NAME: &str = "Name";
 const SYMBOL: &str = "SymbolName";
 const DATA_TYPE: &str = "Data-Type";
 const SAMPLE_TIME: &str = "SampleTime[ms]";
+const UNIT: &str = "Unit";
 const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
 /// The contents above the samples.
@@ -48,6 +50,8 @@ struct Rows<'t> {
     symbols: Option<Row<'t>>,
     types: Option<Row<'t>>,
     sample_times: Option<Row<'t>>,
+    /// the unit of each channel
+    units: Vec<&'t str>,
 }
 
 /// The row that distinguishes cells of channels from cells of times.
@@ -66,7 +70,13 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
     };
     let start = lines.iter().position(is_sample).unwrap_or(lines.len());
     let row = |key: &str| row(&lines[..start], separator, key);
-    let rows = Rows { names: row(NAME), symbols: row(SYMBOL), types: row(DATA_TYPE), sample_times: row(SAMPLE_TIME) };
+    let rows = Rows {
+        names: row(NAME),
+        symbols: row(SYMBOL),
+        types: row(DATA_TYPE),
+        sample_times: row(SAMPLE_TIME),
+        units: units(&lines[..start], separator),
+    };
     let samples = lines.get(start).map(|line| {
         cells::split_samples(line, separator, &mut cells);
         cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1)
@@ -133,9 +143,13 @@ impl<'t> Rows<'t> {
                 symbol: symbol.map_or("", |(symbol, _)| symbol),
                 place: name.or(symbol).map_or([*line, 1], |(_, place)| place),
                 sample_time: same(&self.sample_times, cell),
+                unit: "",
                 cell: if has_times { cell } else { cell - 1 },
                 time,
             });
+        }
+        if self.units.len() == columns.len() {
+            columns.iter_mut().zip(&self.units).for_each(|(column, unit)| column.unit = unit);
         }
         columns
     }
@@ -162,6 +176,21 @@ fn row<'t>(lines: &[&'t str], separator: char, key: &str) -> Option<Row<'t>> {
         cells.pop();
     }
     Some(Row { line: index + 1, text, cells })
+}
+
+/// The units of the channels, without their quantities: of `mm/s (Velocity)` the velocity, of `(None)` nothing.
+fn units<'t>(lines: &[&'t str], separator: char) -> Vec<&'t str> {
+    let mut cells = Vec::new();
+    let is_row = |line: &&&'t str| {
+        cells::split(line, separator, &mut cells);
+        cells[0] == UNIT && !cells.get(1).is_some_and(|next| ["ScaleFactor", "Offset"].contains(next))
+    };
+    let Some(line) = lines.iter().skip(1).rfind(is_row) else { return Vec::new() };
+    if separator == ' ' {
+        cells = line.split_terminator(')').map(|unit| unit.trim().trim_start_matches(UNIT)).collect();
+    }
+    cells.retain(|cell| *cell != UNIT);
+    cells.iter().map(|cell| cell.split('(').next().unwrap_or_default().trim()).collect()
 }
 
 /// The place of a cell.
