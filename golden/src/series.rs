@@ -129,20 +129,46 @@ fn read_rows<'t>(
     times: &mut [Instants<'t>],
     is_allowed: fn(&Literal) -> bool,
 ) -> Vec<Mistake> {
-    let (mut cells, mut rows) = (Vec::new(), Wrong::default());
+    let (mut cells, mut rows, mut marks) = (Vec::new(), Wrong::default(), Marks::default());
     for row in &table.rows {
         if let Err([found, right]) = table.cells(row, &mut cells) {
             rows.add(|| wrong_row(table, row, found, right));
             continue;
         }
         for times in &mut *times {
-            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
+            let cell = cells.get(times.column.cell).copied().unwrap_or_default();
+            times.read(table.number(cell).as_ref(), row.line);
+            marks.read(table, row, cell);
         }
         for series in &mut *series {
+            marks.read(table, row, cells.get(series.column.cell).copied().unwrap_or_default());
             series.read(table, row, &cells, is_allowed);
         }
     }
-    rows.said("rows").into_iter().collect()
+    rows.said("rows").into_iter().chain(marks.both).collect()
+}
+
+/// The decimal marks of a table: with two of them, one separates thousands.
+#[derive(Default)]
+struct Marks {
+    /// the first one, with its line
+    first: Option<(u8, usize)>,
+    both: Option<Mistake>,
+}
+
+impl Marks {
+    fn read(&mut self, table: &Table<'_>, row: &Row<'_>, cell: &str) {
+        let mark = cell.bytes().find(|letter| matches!(letter, b'.' | b',')).filter(|_| !table.has_commas());
+        let Some(mark) = mark.filter(|mark| self.first.is_none_or(|(first, _)| first != *mark)) else { return };
+        if self.both.is_some() || table.number(cell).parse::<f64>().is_err() {
+            return;
+        }
+        let Some((_, line)) = self.first else { return self.first = Some((mark, row.line)) };
+        let [own, other] = if mark == b',' { ["comma", "point"] } else { ["point", "comma"] };
+        let found = format!("`{cell}` with a decimal {own}, after a number with a decimal {other} in line {line}");
+        let mistake = Mistake::new(row.place(cell), found, "one decimal mark");
+        self.both = Some(mistake.instead("export without separators of thousands"));
+    }
 }
 
 fn wrong_row(table: &Table<'_>, row: &Row<'_>, found: usize, right: usize) -> Mistake {

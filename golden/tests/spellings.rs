@@ -50,6 +50,7 @@ const CHANNELS: [Channel; 6] = [
 const UNITS: [(&str, &str); 2] =
     [("Motor speed (1)", "mm/s (Velocity)"), ("Dr\u{fc}cke[{\u{e4}\u{f6}\u{df}}]", "dV (Voltage)")];
 const SAMPLES: u32 = 40;
+const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
 /// The value of a channel in its sample.
 fn value(channel: usize, sample: u32) -> String {
@@ -182,17 +183,19 @@ const MAP: [(&str, &str); 4] = [
 ];
 
 fn forms() -> impl Iterator<Item = Form> {
-    let separators = ['\t', ';', ' ', ':', ','].into_iter();
-    let separators = separators.flat_map(|separator| ['.', ','].map(|mark| (separator, mark)));
     let times = [Times::PerChannel, Times::PerRate, Times::One, Times::None];
-    let layouts = separators.flat_map(move |form| times.map(|times| (form, times)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|is_sorted| (form, is_sorted)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|is_full| (form, is_full)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|has_end| (form, has_end)));
-    let layouts = layouts.flat_map(|form| ["\n", "\r\n"].map(|line_end| (form, line_end)));
-    layouts.map(|(((((form, times), is_sorted), is_full), has_end), line_end)| {
-        let (separator, mark) = form;
-        Form { separator, mark, times, is_sorted, is_full, has_end, line_end }
+    (0..5 * 128).map(move |form: usize| {
+        let [has_comma, is_sorted, is_full, has_end, is_long] = [64, 1, 2, 4, 8].map(|bit| form & bit > 0);
+        let (mark, line_end) = (if has_comma { ',' } else { '.' }, if is_long { "\r\n" } else { "\n" });
+        Form {
+            separator: SEPARATORS[form / 128],
+            mark,
+            times: times[form / 16 % 4],
+            is_sorted,
+            is_full,
+            has_end,
+            line_end,
+        }
     })
 }
 
@@ -254,7 +257,7 @@ const FORM: Form = Form {
 #[test]
 fn channels_of_other_sampling_times_are_named_at_once() {
     let map = [("fast", "v_motor"), ("slow", "v_command"), MAP[2]];
-    for separator in ['\t', ';', ' ', ':', ','] {
+    for separator in SEPARATORS {
         let mistakes = read(&written(Form { separator, ..FORM }), &map).unwrap_err();
         let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
         assert_eq!(mistake.code, "AX480");

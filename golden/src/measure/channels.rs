@@ -59,8 +59,12 @@ impl Channel {
 pub struct Timing {
     /// the sampling interval [s]; `None` if it is unknown
     pub interval: Option<f64>,
-    /// largest deviation of a step from it, except gaps [s]
+    /// largest deviation from it of a step, except gaps, and of all times from even ones [s]
     pub jitter: f64,
+    /// the line of the largest one
+    pub uneven: Option<usize>,
+    /// an assumed unit of the times, if another one is as plausible
+    pub doubt: Option<String>,
     /// number of missing samples, and the line before which the first ones are missing
     pub missing: usize,
     pub first_gap: Option<usize>,
@@ -154,14 +158,16 @@ fn timing(times: &Instants<'_>) -> Timing {
     }
     // Times are written with few digits: their mean step is more precise than any of them.
     let interval = libm::round(sum / count * 1e9) / 1e9;
-    let jitter = steps().filter(|step| !is_gap(step)).fold(0.0, |jitter: f64, step| {
-        let apart = libm::round(libm::fabs(step - interval) * 1e9) / 1e9;
-        if apart > jitter { apart } else { jitter }
-    });
+    let rounded = |apart: f64| libm::round(libm::fabs(apart) * 1e9) / 1e9;
+    let step = |(k, step): (usize, f64)| (rounded(step - interval), times.lines()[k + 1]);
+    let all = steps().enumerate().filter(|(_, step)| !is_gap(step)).map(step);
+    let drift = times.drift().map(|(drift, line)| (rounded(drift * usual), line));
+    let worst = all.chain(drift).reduce(|worst, other| if other.0 > worst.0 { other } else { worst });
+    let (jitter, uneven) = worst.map_or((0.0, None), |(jitter, line)| (jitter, Some(line)));
     let first_gap = steps().position(|step| is_gap(&step)).and_then(|at| times.lines().get(at + 1).copied());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
     let missing = missing as usize;
-    Timing { interval: Some(interval), jitter, missing, first_gap, begins: None }
+    Timing { interval: Some(interval), jitter, uneven, doubt: times.doubt(), missing, first_gap, begins: None }
 }
 
 /// The timing of a column without times: from the head of an export.

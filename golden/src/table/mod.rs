@@ -101,16 +101,22 @@ fn plain<'t>(lines: &[&'t str]) -> Table<'t> {
     let separator = ['\t', ';'].into_iter().find(|separator| first.contains(*separator)).unwrap_or(',');
     let mut header = Vec::new();
     cells::split(first, separator, &mut header);
-    let (mut columns, mut times) = (Vec::new(), Vec::new());
+    let (mut columns, mut times, mut current) = (Vec::new(), Vec::<TimeColumn<'_>>::new(), None);
     for (cell, name) in header.iter().copied().enumerate() {
         let place = [1, cells::column_of(first, name)];
         match column::time_unit(name) {
-            Some(unit) => times.push(TimeColumn { name, cell, unit, place }),
-            None => columns.push(Column { name, symbol: "", place, sample_time: None, unit: "", cell, time: None }),
+            Some(unit) => {
+                // Of times side by side, the first one counts.
+                if times.last().is_none_or(|last| last.cell + 1 < cell) {
+                    current = Some(TimeColumn { name, cell, unit, place });
+                }
+                times.push(TimeColumn { name, cell, unit, place });
+            }
+            None => columns.push(Column { name, symbol: "", place, sample_time: None, unit: "", cell, time: current }),
         }
     }
     for column in &mut columns {
-        column.time = times.first().copied();
+        column.time = column.time.or(times.first().copied());
     }
     let rows = rows(lines, 1).collect();
     Table { columns, rows, is_export: false, times, separator, cells: header.len() }

@@ -52,6 +52,22 @@ fn times_with_a_gap() {
     // A scope that fills gaps with the previous value.
     let said = "error[AX481]: the time does not go on: before line 3, 5, 7, 9, 11, ...\n";
     assert_refused(&with_times("time[ms]", |sample| number(sample / 2)), 1, &[said]);
+    // The interval changes by less than half a cycle.
+    let said =
+        "recorded.csv:1502:1: error[AX480]: the interval changes: a time is 149.9 cycles away from even sampling\n";
+    assert_refused(
+        &with_times("t[ms]", |sample| number(sample) + 0.2 * number(sample.saturating_sub(1500))),
+        1,
+        &[said],
+    );
+}
+
+/// One of two decimal marks separates thousands.
+#[test]
+fn two_decimal_marks() {
+    let said =
+        "recorded.csv:3:7: error[AX015]: `1,234` with a decimal comma, after a number with a decimal point in line 2\n";
+    assert_refused("v_motor;v_add\n0.5;7\n999.5;1,234\n2.5;1,235\n", 1, &[said]);
 }
 
 /// One message, not a thousand.
