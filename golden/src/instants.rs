@@ -164,7 +164,8 @@ pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_ti
         .filter_map(|column| interval(column).map(|(text, place)| (column.called(), text, place)))
         .collect();
     if let Some((_, first, place)) = wrong.first() {
-        return vec![other_interval(&wrong, first, *place, cycle)];
+        let unsaid = times.iter().find(|times| times.unit(cycle_time_ns).is_none()).map(|times| times.column.name);
+        return vec![other_interval(&wrong, first, *place, cycle, unsaid)];
     }
     times.iter().filter_map(|times| gaps(times, cycle_time_ns)).collect()
 }
@@ -181,7 +182,14 @@ fn wrong_interval(times: &Instants<'_>, cycle_time_ns: u32) -> Option<String> {
     (!is_near(found, f64::from(cycle_time_ns))).then(|| format!("{} ms", found / 1e6))
 }
 
-fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usize; 2], cycle: f64) -> Mistake {
+/// The message about columns of other intervals; `unsaid` are times without a unit.
+fn other_interval(
+    wrong: &[(&str, String, [usize; 2])],
+    first: &str,
+    place: [usize; 2],
+    cycle: f64,
+    unsaid: Option<&str>,
+) -> Mistake {
     let same = wrong.iter().all(|(_, interval, _)| interval == first);
     let found = if same {
         format!("a sample every {first} of {}", listed(wrong.iter().map(|(name, ..)| *name)))
@@ -191,10 +199,15 @@ fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usi
     };
     Mistake::new(place, format!("{found}; the block runs every {cycle} ms"), "a sample of every cycle of the block")
         .coded(codes::OTHER_INTERVAL)
-        .instead(format!(
-            "record these columns every {cycle} ms, or leave them out:{}",
-            wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
-        ))
+        .instead(match unsaid {
+            Some(times) => {
+                format!("state the unit of the times, as in `time [us]`, or leave them out:{}", option(times))
+            }
+            None => format!(
+                "record these columns every {cycle} ms, or leave them out:{}",
+                wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
+            ),
+        })
 }
 
 /// The option that leaves a column out, quoted for a shell.

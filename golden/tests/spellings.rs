@@ -104,8 +104,8 @@ fn written(form: Form) -> String {
     // In the language of the PC, whatever the decimal mark of the samples is.
     lines.push(row("SampleTime[ms]", &|channel| milliseconds(i64::from(channel.3), ',')));
     lines.push(row("SymbolName", &|channel| channel.1.to_owned()));
-    lines
-        .push(row("Unit", &|channel| UNITS.iter().find(|of| of.0 == channel.0).map_or("(None)", |of| of.1).to_owned()));
+    let unit = |channel: &Channel| UNITS.iter().find(|of| of.0 == channel.0).map_or("(None)", |of| of.1);
+    lines.push(row("Unit", &|channel| unit(channel).to_owned()));
     lines.push(row("Unit Offset", &|_| "0".to_owned()));
     lines.push(String::new());
     let count = |channel: usize| SAMPLES * 1000 / CHANNELS[channel].3;
@@ -187,15 +187,8 @@ fn forms() -> impl Iterator<Item = Form> {
     (0..5 * 128).map(move |form: usize| {
         let [has_comma, is_sorted, is_full, has_end, is_long] = [64, 1, 2, 4, 8].map(|bit| form & bit > 0);
         let (mark, line_end) = (if has_comma { ',' } else { '.' }, if is_long { "\r\n" } else { "\n" });
-        Form {
-            separator: SEPARATORS[form / 128],
-            mark,
-            times: times[form / 16 % 4],
-            is_sorted,
-            is_full,
-            has_end,
-            line_end,
-        }
+        let (separator, times) = (SEPARATORS[form / 128], times[form / 16 % 4]);
+        Form { separator, mark, times, is_sorted, is_full, has_end, line_end }
     })
 }
 
@@ -219,11 +212,8 @@ fn every_form_is_read_as_the_same_samples() {
             }
             let [command, motor, load] = &measured(&text).unwrap()[..] else { panic!("{form:?}") };
             let units = [command, motor, load].map(|channel| channel.unit.map(|unit| unit.name));
-            assert_eq!(
-                (units, load.other_unit.as_deref()),
-                ([Some("mm/s"), None, None], Some("dV")),
-                "{form:?}\n{text}"
-            );
+            let units = (units, load.other_unit.as_deref());
+            assert_eq!(units, ([Some("mm/s"), None, None], Some("dV")), "{form:?}");
             let line = text.lines().nth(read.lines[7] - 1).unwrap();
             assert!(line.contains(&value(0, 7).replace('.', &form.mark.to_string())), "{form:?}: {line}");
             count += 1;
@@ -311,7 +301,7 @@ fn values_that_are_missing() {
         assert_eq!(found, "3 values are missing in the middle of the column `Motor speed`");
     }
     let text = without(0..3, FORM, 3);
-    assert_eq!(read(&text, &MAP).unwrap().skipped.len(), 3);
+    assert_eq!(read(&text, &MAP).unwrap().skipped, ["v_command", "is_ready", "v_add"].map(|name| (name.to_owned(), 3)));
     let channels = measured(&text).unwrap();
     assert_eq!([0, 1].map(|at| channels[at].timing.begins), [Some(0), Some(3_000_000)]);
     let mistakes = read(&without(0..3, Form { times: Times::None, ..FORM }, 0), &MAP).unwrap_err();

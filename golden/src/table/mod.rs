@@ -80,6 +80,12 @@ impl<'t> Table<'t> {
         self.separator == ','
     }
 
+    /// Whether a plain table has blanks between its cells, which separate the words of a name too.
+    pub(crate) fn has_blanks(&self) -> bool {
+        let mut words = self.rows.first().map_or("", |row| row.text).split_whitespace();
+        !self.is_export && self.cells == 1 && words.clone().nth(1).is_some() && words.all(cells::is_number)
+    }
+
     /// Whether a column of the table, or one of its times, has this name or shows this symbol.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {

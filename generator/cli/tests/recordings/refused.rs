@@ -39,7 +39,8 @@ fn times_of_another_interval() {
     assert_refused(&with_times("time[ms]", |sample| 2.0 * number(sample)), 1, &[head, remedy]);
     // What the times count is not known: then it is the user who says that they are none.
     let text = with_times("time", |sample| 2.0 * number(sample));
-    assert_refused(&text, 1, &["error[AX480]: a sample every 2 of `time`, which has no unit, of v_command"]);
+    let remedy = "write instead: state the unit of the times, as in `time [us]`, or leave them out: --map time=-\n";
+    assert_refused(&text, 1, &["error[AX480]: a sample every 2 of `time`, which has no unit, of v_command", remedy]);
     let run = compare(folder().path(), &text, &["--map", "time=-"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
 }
@@ -79,6 +80,7 @@ fn a_column_of_text() {
     let head = "recorded.csv:2:1: error[AX015]: 3 cells, and 1000 more rows\n";
     let remedy = "write instead: export with a decimal point, or with semicolons or tabs";
     assert_refused(&format!("v_motor,v_add\n{}", rows("1,5")), 1, &[head, remedy]);
+    assert_refused("t[ms] v_motor v_add\n0 1 2\n", 1, &["recorded.csv:1:1: error[AX015]: blanks between the cells\n"]);
 }
 
 #[test]
