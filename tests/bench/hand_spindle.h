@@ -372,8 +372,8 @@ OFTEN uint32_t accompany(hand_spindle *spindle, const axis_inputs *inputs)
     const bool is_found = position_in_range(inputs->x_actual);
     if (is_known) {
         spindle->v = turning(spindle);
-        spindle->asks_velocity = fabs(spindle->v) > v_taken_up;
     }
+    spindle->asks_velocity = !is_known || !is_found || fabs(spindle->v) > v_taken_up;
     if (is_found) {
         show(spindle, inputs, spindle->v);
     } else {
@@ -466,9 +466,11 @@ OFTEN uint32_t follow(hand_spindle *spindle, const axis_inputs *inputs)
     spindle->takes_over = false;
     slow_down(spindle, 0.0);
     double v_turning = 0.0;
+    const bool is_found = position_in_range(inputs->x_actual);
+    spindle->asks_velocity = true;
     if (look(spindle, inputs->v_actual)) {
         v_turning = turning(spindle);
-        spindle->asks_velocity = fabs(v_turning) > 0.0;
+        spindle->asks_velocity = !is_found || fabs(v_turning) > 0.0;
         const double low = v_turning < 0.0 ? v_turning : 0.0;
         const double high = v_turning < 0.0 ? 0.0 : v_turning;
         if (spindle->v > high) {
@@ -477,7 +479,7 @@ OFTEN uint32_t follow(hand_spindle *spindle, const axis_inputs *inputs)
             spindle->v = low;
         }
     }
-    if (!position_in_range(inputs->x_actual)) {
+    if (!is_found) {
         return 18u;
     }
     show(spindle, inputs, v_turning);

@@ -48,7 +48,8 @@ pub fn hold_back<R: Real>(state: &mut State<R>, v_turning: R) {
 
 /// The commands follow a spindle that the block does not move yet, so that the drive does not stop it with a step. If the
 /// drive is on, the velocity command is that of the spindle. If it is off, the command is not faster than the spindle: a
-/// drive that is on after all then brakes.
+/// drive that is on after all then brakes. Position control is asked for only where both samples show that it moves nothing:
+/// with an old position a drive would turn the spindle back, and a turning one would be stopped with a step.
 #[portable]
 pub fn follow<R: Real>(
     state: &mut State<R>,
@@ -58,19 +59,21 @@ pub fn follow<R: Real>(
     is_known: bool,
 ) {
     note("the block does not move the spindle yet: the commands follow it");
+    let is_found = in_range(inputs.x_actual, position_limit());
+    let mut can_hold = false;
     if is_known {
         look(&mut state.seen, coeffs, inputs.v_actual);
         let v_turning = turns_with(&state.seen, coeffs);
         cycle.v_turning = v_turning;
         if inputs.drive_on {
             state.v = v_turning;
-            state.asks_velocity = !coeffs.only_position && !within(v_turning, coeffs.v_taken_up);
+            can_hold = is_found && within(v_turning, coeffs.v_taken_up);
         } else {
-            state.asks_velocity = !coeffs.only_position && !within(v_turning, R::ZERO);
+            can_hold = is_found && within(v_turning, R::ZERO);
             cycle.holds_back = true;
         }
     }
-    let is_found = in_range(inputs.x_actual, position_limit());
+    state.asks_velocity = !(coeffs.only_position || can_hold);
     if is_found {
         // Without a sample of the velocity a drive that is on keeps the last one.
         let v_shown = if inputs.drive_on { state.v } else { cycle.v_turning };
@@ -80,7 +83,7 @@ pub fn follow<R: Real>(
     }
     if !is_known && inputs.drive_on {
         cycle.sample_error = error_v_actual();
-    } else if !(is_found || coeffs.only_velocity && inputs.drive_on) {
+    } else if !(is_found || coeffs.only_velocity) {
         cycle.sample_error = error_x_actual();
     }
 }

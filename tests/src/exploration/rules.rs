@@ -137,8 +137,9 @@ fn is_mode_right(edge: &Edge<'_>) -> bool {
     }
     let taken_up = coeffs.v_position_control_on + coeffs.window;
     let is_velocity = match edge.inside {
-        _ if edge.is_off => edge.turning().map_or(edge.before.block.asks_velocity, |v| v != 0.0),
-        _ if edge.looks() => edge.turning().map_or(edge.before.block.asks_velocity, |v| v.abs() > taken_up),
+        _ if edge.looks() && !is_place(edge.inputs.x_actual) => true,
+        _ if edge.is_off => edge.turning() != Some(0.0),
+        _ if edge.looks() => edge.turning().is_none_or(|v| v.abs() > taken_up),
         Node::Off | Node::OffStopped | Node::Position | Node::ToPosition => false,
         Node::ToVelocity | Node::Velocity => true,
         Node::Brake | Node::Stopped => edge.before.block.asks_velocity,

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   04e212c37f3c63f1152b6ca52990cb7c
- * checksum    3e6347aadb6167cbe9663875c1713f4f
+ * structure   339b9c73bddf09e4059f352c8fcdec7e
+ * checksum    f143bcddb88291c6a9d71c2a5ea9d93a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -543,6 +543,8 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     uint32_t spindle_sample_error;
     if (spindle_is_followed) {
         /* the block does not move the spindle yet: the commands follow it */
+        const bool spindle_is_found =
+            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
         if (spindle_is_known) {
             if (state->spindle_seen_samples == 0u) {
                 state->spindle_seen_v_last = inputs->v_actual;
@@ -599,8 +601,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             spindle_holds_back = false;
             spindle_v_turning = 0.0;
         }
-        const bool spindle_is_found =
-            axis_s_spindle_axis_magnitude(inputs->x_actual) <= axis_s_spindle_axis_position_limit;
         if (spindle_is_found) {
             double spindle_v_shown;
             if (inputs->drive_on) {

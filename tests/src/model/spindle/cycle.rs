@@ -187,9 +187,8 @@ impl Model {
         let is_known = self.samples.take(inputs.v_actual);
         if let Some(v) = self.samples.velocity(&self.p).filter(|_| is_known) {
             self.v = v;
-            let is_fast = v.abs() > self.p.v_off + self.p.window;
-            self.mode = if is_fast && !self.p.only_position { self.p.velocity_mode } else { self.p.position_mode };
         }
+        self.holds_if(is_known && is_position(inputs.x_actual) && self.v.abs() <= self.p.v_off + self.p.window);
         self.x = if is_position(inputs.x_actual) {
             ahead(inputs.x_actual, self.v, lead_time(&self.p, inputs) - self.p.cycle)
         } else {
@@ -202,14 +201,19 @@ impl Model {
         let v = slower(self.v, 0.0, self.step());
         let found = is_position(inputs.x_actual).then_some(inputs.x_actual);
         if !self.samples.take(inputs.v_actual) {
+            self.holds_if(false);
             return Motion { v, x: found.or(Some(self.x)) };
         }
         let turning = self.samples.velocity(&self.p).expect("a sample has just been taken");
-        let is_turning = turning != 0.0 && !self.p.only_position;
-        self.mode = if is_turning { self.p.velocity_mode } else { self.p.position_mode };
+        self.holds_if(turning == 0.0 && found.is_some());
         let lead = lead_time(&self.p, inputs) - self.p.cycle;
         let x = found.map(|x| ahead(x, turning, lead));
         Motion { v: v.clamp(turning.min(0.0), turning.max(0.0)), x: x.or(Some(self.x)) }
+    }
+
+    /// The mode at the start: position control only of what is known to stand where it is, or to be slow enough.
+    fn holds_if(&mut self, is_safe: bool) {
+        self.mode = if is_safe || self.p.only_position { self.p.position_mode } else { self.p.velocity_mode };
     }
 
     /// Where position control is taken up in the next cycle.
@@ -246,7 +250,7 @@ impl Model {
             self.unsettled_at = self.now;
         }
         let needs_velocity = state == BRAKE || is_start && inputs.drive_on;
-        let needs_position = (is_start || self.is_settled()) && (!p.only_velocity || !inputs.drive_on);
+        let needs_position = (is_start || self.is_settled()) && !p.only_velocity;
         let must_wait = is_start && p.only_position && inputs.drive_on && self.samples.is_fast(p);
         let missing = [
             ((follows || state == VELOCITY) && !is_velocity(inputs.v_interpolator), 14),
