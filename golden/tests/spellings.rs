@@ -274,8 +274,7 @@ fn channels_begin_together() {
         changed(form, first_at, |_, cell| cell.parse().map_or(String::new(), |time: f64| (time + by).to_string()))
     };
     let recording = read(&later(2.0), &MAP).unwrap();
-    let skipped = ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2));
-    assert_eq!(recording.skipped, skipped);
+    assert_eq!(recording.skipped, ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2)));
     assert_eq!(recording.outputs.len(), 38);
     let mut values = Vec::new();
     recording.inputs.read(0, &mut values);
@@ -301,7 +300,7 @@ fn values_that_are_missing() {
         assert_eq!(found, "3 values are missing in the middle of the column `Motor speed`");
     }
     let text = without(0..3, FORM, 3);
-    assert_eq!(read(&text, &MAP).unwrap().skipped, ["v_command", "is_ready", "v_add"].map(|name| (name.to_owned(), 3)));
+    assert_eq!(read(&text, &MAP).unwrap().skipped, ["v_command", "v_add", "is_ready"].map(|name| (name.to_owned(), 3)));
     let channels = measured(&text).unwrap();
     assert_eq!([0, 1].map(|at| channels[at].timing.begins), [Some(0), Some(3_000_000)]);
     let mistakes = read(&without(0..3, Form { times: Times::None, ..FORM }, 0), &MAP).unwrap_err();

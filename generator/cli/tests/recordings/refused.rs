@@ -3,15 +3,10 @@
 use super::{compare, folder, good};
 
 /// The good recording with a column of times before it.
-fn with_times(name: &str, time: impl Fn(usize) -> f64) -> String {
+fn with_times(name: &str, time: impl Fn(f64) -> f64) -> String {
     let csv = good().only(&["v_command", "v_motor", "v_add"]).csv();
-    let cell = |row: usize| if row == 0 { name.to_owned() } else { time(row - 1).to_string() };
-    csv.lines().enumerate().map(|(row, line)| format!("{},{line}\n", cell(row))).collect()
-}
-
-#[expect(clippy::cast_precision_loss, reason = "a few thousand")]
-fn number(sample: usize) -> f64 {
-    sample as f64
+    let cell = |row: u32| if row == 0 { name.to_owned() } else { time(f64::from(row - 1)).to_string() };
+    csv.lines().zip(0..).map(|(line, row)| format!("{},{line}\n", cell(row))).collect()
 }
 
 /// The messages about a text, of which there is a number, with these parts.
@@ -26,7 +21,7 @@ fn times_of_the_cycle_are_taken_in_any_unit() {
     for (name, step) in
         [("time [s]", 0.001), ("t", 0.001), ("Zeit(ms)", 1.0), ("time", 1.0), ("time_us", 1000.0), ("t", 1e6)]
     {
-        let text = with_times(name, |sample| 5.0 + number(sample) * step);
+        let text = with_times(name, |sample| 5.0 + sample * step);
         let run = compare(folder().path(), text, &[]);
         assert_eq!((run.code, run.err.as_str()), (0, ""), "{name} {step}: {}", run.out);
     }
@@ -36,9 +31,9 @@ fn times_of_the_cycle_are_taken_in_any_unit() {
 fn times_of_another_interval() {
     let head = "recorded.csv:1:10: error[AX480]: a sample every 2 ms of v_command, v_motor, v_add; the block runs every 1 ms\n";
     let remedy = "or leave them out: --map v_command=- --map v_motor=- --map v_add=-\n";
-    assert_refused(&with_times("time[ms]", |sample| 2.0 * number(sample)), 1, &[head, remedy]);
+    assert_refused(&with_times("time[ms]", |sample| 2.0 * sample), 1, &[head, remedy]);
     // What the times count is not known: then it is the user who says that they are none.
-    let text = with_times("time", |sample| 2.0 * number(sample));
+    let text = with_times("time", |sample| 2.0 * sample);
     let remedy = "write instead: state the unit of the times, as in `time [us]`, or leave them out: --map time=-\n";
     assert_refused(&text, 1, &["error[AX480]: a sample every 2 of `time`, which has no unit, of v_command", remedy]);
     let run = compare(folder().path(), &text, &["--map", "time=-"]);
@@ -47,20 +42,16 @@ fn times_of_another_interval() {
 
 #[test]
 fn times_with_a_gap() {
-    let time = |sample: usize| number(if sample < 700 { sample } else { sample + 4 });
+    let time = |sample| if sample < 700.0 { sample } else { sample + 4.0 };
     let said = "recorded.csv:702:1: error[AX481]: 4 samples are missing: before line 702\n";
     assert_refused(&with_times("time[ms]", time), 1, &[said, "write instead: record again"]);
     // A scope that fills gaps with the previous value.
     let said = "error[AX481]: the time does not go on: before line 3, 5, 7, 9, 11, ...\n";
-    assert_refused(&with_times("time[ms]", |sample| number(sample / 2)), 1, &[said]);
+    assert_refused(&with_times("time[ms]", |sample| (sample / 2.0).floor()), 1, &[said]);
     // The interval changes by less than half a cycle.
     let said =
         "recorded.csv:1502:1: error[AX480]: the interval changes: a time is 149.9 cycles away from even sampling\n";
-    assert_refused(
-        &with_times("t[ms]", |sample| number(sample) + 0.2 * number(sample.saturating_sub(1500))),
-        1,
-        &[said],
-    );
+    assert_refused(&with_times("t[ms]", |sample| sample + 0.2 * (sample - 1500.0).clamp(0.0, 1e9)), 1, &[said]);
 }
 
 /// One of two decimal marks separates thousands.
