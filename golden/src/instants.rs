@@ -19,12 +19,13 @@ pub(crate) struct Instants<'t> {
     is_text: bool,
 }
 
-/// 100 ns since 1601, of the years 1917 to 2234. Milliseconds are smaller; nanoseconds since 1970 are larger.
-const FILE_TIMES: Range<i128> = 100_000_000_000_000_000..200_000_000_000_000_000;
-/// Possible units of a time without a unit in its name.
+/// The unit of time stamps [ns], and their values of the years 1917 to 2234. Milliseconds are smaller; nanoseconds since 1970
+/// are larger.
 const FILE_TIME: i64 = 100;
+const FILE_TIMES: Range<i128> = 100_000_000_000_000_000..200_000_000_000_000_000;
 /// The cycle of a controller [ns].
 const CYCLES: RangeInclusive<f64> = 31e3..=30e6;
+/// Possible units of a time without a unit in its name.
 const UNSAID: [(i64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us"), (1, "ns")];
 
 impl<'t> Instants<'t> {
@@ -56,7 +57,7 @@ impl<'t> Instants<'t> {
         })
     }
 
-    /// Nanoseconds of the unit in the name, or of the form of the first time.
+    /// Nanoseconds of the unit in the name, or that the size of the first time shows.
     fn stated_unit(&self) -> Option<i64> {
         match self.column.unit {
             Unit::Nanoseconds(unit) => Some(unit),
