@@ -47,8 +47,9 @@ codes! {
     AXIS_NAME = "AX006", "a name that an axis cannot have",
         "The name becomes part of identifiers and of file names in every target: letters, digits and single underscores, \
          a letter first, at most 32. With short_names at most 12: the names that linkers see have 31 characters then.";
-    AXIS_TWICE = "AX007", "two axes whose names differ in case only",
-        "Structured Text and some file systems do not tell upper and lower case apart.";
+    AXIS_TWICE = "AX007", "two axes whose names give one name",
+        "Structured Text and some file systems do not tell upper and lower case apart. The name of a block contains those of its \
+         axis and of its kind: the block spindle_axis of S has the name that the block axis of S_spindle would have.";
     OPTION = "AX008", "an option that a set does not take",
         "--cycle-time and --name are for an axis list without a set; a set states both itself.";
     CYCLE_TIME = "AX009", "no cycle time",
@@ -435,7 +436,8 @@ codes! {
          the time constant.";
     NO_EFFECT = "AX426", "parameters without effect",
         "The parameters are given, and nothing of what this axis does uses them: feedforward that P-AXIS-00223 does not switch \
-         on, a scaling of a command that the drive does not get, process data that are not put out.";
+         on, a scaling of a command that the drive does not get, process data that are not put out. The keys fade, ride_through, \
+         tunable, lowest_f0, tuning_limit and tuning_weight are for active stages; in a gantry the stages of the master act.";
     SCALINGS = "AX427", "unequal scalings in a gantry",
         "A slave puts out its master's additive velocity in its own scaling. Where the scalings differ, so do the increments: \
          that is right for unequal drives only. Where one of the two turns and the other does not, not even the unit is the \
@@ -629,10 +631,11 @@ codes! {
          unstable from Kv T = 1 on, and up to Kv T = 2 sin(10 deg) = 0.347 it keeps a phase margin of 60 deg, with which a step \
          overshoots by about 5 %. AX350 says how other delays count. A real drive is slower and has less: write a smaller Kv \
          (P-AXIS-00099), or use a shorter cycle.";
-    COARSE_COMMAND = "AX484", "a velocity command of less than one increment",
+    COARSE_COMMAND = "AX484", "a velocity command or an additive velocity of few increments",
         "The velocity command of the drive is rounded to whole increments: 0 or 1 here, at the velocity of the change to \
-         position control, or at the largest one. The scaling is P-AXIS-00205 to 00207, with position control in the CNC P-AXIS-00129 and \
-         00128. Write the scaling of the drive.";
+         position control, or at the largest one. An additive velocity needs 10 at its limit v_add_max_fact (P-AXIS-00757), \
+         without stages at vb_max: it is mostly a small part of this, and less than half an increment is lost. The scaling is \
+         P-AXIS-00205 to 00207, with position control in the CNC P-AXIS-00129 and 00128. Write the scaling of the drive.";
     OTHER_MODE = "AX485", "an operation mode of a CANopen drive for another purpose",
         "The changeover sends a new command in each cycle. The modes for that are 8, the cyclic synchronous position mode \
          (P-AXIS-00463), and 9, the cyclic synchronous velocity mode (P-AXIS-00464). The manual allows any number, because \

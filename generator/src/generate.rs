@@ -1,6 +1,6 @@
 //! From a set to its files. Each step is one call.
 
-use crate::blocks::{self, Block, BlockKind, Designed};
+use crate::blocks::{self, Block, Designed};
 use crate::target::{BlockIdentity, File, Target, Unit};
 use crate::{axis::Axis, commissioning, digest::digest, pipeline::Set};
 use compiler::pass::Defect;
@@ -76,11 +76,10 @@ pub fn units<'s>(set: &'s Set) -> Vec<Unit<'s>> {
 /// What the head of a file says of an axis and of one of its blocks.
 pub fn identity(axis: &Axis, block: &Block) -> BlockIdentity {
     let name = block.program.block;
-    let kind = blocks::named(name);
     BlockIdentity {
         name: axis.name.clone(),
         real: block.program.real,
-        short_name: kind.filter(|_| axis.short_names).map(BlockKind::short_name),
+        short_names: axis.short_names,
         cycle_time_ns: axis.cycle_time_ns,
         is_rotary: axis.control.is_rotary,
         parameters_digest: parameters_digest(axis, name),

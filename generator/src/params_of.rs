@@ -237,7 +237,7 @@ fn in_all(axis: &BlockIdentity, block: &Block) -> String {
 /// names it has at most 31 characters.
 fn names_in_c(axis: &BlockIdentity, block: &Block, set: u32) -> [String; 2] {
     let header = c_prefix(axis, block.program.block);
-    let between = if axis.short_name.is_some() { "set" } else { "set_" };
+    let between = if axis.short_names { "set" } else { "set_" };
     let name = format!("{header}_{between}{set:08x}");
     [header, name]
 }

@@ -5,10 +5,11 @@ use crate::check::{self, Checked, command_filter, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
-use crate::{axis::Axis, blocks::Designed, codes, feasibility, parameters::Name};
+use crate::target::block_name;
+use crate::{axis::Axis, blocks, blocks::Designed, codes, feasibility, parameters::Name};
 use rayon::prelude::*;
 use serde::Serialize;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// The axes of a set, checked and designed.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -111,12 +112,13 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
         given.axes.par_iter().zip(checked).map(|axis| design(axis, (path, load), purpose)).collect();
     let mut set = Set { targets: check::targets(&given.top), ..Set::default() };
     set.foreign = given.axes.iter().map(|axis| axis.foreign.count).sum();
-    let mut refused = Vec::new();
+    let (mut refused, mut names) = (Vec::new(), BTreeMap::new());
     for (of, (designed, said)) in given.axes.iter().zip(designed) {
         if designed.is_none() {
             refused.push(RefusedAxis { axis: of.name.clone(), found: first_error(&said) });
         }
         report.extend(said);
+        report.diagnostics.extend(designed.as_ref().and_then(|designed| name_twice(designed, &of.home, &mut names)));
         set.axes.extend(designed);
     }
     if !report.has_errors() {
@@ -128,6 +130,19 @@ fn read_as(path: &Path, options: &ListOptions, load: Load<'_>, purpose: Purpose)
     let is_whole = refused.is_empty() && !report.diagnostics.iter().any(is_refusal);
     let shown = Shown { set, refused, is_allowed: !report.has_errors(), is_whole };
     (Some(shown), report.shortened())
+}
+
+/// Rejects a block whose name the block of another axis has: `spindle_axis` of S, and `axis` of S_spindle.
+fn name_twice(designed: &Designed, place: &Place, names: &mut BTreeMap<String, String>) -> Option<Diagnostic> {
+    let name = &designed.axis.name;
+    let taken = |block| {
+        let other = names.insert(block_name(name, block), name.clone())?;
+        (!other.eq_ignore_ascii_case(name)).then_some((block, other))
+    };
+    let (block, other) = blocks::names(&designed.axis).into_iter().find_map(taken)?;
+    let found =
+        format!("the block `{block}` of {name} has the same name as one of {other}: {}", block_name(name, block));
+    Some(Diagnostic::error(codes::AXIS_TWICE, place.clone(), found).instead("another name"))
 }
 
 /// What the first error says.

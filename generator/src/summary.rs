@@ -36,7 +36,7 @@ pub fn details(designed: &Designed) -> AxisRow {
         stages.extend(of.stages);
         lines.extend(of.lines);
     }
-    lines.extend(drive(axis).into_iter().chain(keys(axis)));
+    lines.extend(drive(axis).into_iter().chain(keys(designed)).chain(gantry(axis)));
     AxisRow { reserve: stages.iter().filter_map(|row| row.active.as_ref()?.reserve).max(), stages, lines, ..head(axis) }
 }
 
@@ -110,17 +110,29 @@ fn drive(axis: &Axis) -> Vec<String> {
 }
 
 /// The effect of axgen's own keys in a set.
-fn keys(axis: &Axis) -> Vec<String> {
+fn keys(designed: &Designed) -> Vec<String> {
+    let axis = &designed.axis;
     let tunable = match axis.ipc.numbers {
-        Numbers::Fixed => None,
-        Numbers::Weights(of) => {
+        Numbers::Weights(of) if axis.stages_act() => {
             Some(format!("tunable: the weights and the limit; the limit starts at {} of it", of.limit))
         }
+        Numbers::Fixed | Numbers::Weights(_) => None,
         Numbers::Sets { lowest_f0: None } => Some("tunable: all numbers, by parameter sets".to_owned()),
         Numbers::Sets { lowest_f0: Some(f0) } => {
             Some(format!("tunable: all parameters, by parameter sets of the block set_design, f0 from {f0} Hz"))
         }
     };
-    let watch = axis.ipc.watch.then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
+    let watch = (designed.ipc.watch.active)
+        .then(|| "watch: fades out where the loop becomes unstable, output `tripped`".to_owned());
     tunable.into_iter().chain(watch).collect()
+}
+
+/// How the slaves get the additive velocity of a master without the block `axis`, whose parts the caller connects.
+fn gantry(axis: &Axis) -> Option<String> {
+    let slaves = &axis.control.slaves;
+    let is_open = axis.ipc.takes_sets() && !slaves.is_empty();
+    is_open.then(|| {
+        let slaves = slaves.join(", ");
+        format!("gantry master of {slaves}: v_add_master must get the v_add that acts on this axis in the same cycle")
+    })
 }

@@ -111,7 +111,7 @@ void {{ block.prefix }}_init({{ block.prefix }}_state *fresh);
 /* Sets every input to its start value. */
 void {{ block.prefix }}_inputs_init({{ block.prefix }}_inputs *inputs);
 
-/* Call once per position-controller cycle. The three structs must not overlap. */
+/* Call {{ block.rate }}. The three structs must not overlap. */
 void {{ block.prefix }}_step(
     {{ block.prefix }}_state *state,
     const {{ block.prefix }}_inputs *inputs,

@@ -20,7 +20,7 @@
 //! assert_eq!(self_test(), 0); // at start-up: this build computes the bits of the reference
 //! let (mut state, mut outputs) = (State::new(), Outputs::new());
 //! let inputs = Inputs::new(); // write the signals of this cycle
-//! step(&mut state, &inputs, &mut outputs); // once per position-controller cycle
+//! step(&mut state, &inputs, &mut outputs); // {{ rate }}
 //! ```
 
 #![allow(dead_code)] // a caller need not use every item
@@ -157,7 +157,7 @@ fn nearest(value: {{ real }}) -> i32 {
 fn any_cycle(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
 {{ any_cycle }}}
 {% endif %}
-/// Call once per position-controller cycle.
+/// Call {{ rate }}.
 #[allow(clippy::all, clippy::pedantic)] // one statement for each statement of the reference
 #[rustfmt::skip]
 pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {

@@ -40,7 +40,7 @@ pub trait Block: Default {
     /// cycle time that the block was designed for, in nanoseconds
     const CYCLE_TIME_NS: u32;
 
-    /// Call once per position-controller cycle.
+    /// One call: its module says when.
     fn step(&mut self, inputs: &Self::Inputs, outputs: &mut Self::Outputs);
 
     /// Whether the outputs are those of a cycle with a fault.

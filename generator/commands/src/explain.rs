@@ -21,7 +21,7 @@ pub fn text(code: Option<&str>) -> Result<String, Report> {
         None => explain(wanted).map_or_else(|| of_word(wanted), |code| vec![of_code(code)]),
     };
     if found.is_empty() {
-        let is_code = wanted.chars().any(|letter| letter.is_ascii_digit());
+        let is_code = number(wanted).is_some() || wanted.to_ascii_uppercase().starts_with("AX");
         let wanted = wanted.escape_default();
         let found = match is_code {
             true => format!("no code `{wanted}`; `axgen explain` lists all, from AX001 on"),

@@ -22,6 +22,8 @@ pub struct Control {
     pub master: Option<u32>,
     /// on a gantry slave whose master is known: largest |v_add| of the master [um/s or 0.001 deg/s]
     pub master_limit: Option<f64>,
+    /// on the master of a gantry whose stages act: the names of its slaves
+    pub slaves: Vec<String>,
     /// parameters that scale or limit something and were not given, with their defaults
     pub assumed: Vec<String>,
     /// drive type (P-AXIS-00020), where it is given

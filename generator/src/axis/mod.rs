@@ -51,6 +51,11 @@ impl Axis {
         self.control.is_empty() && self.excitation.is_none()
     }
 
+    /// Whether its stages act: those of a gantry slave never do.
+    pub(crate) fn stages_act(&self) -> bool {
+        self.ipc.is_active() && self.control.master.is_none()
+    }
+
     /// The real type of its blocks, as written in sets and lists.
     pub(crate) fn real_name(&self) -> &'static str {
         match self.real {

@@ -36,7 +36,7 @@ pub use set_design::calls as calls_of_design;
 
 use crate::axis::Axis;
 use compiler::pass::Defect;
-use portable::Block as Reference;
+use portable::{Block as Reference, Field};
 
 /// All blocks, in the order in which an axis needs them.
 pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
@@ -72,13 +72,15 @@ pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
-/// The signals of that name: the block, whether it is an output, and its meaning.
+/// The signals of that name, without or with an index (`tuning_weight0`): the block, whether it is an output, and its meaning.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
+    let of_array = name.trim_end_matches(|letter: char| letter.is_ascii_digit());
     let of_block = |kind: &&'static dyn BlockKind| {
         let [inputs, outputs] = kind.signals();
         let block = kind.name();
         [(inputs, false), (outputs, true)].map(|(fields, is_output)| {
-            let field = fields.iter().find(|field| field.name.eq_ignore_ascii_case(name));
+            let is_named = |field: &&Field| [name, of_array].iter().any(|name| field.name.eq_ignore_ascii_case(name));
+            let field = fields.iter().find(is_named);
             field.map(|field| (block, is_output, field.doc))
         })
     };

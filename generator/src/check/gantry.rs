@@ -168,12 +168,14 @@ fn scaling(control: &PositionControl) -> String {
     velocity + &resolution.unwrap_or_default()
 }
 
-/// Copies to the slave what its block needs to know of the master.
+/// Copies to the slave what its block needs to know of the master, and to the master the name of the slave.
 fn take(axes: &mut [&mut Axis], slave: usize, master: usize) {
     let (number, ipc) = (axes[master].control.number, axes[master].ipc.clone());
     if !ipc.is_active() {
         return;
     }
+    let name = axes[slave].name.clone();
+    axes[master].control.slaves.push(name);
     let slave = &mut axes[slave];
     slave.control.master_limit = Some(ipc.limit());
     // Values that the slave's block depends on are part of its own parameters.

@@ -2,7 +2,7 @@
 
 use crate::axis::{Axis, Location};
 use crate::config::values::{Key, key};
-use crate::parameters::words::{ProcessDatum, Words};
+use crate::parameters::words::{ProcessDatum, Tunable, Words};
 use crate::parameters::{Name, Parameter, Value};
 use crate::{blocks::spindle::check::KEYS, codes, rules::effective::Effective};
 use std::ops::RangeInclusive;
@@ -16,6 +16,10 @@ const OF_CONTROL: [RangeInclusive<Name>; 6] = [
     Name::JerkFactNum..=Name::JerkDelayTime,
     Name::ShiftTime..=Name::AccReferenceValue,
 ];
+
+/// axgen's own keys that only stages use. A watch that sees nothing has its own warning.
+const OF_STAGES: [Name; 6] =
+    [Name::Fade, Name::RideThrough, Name::Tunable, Name::LowestF0, Name::TuningLimit, Name::TuningWeight];
 
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     zeros(gear, e);
@@ -44,30 +48,30 @@ fn zeros(gear: u32, e: &mut Effective<'_>) {
 }
 
 /// Warns of given parameters that nothing uses, decided by use, not by the manual's column of drive types. Without
-/// feedforward and position control, a list may contain them for other functions; axgen's own keys have no other use.
+/// feedforward and position control, a list may contain them for other functions; axgen's own keys have no other use. Those
+/// of the stages are used, for the digest, even where no stage acts.
 fn no_effect(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
     let control = &axis.control;
     let own = [Name::Motor, Name::VelocityCommandData, Name::AdditiveVelocityData, Name::AdditiveTorqueData];
     // The changeover's own rules report which of these it does not use.
     let of_spindle = if control.spindle.is_some() { &[] } else { &KEYS[..] };
-    let of_stages = [0, 1, 2].map(|i| (Name::TuningWeight, [i, 0]));
-    let own =
-        own.into_iter().chain(of_spindle.iter().copied()).map(key).chain([key(Name::TuningLimit)]).chain(of_stages);
+    let own = own.into_iter().chain(of_spindle.iter().copied()).map(key);
+    let given = || e.all_given().map(|(key, _)| key);
+    let is_of_stages = |key: &Key| OF_STAGES.contains(&key.0);
     let is_controlled = !control.is_empty();
     let is_of_step = |(name, [step, _]): Key| step == gear || !name.parameter().path.starts_with("getriebe[");
-    let of_lists = e
-        .all_given()
-        .map(|(key, _)| key)
+    let of_lists = given()
         // The list of a machine with improved position control alone contains the scalings of its drive, too: only
         // feedforward warns.
         .filter(|key| is_controlled || key.0.parameter().path.starts_with("vorsteuer."))
         .filter(|key| is_of_step(*key) && OF_CONTROL.iter().any(|names| names.contains(&key.0)));
-    let none = Value::Word(ProcessDatum::None.name());
+    let nothing = [ProcessDatum::None.name(), Tunable::Nothing.name()].map(Value::Word);
     let is_idle = |key: &Key| {
         let value = e.given(*key).and_then(|setting| setting.value.as_ref());
-        value.is_some_and(|value| *value != none) && !e.is_used(*key)
+        let acts = e.is_used(*key) && (axis.stages_act() || !is_of_stages(key));
+        value.is_some_and(|value| !nothing.contains(value)) && !acts && !carries_excitation(axis, key.0)
     };
-    let idle: Vec<Key> = of_lists.chain(own).filter(|key| is_idle(key) && !carries_excitation(axis, key.0)).collect();
+    let idle: Vec<Key> = of_lists.chain(own).chain(given().filter(is_of_stages)).filter(is_idle).collect();
     let Some(first) = idle.first() else { return };
     let parameters: Vec<&Parameter> = idle.iter().map(|(name, _)| name.parameter()).collect();
     let listed: Vec<&str> = parameters.iter().map(|parameter| parameter.id.unwrap_or(parameter.path)).collect();

@@ -215,6 +215,7 @@ fn control(
         is_spindle,
         master,
         master_limit: None,
+        slaves: Vec::new(),
         assumed,
         drive_type: drive_type(e),
         kv: kv(e, drive.gear),

@@ -57,6 +57,8 @@ struct Page {
     /// whether the block may report notices
     has_notices: bool,
     is_tunable: bool,
+    /// the slaves of its gantry; may be empty
+    slaves: String,
     /// inputs of the block that hold it at rest
     off: String,
     takes_sets: bool,
@@ -136,6 +138,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,
         is_tunable,
+        slaves: axis.control.slaves.iter().map(|slave| format!("`{slave}`")).collect::<Vec<_>>().join(", "),
         off: off(&stages, is_tunable),
         takes_sets: axis.ipc.takes_sets(),
         no_weight: NO_WEIGHT,

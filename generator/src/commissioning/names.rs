@@ -33,10 +33,7 @@ pub(super) struct Names {
 impl Names {
     /// The names for the block to call, `kind`.
     pub(super) fn new(axis: &Axis, kind: &str, targets: &[Target]) -> Self {
-        let blocks = |target: &Target, kind: &str| {
-            let short = blocks::named(kind).filter(|_| axis.short_names).map(|kind| kind.short_name());
-            target.called(&axis.name, kind, short)
-        };
+        let blocks = |target: &Target, kind: &str| target.called(&axis.name, kind, axis.short_names);
         let called = |name: &dyn Fn(&Target) -> String| called(targets, name);
         let enabled: Vec<&str> =
             targets.iter().filter(|target| target.has_enable()).map(|target| target.name).collect();

@@ -12,10 +12,9 @@ impl Target {
         self.passes.iter().any(|(name, _)| *name == ENABLED)
     }
 
-    /// The name of a block of an axis, and that of the block's self-test; `short`: the block's name where the axis
-    /// wants short names in C.
-    pub(crate) fn called(&self, axis: &str, block: &str, short: Option<&str>) -> [String; 2] {
-        (self.called)(axis, block, short)
+    /// The name of a block of an axis, and that of the block's self-test; `is_short`: whether the axis uses short names in C.
+    pub(crate) fn called(&self, axis: &str, block: &str, is_short: bool) -> [String; 2] {
+        (self.called)(axis, block, is_short)
     }
 
     /// The name of an output of a block.

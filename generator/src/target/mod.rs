@@ -44,7 +44,7 @@ pub struct Target {
     pub passes: &'static [Stage],
     language: &'static Language,
     /// the names of a block of an axis and of its self-test
-    called: fn(&str, &str, Option<&str>) -> [String; 2],
+    called: fn(&str, &str, bool) -> [String; 2],
     /// the files of a block after these passes
     pub(crate) files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     /// the files that all axes of a set share
@@ -91,7 +91,7 @@ const fn target(
     name: &'static str,
     passes: &'static [Stage],
     language: &'static Language,
-    called: fn(&str, &str, Option<&str>) -> [String; 2],
+    called: fn(&str, &str, bool) -> [String; 2],
     files: fn(&BlockIdentity, &TargetBlock<'_>) -> Vec<File>,
     shared: fn(&[Unit<'_>]) -> Vec<File>,
 ) -> Target {
@@ -196,8 +196,8 @@ impl Target {
 pub struct BlockIdentity {
     pub name: String,
     pub real: RealKind,
-    /// the name of the block if the axis uses short names in C
-    pub short_name: Option<&'static str>,
+    /// whether the axis uses short names in C
+    pub short_names: bool,
     /// the cycle of its position controller
     pub cycle_time_ns: u32,
     /// whether it is a rotary axis or a spindle: its signals are in 0.001 deg, else in um
@@ -218,6 +218,14 @@ pub struct TargetBlock<'b> {
 }
 
 impl TargetBlock<'_> {
+    /// When its caller calls it, for comments.
+    fn rate(&self) -> &'static str {
+        match self.program.made {
+            Some(_) => "in a slow task, once or several times per cycle",
+            None => "once per position-controller cycle",
+        }
+    }
+
     /// What the name of an input is, by its position among all, where the language has the inputs of the axis as they are.
     fn input<'n>(&self, names: &'n [String], position: usize) -> &'n str {
         let own = self.block.for_axis.inputs.iter().position(|kept| *kept == position);

@@ -36,9 +36,7 @@ fn page_with(gear: &str, keys: &str, ipc: &str) -> String {
         "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000{gear} }}]\n{keys}\n\
          [axis.X.lr_param.improved_position_control]\n{ipc}\n"
     );
-    let mut pages = of_set(&set);
-    assert_eq!(pages.len(), 1);
-    let (name, page) = pages.remove(0);
+    let Ok([(name, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
     assert_eq!(name, "axis_x_commissioning.md");
     page
 }
@@ -63,8 +61,10 @@ fn a_page_belongs_to_an_axis_that_acts_itself() {
         axis("S", "kopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1", &format!("stage = [{{ {STAGE} }}]")),
         axis("N", "kopf.achs_nr = 3", ""),
     ];
-    let names: Vec<String> = of_set(&set.concat()).into_iter().map(|(name, _)| name).collect();
-    assert_eq!(names, ["axis_m_commissioning.md", "axis_n_commissioning.md"], "not the gantry slave");
+    let pages = of_set(&set.concat());
+    let [(master, page), (other, _)] = &pages[..] else { panic!("not the gantry slave") };
+    assert_eq!([master, other], ["axis_m_commissioning.md", "axis_n_commissioning.md"]);
+    assert_says(page, &["each slave (`S`) too. Its input `v_add_master`", "`v_add` of each slave (`S`) is"]);
 }
 
 /// Without a stage the page leads to the first ones; without the block `excitation` to that block.

@@ -19,7 +19,6 @@ pub fn may_stay<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
         || state.lasting_error == error_state()
         || state.lasting_error == error_v_interpolator()
         || state.lasting_error == error_x_command()
-        || state.lasting_error == error_x_actual()
         || state.lasting_error == error_brake()
         || state.lasting_error == error_to_position()
         || state.lasting_error == error_takeover()
@@ -28,7 +27,7 @@ pub fn may_stay<R: Real>(state: &State<R>, coeffs: &Coeffs<R>) -> bool {
             && (!coeffs.only_velocity && state.lasting_error == error_to_velocity()
                 || state.lasting_error == error_half_turn()
                 || !coeffs.only_velocity && state.lasting_error == error_mode_display())
-        || coeffs.closes_loop && state.lasting_error == error_lag()
+        || coeffs.closes_loop && (state.lasting_error == error_lag() || state.lasting_error == error_x_actual())
 }
 
 /// Whether the job exists.

@@ -21,6 +21,8 @@ use crate::program::values::{self, Signal};
 use crate::program::{Constant, Expr, Origin, Program, Row, Statement, Table, Var, Variable, part_of};
 use language::{Declaration, Level};
 use lines::Lines;
+use portable::{Literal, Real};
+use std::borrow::Cow;
 
 /// Characters in a line of a comment among the statements.
 const NOTE_WIDTH: usize = 100;
@@ -213,6 +215,17 @@ fn copied(program: &Program, list: &[Statement]) -> Option<[Row; 2]> {
     (to.length == from.length && all.all(is_copied)).then_some([to, from])
 }
 
+/// A value as it is assigned: a literal for an output of single precision in a program of double precision is one of single
+/// precision.
+fn of_target<'e>(program: &Program, target: Var, value: &'e Expr) -> Cow<'e, Expr> {
+    match (target, value) {
+        (Var::Output(output), Expr::Literal(Literal::F64(wide))) if program.is_single(&program.outputs[output]) => {
+            Cow::Owned(Expr::Literal(Literal::F32(Real::lit(*wide))))
+        }
+        _ => Cow::Borrowed(value),
+    }
+}
+
 /// The layout of one body.
 struct Layout<'p> {
     printer: &'p Printer<'p>,
@@ -260,7 +273,9 @@ impl Layout<'_> {
         let Printer { language, texts, block, .. } = self.printer;
         match statement {
             Statement::Note(note) => self.note(note),
-            Statement::Assign { target, value } => self.assignment(&texts[*target], value),
+            Statement::Assign { target, value } => {
+                self.assignment(&texts[*target], &of_target(self.printer.program, *target, value));
+            }
             Statement::Apart(_) => self.line(&language.call.replace("{block}", block)),
             Statement::Choose { by, arms } => self.choice(by, arms, declared),
             Statement::If { condition, then, otherwise } => {

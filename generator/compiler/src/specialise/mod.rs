@@ -79,7 +79,7 @@ pub fn block<R: Real, B: Block<R>>(coeffs: &B::Coeffs, notes: &BTreeMap<String, 
 fn narrow(program: &mut Program) {
     let is_single: Vec<bool> = program.outputs.iter().map(|output| program.is_single(output)).collect();
     retain_mut(&mut program.step, &mut |statement| {
-        // A literal has the type of what it is assigned to.
+        // A printer writes a literal in the type of what it is assigned to.
         if let Statement::Assign { target: Var::Output(index), value } = statement
             && is_single[*index]
             && !matches!(value, Expr::Literal(_))

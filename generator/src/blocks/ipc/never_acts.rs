@@ -10,7 +10,7 @@ pub(super) fn advise(axis: &Axis, e: &mut Effective<'_>) {
     if ipc.watch {
         watch(axis, e);
     }
-    let Some(tuning) = ipc.tuning().filter(|_| ipc.is_active()) else { return };
+    let Some(tuning) = ipc.tuning().filter(|_| axis.stages_act()) else { return };
     let mut of_stages = ipc.stage.iter().zip(tuning.weight).filter(|(stage, _)| stage.is_some());
     let zero = match () {
         () if tuning.limit <= 0.0 => key(Name::TuningLimit),
@@ -29,10 +29,10 @@ pub(super) fn advise(axis: &Axis, e: &mut Effective<'_>) {
 fn watch(axis: &Axis, e: &mut Effective<'_>) {
     let (ipc, at) = (&axis.ipc, key(Name::Watch));
     let (found, instead) = match () {
-        () if !ipc.is_active() => ("no stage is active".to_owned(), "an active stage, or no `watch`"),
         () if axis.control.master.is_some() => {
             ("the axis is a gantry slave".to_owned(), "`watch` for the master, whose stages act")
         }
+        () if !ipc.is_active() => ("no stage is active".to_owned(), "an active stage, or no `watch`"),
         () if ipc.v_add_max_fact == 0 => ("the limit (P-AXIS-00757) is 0".to_owned(), "a limit above 0, or no `watch`"),
         () if ipc.v_add_max_fact >= Ipc::WHOLE => (
             format!(

@@ -1,11 +1,14 @@
 //! Warnings about position control that is legal, but without effect or dangerous. No errors here.
 
-use crate::axis::{Axis, Feedforward, Location, PositionControl, Width};
+use crate::axis::{Axis, Feedforward, Location, PositionControl, Velocity, Width};
 use crate::config::values::{Key, key};
 use crate::parameters::words::{DriveType, Words};
 use crate::parameters::{Name, Value};
 use crate::{codes, design::scale, diagnostics::Diagnostic, number::rounded, rules::effective::Effective};
 use portable::RealKind;
+
+/// Fewest increments of the largest additive velocity: with fewer, most of a vibration is lost by rounding.
+const FEWEST_INCREMENTS: f64 = 10.0;
 
 /// Warns of what a user should know before the block acts.
 pub(crate) fn advise(axis: &Axis, gear: u32, e: &mut Effective<'_>) {
@@ -85,9 +88,10 @@ fn saturation(axis: &Axis, control: &PositionControl, gear: u32, e: &mut Effecti
         fits(axis, e, keys, largest, (per_velocity, control.command));
         resolves(axis, e, [keys[1], (Name::MultiGainN, [gear, 0])], slowest(axis), per_velocity);
     }
-    if let Some((velocity, largest)) = control.velocity.zip(additive(axis, control)) {
+    if let Some((velocity, [largest, finest])) = control.velocity.zip(additive(axis, control)) {
         let keys = [key(Name::AdditiveVelocityData), key(Name::VResoNum)];
         fits(axis, e, keys, largest, (scale::velocity(&velocity, axis.cycle_time_ns), velocity.width));
+        resolves_addition(axis, e, &velocity, finest);
     }
 }
 
@@ -117,17 +121,19 @@ pub(crate) fn slowest(axis: &Axis) -> (&'static str, f64) {
     }
 }
 
-/// The largest additive velocity and its source: feedforward, improved position control, or both.
-fn additive(axis: &Axis, control: &PositionControl) -> Option<(&'static str, f64)> {
+/// The largest additive velocity and its source: feedforward, improved position control, or both; and the part of it that
+/// needs the finest increments.
+fn additive(axis: &Axis, control: &PositionControl) -> Option<[(&'static str, f64); 2]> {
     let feedforward = axis.control.feedforward.as_ref().filter(|feedforward| feedforward.additive.any());
     let forward = feedforward.map(|of| of.weight.value() * axis.ipc.v_max);
     let limit = if control.location == Location::Cnc { 0.0 } else { added(axis) };
+    let added = ("the additive velocity at its limit v_add_max_fact", limit);
     match (forward, limit > 0.0) {
         (Some(forward), true) => {
-            Some(("the additive velocity at vb_max, with v_add at its limit v_add_max_fact", forward + limit))
+            Some([("the additive velocity at vb_max, with v_add at its limit v_add_max_fact", forward + limit), added])
         }
-        (Some(forward), false) => Some(("the additive velocity at vb_max", forward)),
-        (None, true) => Some(("the additive velocity at its limit v_add_max_fact", limit)),
+        (Some(forward), false) => Some([("the additive velocity at vb_max", forward); 2]),
+        (None, true) => Some([added; 2]),
         (None, false) => None,
     }
 }
@@ -167,6 +173,26 @@ pub(crate) fn fits(
         Width::Int32 => "a scaling with fewer increments",
     };
     e.warn(codes::SATURATES, place, found, instead.to_owned());
+}
+
+/// Warns if an additive velocity has few increments of its process datum. A scaling of 0 has another warning.
+fn resolves_addition(axis: &Axis, e: &mut Effective<'_>, velocity: &Velocity, (what, largest): (&str, f64)) {
+    let per_velocity = scale::velocity(velocity, axis.cycle_time_ns);
+    let (increments, unit) = (largest * per_velocity, axis.control.velocity_unit());
+    if increments >= FEWEST_INCREMENTS || increments <= 0.0 {
+        return;
+    }
+    let found = format!(
+        "{what}, {largest} {unit}, is {} increments: below {FEWEST_INCREMENTS} most of a vibration is lost by rounding",
+        rounded(increments)
+    );
+    let instead = format!(
+        "v_reso_num / v_reso_denom (P-AXIS-00206, 00205) of {} or more, as the drive has it: one increment is {} {unit}",
+        rounded(velocity.reso.value() * FEWEST_INCREMENTS / increments),
+        rounded(1.0 / per_velocity)
+    );
+    let place = [Name::VResoNum, Name::VResoDenom].map(key).into_iter().find(|key| e.given(*key).is_some());
+    e.warn(codes::COARSE_COMMAND, place.unwrap_or(key(Name::AdditiveVelocityData)), found, instead);
 }
 
 /// Warns if a velocity of the axis is less than one increment of its process datum.

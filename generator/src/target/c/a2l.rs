@@ -23,7 +23,7 @@ struct Description<'a> {
     block: &'static str,
     prefix: &'a str,
     /// the variables of the firmware: type and name
-    symbols: [(String, String); 3],
+    symbols: Vec<(String, String)>,
     /// the units by their names
     units: BTreeMap<String, String>,
     tables: Vec<Table>,
@@ -86,13 +86,19 @@ pub(in crate::target) fn file(axis: &BlockIdentity, block: &TargetBlock<'_>) -> 
         axis,
         block: program.block,
         prefix: &prefix,
-        symbols: VARIABLES.map(|[end, of]| (format!("{prefix}_{of}"), format!("{prefix}_{end}"))),
+        symbols: symbols(program, &prefix),
         units: objects.iter().filter_map(|object| unit(&object.doc)).map(|unit| (identifier(&unit), unit)).collect(),
         layouts: objects.iter().filter(|object| object.is_characteristic).map(|object| object.ty).collect(),
         tables,
         objects,
     };
     rendered(&file, "", &description)
+}
+
+/// The types and the variables; without the memory of a design, of which nothing is described.
+fn symbols(program: &Program, prefix: &str) -> Vec<(String, String)> {
+    let described = VARIABLES.iter().filter(|[end, _]| *end != "mem" || program.made.is_none());
+    described.map(|[end, of]| (format!("{prefix}_{of}"), format!("{prefix}_{end}"))).collect()
 }
 
 fn table(prefix: &str, Values { signals, group, .. }: Values) -> Table {
@@ -115,7 +121,7 @@ fn objects(outline: &Outline<'_>, prefix: &str, tables: &[Table]) -> Vec<Object>
     let state: Vec<&Variable> = program.state.iter().filter(|_| program.made.is_none()).collect();
     let groups = [
         (inputs, outline.inputs(), "in"),
-        (outputs, outline.outputs([format!("{prefix}_{IPC}"), String::new()]), "out"),
+        (outputs, outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]), "out"),
         (state, outline.parts_of_state(), "mem"),
         (set, outline.set(), "designed"),
     ];
@@ -148,9 +154,9 @@ fn objects(outline: &Outline<'_>, prefix: &str, tables: &[Table]) -> Vec<Object>
     groups.into_iter().flat_map(of_group).collect()
 }
 
-/// Whether the caller tunes the block by an input: a fraction, or a number that a set is designed from.
+/// Whether the caller tunes the block by an input: a fraction, or one of a design, with the one that starts it.
 fn is_tuned(program: &Program, variable: &Variable, end: &str) -> bool {
-    end == "in" && variable.ty == Type::Real && (program.is_fraction(variable) || program.made.is_some())
+    end == "in" && (program.made.is_some() || program.is_fraction(variable))
 }
 
 /// The possible values: those that are proven, those that the block accepts, else those of the type.
@@ -193,11 +199,11 @@ fn accepted(outline: &Outline<'_>, variable: &Variable) -> Option<[f64; 2]> {
     let highest = match variable.path.rsplit('.').next()? {
         "f0" => return Some([constant("lowest_f0")?, constant("highest_f0")?]),
         "q_factor" => return Some([1.0, constant("largest_quality")?]),
-        "damping" => 1.0,
+        "damping" => 1_f64.next_down(),
         "weight" => constant("weight_limit")?,
-        _ => constant("set.ipc.limit")?,
+        _ => return Some([0.0, constant("set.ipc.limit")?]),
     };
-    Some([0.0, highest])
+    Some([constant("smallest_ratio")?, highest])
 }
 
 /// The proven values of an output.
@@ -228,7 +234,7 @@ fn whole(number: i64) -> f64 {
 }
 
 /// The units of signals, without powers of a second.
-const UNITS: [&str; 6] = ["um", "0.001 deg", "increments", "Hz", "ns", "cycles"];
+const UNITS: [&str; 7] = ["um", "0.001 deg", "increments", "Hz", "ns", "cycles", "%"];
 
 /// The unit in a doc comment, which is in square brackets.
 fn unit(doc: &str) -> Option<String> {
@@ -240,7 +246,7 @@ fn unit(doc: &str) -> Option<String> {
 
 /// A unit as a name: `um/s^2` becomes `um_per_s2`, `0.001 deg` becomes `mdeg`.
 fn identifier(unit: &str) -> String {
-    unit.replace("0.001 deg", "mdeg").replace('/', "_per_").replace('^', "").replace(' ', "_")
+    unit.replace("0.001 deg", "mdeg").replace('%', "percent").replace('/', "_per_").replace('^', "").replace(' ', "_")
 }
 
 /// A text for quotation marks, with the 255 characters that ASAP2 allows.

@@ -84,6 +84,8 @@ struct CBlock {
     init: String,
     /// whether a slow task runs it
     is_slow: bool,
+    /// when its caller calls it
+    rate: &'static str,
     /// the rare part, as a separate function; empty if `step` is one function
     any_cycle: String,
     step: String,
@@ -202,6 +204,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         constants_apart,
         init: init(program, printer),
         is_slow: program.made.is_some(),
+        rate: outline.block.rate(),
         any_cycle: printer.body(apart, 1),
         step: printer.body(&program.step, 1),
         purpose: comment::wrapped(&[&outline.block.block.purpose], COMMENT_WIDTH, outline.next_line),

@@ -16,7 +16,7 @@ use portable::{Intrinsic, Literal, RealKind};
 use public::Enum;
 
 /// A block is a module; its self-test a function of it.
-pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+pub(super) fn called(axis: &str, block: &str, _: bool) -> [String; 2] {
     let module = block_name(axis, block);
     let test = format!("{module}::self_test");
     [module, test]
@@ -48,6 +48,8 @@ struct RustFile<'a> {
     module: &'a str,
     /// what it is for, and what its first call does
     purpose: String,
+    /// when its caller calls it
+    rate: &'static str,
     /// its proven range, and its measured response
     certificate: String,
     uses_nearest: bool,
@@ -144,6 +146,7 @@ pub(super) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
         any_cycle: printer.body(program.apart(), 1),
         step: printer.body(&program.step, 1),
         module: file.trim_end_matches(".rs"),
+        rate: block.rate(),
         purpose: comment::wrapped(&[&block.block.purpose], COMMENT_WIDTH, "\n//! "),
         certificate: comment::wrapped(&block.block.certificate.lines, COMMENT_WIDTH, "\n//! "),
         uses_nearest: program.asks_for(&[Intrinsic::Nearest]),

@@ -31,7 +31,7 @@ struct CodesysShared<'a> {
 struct CodesysGuide;
 
 /// A block and its self-test.
-pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+pub(crate) fn called(axis: &str, block: &str, _: bool) -> [String; 2] {
     with_self_test(listing::name(axis, block, &CODESYS))
 }
 

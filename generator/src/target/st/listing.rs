@@ -21,6 +21,8 @@ pub(super) struct Origin<'a> {
     real: &'a str,
     /// what the block is for, and what its first call does
     purpose: String,
+    /// when its caller calls it
+    rate: &'static str,
     /// the proven range of the block, and its measured response
     certificate: String,
     /// an instance with its type
@@ -139,6 +141,7 @@ pub(super) fn origin<'a>(
         block: block.program.block,
         real: dialect.language.ty(Type::Real, axis.real),
         purpose: String::new(),
+        rate: block.rate(),
         certificate: String::new(),
         instance: Default::default(),
         set: String::new(),

@@ -66,12 +66,12 @@ pub(super) fn plain(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
 }
 
 /// A block and its self-test in this target.
-pub(super) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+pub(super) fn called(axis: &str, block: &str, _: bool) -> [String; 2] {
     with_self_test(listing::name(axis, block, &ST))
 }
 
 /// A block and its self-test for Siemens.
-pub(super) fn scl_called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+pub(super) fn scl_called(axis: &str, block: &str, _: bool) -> [String; 2] {
     with_self_test(listing::name(axis, block, &SIEMENS))
 }
 

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   339b9c73bddf09e4059f352c8fcdec7e
- * checksum    f143bcddb88291c6a9d71c2a5ea9d93a
+ * structure   cb2d288e5672df6f87b20a147ecf00dc
+ * checksum    c13cdcd1ee24e7ae2d6cf4678b3b3515
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -306,11 +306,11 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_STATE
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_V_INTERPOLATOR
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_COMMAND
-            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_BRAKE
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TO_POSITION
             || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER
-            || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_LAG;
+            || (state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_LAG
+                || state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_X_ACTUAL);
     const bool spindle_is_control =
         (state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
                 || state->spindle_control == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   339b9c73bddf09e4059f352c8fcdec7e
- * checksum    cda33dc914ccfa2b5b537c0f810d062f
+ * structure   cb2d288e5672df6f87b20a147ecf00dc
+ * checksum    4277697bd235e440751a82d988fa22a5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x339b9c73u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xbddf09e4u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x059f352cu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x8fcdec7eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xcb2d288eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x5672df6fu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x87b20a14u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x7ecf00dcu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u

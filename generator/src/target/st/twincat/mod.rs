@@ -71,7 +71,7 @@ pub(crate) fn files(axis: &BlockIdentity, block: &TargetBlock<'_>) -> Vec<File> 
 }
 
 /// A block and its self-test.
-pub(crate) fn called(axis: &str, block: &str, _: Option<&str>) -> [String; 2] {
+pub(crate) fn called(axis: &str, block: &str, _: bool) -> [String; 2] {
     with_self_test(block_name(axis, block))
 }
 
