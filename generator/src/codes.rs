@@ -778,4 +778,7 @@ codes! {
     OUTLIER = "AX527", "a wrong sample in a recording",
         "One sample of a sensor is more than 10 times all others, as after a lost frame or a loose contact. It hides all lines \
          of the spectrum, and makes wrong which side a vibration comes from. Record again, or correct the sample in the file.";
+    ASSUMED_UNIT = "AX528", "a unit of a recording that is assumed",
+        "The file states no unit that axgen knows for these values or times. The unit is taken that makes them plausible, which can \
+         be wrong by a factor of 10 or 1000. State the unit in the name of the column.";
 }
