@@ -3,6 +3,8 @@
 use crate::mistake::Mistake;
 use crate::table::{Column, TimeColumn, Unit, listed};
 use generator::codes;
+use portable::Extreme;
+use std::ops::{Range, RangeInclusive};
 
 /// The times of one column, from the first one on.
 pub(crate) struct Instants<'t> {
@@ -17,8 +19,12 @@ pub(crate) struct Instants<'t> {
     is_text: bool,
 }
 
-/// Milliseconds are never as large as 100 ns since 1601.
-const LEAST_FILE_TIME: i128 = 1_000_000_000_000_000;
+/// The unit of time stamps [ns], and their values of the years 1917 to 2234. Milliseconds are smaller; nanoseconds since 1970
+/// are larger.
+const FILE_TIME: i64 = 100;
+const FILE_TIMES: Range<i128> = 100_000_000_000_000_000..200_000_000_000_000_000;
+/// The cycle of a controller [ns].
+const CYCLES: RangeInclusive<f64> = 31e3..=30e6;
 /// Possible units of a time without a unit in its name.
 const UNSAID: [(i64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_000, "us"), (1, "ns")];
 
@@ -51,11 +57,11 @@ impl<'t> Instants<'t> {
         })
     }
 
-    /// Nanoseconds of the unit in the name, or of the form of an export.
+    /// Nanoseconds of the unit in the name, or that the size of the first time shows.
     fn stated_unit(&self) -> Option<i64> {
         match self.column.unit {
             Unit::Nanoseconds(unit) => Some(unit),
-            Unit::OfExport if self.first? / 1_000_000_000 >= LEAST_FILE_TIME => Some(100),
+            _ if FILE_TIMES.contains(&(self.first? / 1_000_000_000)) => Some(FILE_TIME),
             Unit::OfExport => Some(1_000_000),
             Unit::Unsaid => None,
         }
@@ -69,13 +75,42 @@ impl<'t> Instants<'t> {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
 
-    /// The times since the first one [s]. A missing unit is the one in which the usual step is the cycle of a controller, 31
-    /// us to 30 ms; `None` if there are no times, or no such unit.
+    /// The times since the first one [s]. A missing unit is the one in which the usual step is the cycle of a controller; `None`
+    /// if there are no times, or no such unit.
     pub(crate) fn seconds(&self) -> Option<Vec<f64>> {
-        let step = self.step().filter(|_| !self.is_text)?;
-        let is_cycle = |unit: &i64| (31e3..=30e6).contains(&nanoseconds(step, *unit));
-        let unit = self.stated_unit().or_else(|| UNSAID.iter().map(|(unit, _)| *unit).find(is_cycle))?;
+        self.step().filter(|_| !self.is_text)?;
+        let unit = self.stated_unit().or_else(|| Some(self.plausible_unit()?.0))?;
         Some(self.since.iter().map(|time| nanoseconds(*time, unit) / 1e9).collect())
+    }
+
+    fn plausible_unit(&self) -> Option<(i64, &'static str)> {
+        let step = self.step()?;
+        UNSAID.into_iter().find(|(unit, _)| CYCLES.contains(&nanoseconds(step, *unit)))
+    }
+
+    /// What is assumed for times without a unit, if 100 ns are plausible too.
+    pub(crate) fn doubt(&self) -> Option<String> {
+        let step = self.step().filter(|step| !self.is_text && CYCLES.contains(&nanoseconds(*step, FILE_TIME)))?;
+        let (unit, name) = self.plausible_unit().filter(|_| self.stated_unit().is_none())?;
+        let interval = nanoseconds(step, unit) / 1e6;
+        let of = self.column.name.escape_default();
+        Some(format!("`{of}` has no unit: {name} are assumed, a sample every {interval} ms; 100 ns are possible too"))
+    }
+
+    /// The largest distance of a time from even sampling, as a part of the usual step, and its line. A gap counts whole steps.
+    #[expect(clippy::cast_precision_loss, reason = "a part of a step")]
+    pub(crate) fn drift(&self) -> Option<(f64, usize)> {
+        let step = self.step().filter(|_| !self.is_text)? as f64;
+        let count = |count: &mut f64, pair: &[i64]| {
+            *count += libm::round(pair[1].saturating_sub(pair[0]) as f64 / step).larger(1.0);
+            Some(*count)
+        };
+        let counts: Vec<f64> = self.since.windows(2).scan(0.0, count).collect();
+        let mean = *self.since.last()? as f64 / counts.last()?;
+        let of =
+            |((count, time), line): ((&f64, &i64), &usize)| (libm::fabs(*time as f64 - count * mean) / step, *line);
+        let all = counts.iter().zip(&self.since[1..]).zip(&self.lines[1..]).map(of);
+        all.reduce(|largest, other| if other.0 > largest.0 { other } else { largest })
     }
 
     /// The line of each time.
@@ -83,10 +118,11 @@ impl<'t> Instants<'t> {
         &self.lines
     }
 
-    /// The time of the first sample [ns].
-    pub(crate) fn first(&self) -> Option<i128> {
-        let unit = self.stated_unit()?;
-        Some(self.first? * i128::from(unit) / 1_000_000_000)
+    /// The time in a line [ns].
+    pub(crate) fn at(&self, line: usize) -> Option<i128> {
+        let unit = self.stated_unit().filter(|_| !self.is_text)?;
+        let since = self.since[self.lines.binary_search(&line).ok()?];
+        Some((self.first? + i128::from(since)) * i128::from(unit) / 1_000_000_000)
     }
 }
 
@@ -129,7 +165,8 @@ pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_ti
         .filter_map(|column| interval(column).map(|(text, place)| (column.called(), text, place)))
         .collect();
     if let Some((_, first, place)) = wrong.first() {
-        return vec![other_interval(&wrong, first, *place, cycle)];
+        let unsaid = times.iter().find(|times| times.unit(cycle_time_ns).is_none()).map(|times| times.column.name);
+        return vec![other_interval(&wrong, first, *place, cycle, unsaid)];
     }
     times.iter().filter_map(|times| gaps(times, cycle_time_ns)).collect()
 }
@@ -146,7 +183,14 @@ fn wrong_interval(times: &Instants<'_>, cycle_time_ns: u32) -> Option<String> {
     (!is_near(found, f64::from(cycle_time_ns))).then(|| format!("{} ms", found / 1e6))
 }
 
-fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usize; 2], cycle: f64) -> Mistake {
+/// The message about columns of other intervals; `unsaid` are times without a unit.
+fn other_interval(
+    wrong: &[(&str, String, [usize; 2])],
+    first: &str,
+    place: [usize; 2],
+    cycle: f64,
+    unsaid: Option<&str>,
+) -> Mistake {
     let same = wrong.iter().all(|(_, interval, _)| interval == first);
     let found = if same {
         format!("a sample every {first} of {}", listed(wrong.iter().map(|(name, ..)| *name)))
@@ -156,10 +200,15 @@ fn other_interval(wrong: &[(&str, String, [usize; 2])], first: &str, place: [usi
     };
     Mistake::new(place, format!("{found}; the block runs every {cycle} ms"), "a sample of every cycle of the block")
         .coded(codes::OTHER_INTERVAL)
-        .instead(format!(
-            "record these columns every {cycle} ms, or leave them out:{}",
-            wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
-        ))
+        .instead(match unsaid {
+            Some(times) => {
+                format!("state the unit of the times, as in `time [us]`, or leave them out:{}", option(times))
+            }
+            None => format!(
+                "record these columns every {cycle} ms, or leave them out:{}",
+                wrong.iter().map(|(name, ..)| option(name)).collect::<String>()
+            ),
+        })
 }
 
 /// The option that leaves a column out, quoted for a shell.
@@ -184,7 +233,7 @@ fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
             places.push(*line);
         }
     }
-    let first = *places.first()?;
+    let Some(first) = places.first().copied() else { return uneven(times) };
     let shown: Vec<String> = places.iter().take(MOST).map(usize::to_string).collect();
     let more = if places.len() > MOST { ", ..." } else { "" };
     let found = match (lost > 0.0, repeated > 0) {
@@ -200,6 +249,14 @@ fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
                 "record again with fewer channels or a larger buffer, or cut the file before the first of these lines",
             ),
     )
+}
+
+/// Steps of almost a cycle each, that together are not as many cycles.
+fn uneven(times: &Instants<'_>) -> Option<Mistake> {
+    let (drift, line) = times.drift().filter(|(drift, _)| *drift >= 1.0)?;
+    let found = format!("the interval changes: a time is {drift:.1} cycles away from even sampling");
+    let mistake = Mistake::new([line, 1], found, "a sample of every cycle of the block").coded(codes::OTHER_INTERVAL);
+    Some(mistake.instead("record all columns in the task of the block"))
 }
 
 /// The number of cycles by which a column begins before the latest one.

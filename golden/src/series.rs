@@ -1,12 +1,13 @@
 //! The values of a table's columns, column by column, and their written precision. The sampling times are in `instants.rs`.
+//! Comparisons read them, and so do measurements.
 
 use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
-use crate::table::{Column, Row, Table, TimeColumn};
+use crate::table::{Column, Row, Table};
 use crate::value::{allowed, instead, parse};
 use crate::written::Precision;
-use portable::{Literal, RealKind};
+use portable::Literal;
 
 /// The values of a table's columns.
 pub(crate) struct Columns {
@@ -20,16 +21,20 @@ pub(crate) struct Columns {
     pub skipped: Vec<(usize, usize)>,
 }
 
-/// The values of one column.
-struct Series<'t> {
-    signal: usize,
-    column: &'t Column<'t>,
-    values: Samples,
+/// The values of one column, from its first one on.
+pub(crate) struct Series<'t> {
+    pub signal: usize,
+    pub column: &'t Column<'t>,
+    pub values: Samples,
+    /// the time of the first value [ns]; `None` if only rows are known
+    pub begins: Option<i128>,
     lines: Vec<usize>,
     written: Precision,
     wrong: Wrong,
     /// cells without a value since the last value: place of the first one, and their number
     blank: Option<([usize; 2], usize)>,
+    /// empty cells before the first value
+    late: Option<([usize; 2], usize)>,
     /// empty cells that are followed by a value
     missing: Option<([usize; 2], usize)>,
 }
@@ -57,67 +62,113 @@ impl Wrong {
     }
 }
 
-/// Reads the columns that are signals. Without a cycle time the times are not checked.
+/// Reads the columns that are signals, from the first cycle on that all of them have. Without a cycle time the times are not
+/// checked.
 ///
 /// # Errors
-/// All errors, in the order of the lines: short or long rows, bad cells, missing values, wrong times.
+/// All errors, in the order of the lines: those of the columns, wrong times.
 pub(crate) fn read(
     table: &Table<'_>,
     signals: &[Option<usize>],
     shape: &Shape,
     cycle_time_ns: Option<u32>,
 ) -> Result<Columns, Vec<Mistake>> {
+    let (series, times) = columns(table, signals, shape, |_| true)?;
+    let offsets = match cycle_time_ns {
+        Some(cycle_time_ns) => {
+            let columns: Vec<&Column<'_>> = series.iter().map(|series| series.column).collect();
+            none(instants::mistakes(&columns, &times, cycle_time_ns))?;
+            offsets(&series, cycle_time_ns).map_err(|mistake| vec![mistake])?
+        }
+        None => vec![0; series.len()],
+    };
+    Ok(together(&series, &offsets, shape, table.rows.iter().map(|row| row.line).collect()))
+}
+
+/// Reads the columns that are signals, each with its own first value, and the columns of their times; `is_allowed` excludes
+/// values.
+///
+/// # Errors
+/// All errors, in the order of the lines: short or long rows, bad cells, missing values.
+pub(crate) fn columns<'t>(
+    table: &'t Table<'t>,
+    signals: &[Option<usize>],
+    shape: &Shape,
+    is_allowed: fn(&Literal) -> bool,
+) -> Result<(Vec<Series<'t>>, Vec<Instants<'t>>), Vec<Mistake>> {
     let columns = table.columns.iter().zip(signals).filter_map(|(column, signal)| Some((column, (*signal)?)));
     let mut series: Vec<Series<'_>> = columns.map(|(column, signal)| Series::new(column, signal, shape)).collect();
     let mut times: Vec<Instants<'_>> = Vec::new();
-    for time in series.iter().filter_map(|series| series.column.time).filter(|_| cycle_time_ns.is_some()) {
+    for time in series.iter().filter_map(|series| series.column.time) {
         if times.iter().all(|known| known.column != time) {
             times.push(Instants::of(time));
         }
     }
-    let rows = read_rows(table, &mut series, &mut times, shape.real);
-    let lines = table.rows.iter().map(|row| row.line);
-    let mut mistakes: Vec<Mistake> = rows.said("rows").into_iter().collect();
+    let mut mistakes: Vec<Mistake> = read_rows(table, &mut series, &mut times, is_allowed);
     for series in &mut series {
+        let times = times.iter().find(|times| Some(times.column) == series.column.time);
+        series.begins = times.zip(series.lines.first()).and_then(|(times, line)| times.at(*line));
+        let late = series.late.filter(|_| series.begins.is_none()).map(|late| ("at the start", late));
+        let missing = series.missing.map(|missing| ("in the middle", missing)).or(late);
         mistakes.extend(std::mem::take(&mut series.wrong).said("cells of the column"));
-        mistakes.extend(series.missing.map(|(place, count)| missing(place, series.column, count)));
+        mistakes.extend(missing.map(|(part, (place, count))| self::missing(place, series.column, part, count)));
     }
-    if let Some(cycle_time_ns) = cycle_time_ns.filter(|_| mistakes.is_empty()) {
-        mistakes =
-            instants::mistakes(&series.iter().map(|series| series.column).collect::<Vec<_>>(), &times, cycle_time_ns);
-    }
-    let offsets = cycle_time_ns.map(|cycle| offsets(&series, &times, cycle));
-    let offsets = match offsets {
-        Some(Ok(offsets)) => offsets,
-        Some(Err(mistake)) if mistakes.is_empty() => {
-            mistakes.push(mistake);
-            Vec::new()
-        }
-        Some(Err(_)) | None => vec![0; series.len()],
-    };
-    if !mistakes.is_empty() {
-        mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
-        return Err(mistakes);
-    }
-    Ok(together(&series, &offsets, shape, lines.collect()))
+    none(mistakes).map(|()| (series, times))
+}
+
+/// An error if there are mistakes: all of them, in the order of the lines.
+fn none(mut mistakes: Vec<Mistake>) -> Result<(), Vec<Mistake>> {
+    mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
+    if mistakes.is_empty() { Ok(()) } else { Err(mistakes) }
 }
 
 /// Reads all rows once; returns the errors in their lengths.
-fn read_rows<'t>(table: &Table<'t>, series: &mut [Series<'t>], times: &mut [Instants<'t>], real: RealKind) -> Wrong {
-    let (mut cells, mut rows) = (Vec::new(), Wrong::default());
+fn read_rows<'t>(
+    table: &Table<'t>,
+    series: &mut [Series<'t>],
+    times: &mut [Instants<'t>],
+    is_allowed: fn(&Literal) -> bool,
+) -> Vec<Mistake> {
+    let (mut cells, mut rows, mut marks) = (Vec::new(), Wrong::default(), Marks::default());
     for row in &table.rows {
         if let Err([found, right]) = table.cells(row, &mut cells) {
             rows.add(|| wrong_row(table, row, found, right));
             continue;
         }
         for times in &mut *times {
-            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
+            let cell = cells.get(times.column.cell).copied().unwrap_or_default();
+            times.read(table.number(cell).as_ref(), row.line);
+            marks.read(table, row, cell);
         }
         for series in &mut *series {
-            series.read(table, row, &cells, real);
+            marks.read(table, row, cells.get(series.column.cell).copied().unwrap_or_default());
+            series.read(table, row, &cells, is_allowed);
         }
     }
-    rows
+    rows.said("rows").into_iter().chain(marks.both).collect()
+}
+
+/// The decimal marks of a table: with two of them, one separates thousands.
+#[derive(Default)]
+struct Marks {
+    /// the first one, with its line
+    first: Option<(u8, usize)>,
+    both: Option<Mistake>,
+}
+
+impl Marks {
+    fn read(&mut self, table: &Table<'_>, row: &Row<'_>, cell: &str) {
+        let mark = cell.bytes().find(|letter| matches!(letter, b'.' | b',')).filter(|_| !table.has_commas());
+        let Some(mark) = mark.filter(|mark| self.first.is_none_or(|(first, _)| first != *mark)) else { return };
+        if self.both.is_some() || table.number(cell).parse::<f64>().is_err() {
+            return;
+        }
+        let Some((_, line)) = self.first else { return self.first = Some((mark, row.line)) };
+        let [own, other] = if mark == b',' { ["comma", "point"] } else { ["point", "comma"] };
+        let found = format!("`{cell}` with a decimal {own}, after a number with a decimal {other} in line {line}");
+        let mistake = Mistake::new(row.place(cell), found, "one decimal mark");
+        self.both = Some(mistake.instead("export without separators of thousands"));
+    }
 }
 
 fn wrong_row(table: &Table<'_>, row: &Row<'_>, found: usize, right: usize) -> Mistake {
@@ -131,11 +182,11 @@ fn right_cells(right: usize) -> String {
     format!("{right} cells, as many as the header has columns")
 }
 
-fn missing(place: [usize; 2], column: &Column<'_>, count: usize) -> Mistake {
+fn missing(place: [usize; 2], column: &Column<'_>, part: &str, count: usize) -> Mistake {
     let values = if count == 1 { "a value is".to_owned() } else { format!("{count} values are") };
     Mistake::new(
         place,
-        format!("{values} missing in the middle of the column `{}`", column.called().escape_default()),
+        format!("{values} missing {part} of the column `{}`", column.called().escape_default()),
         "a value in every cycle",
     )
     .instead("record it with the cycle of the block, or leave the column out")
@@ -146,29 +197,44 @@ impl<'t> Series<'t> {
         let own = Shape { real: shape.real, signals: vec![shape.signals[signal].clone()] };
         let values = Samples::with_capacity(own, 0);
         let (written, wrong) = (Precision::default(), Wrong::default());
-        Self { signal, column, values, lines: Vec::new(), written, wrong, blank: None, missing: None }
+        Self {
+            signal,
+            column,
+            values,
+            lines: Vec::new(),
+            written,
+            wrong,
+            begins: None,
+            blank: None,
+            late: None,
+            missing: None,
+        }
     }
 
     /// Reads its cell in a row. In an export the cell is missing if the channel has no sample.
-    fn read(&mut self, table: &Table<'t>, row: &Row<'t>, cells: &[&'t str], real: RealKind) {
+    fn read(&mut self, table: &Table<'t>, row: &Row<'t>, cells: &[&'t str], is_allowed: fn(&Literal) -> bool) {
         let cell = cells.get(self.column.cell).copied().unwrap_or_default();
         let has_time = self.column.time.is_none_or(|time| cells.get(time.cell).is_some_and(|time| !time.is_empty()));
         if cell.is_empty() && table.is_export {
             if has_time {
-                self.blank.get_or_insert(([row.line, 1], 0)).1 += 1;
+                self.blank.get_or_insert_with(|| (row.place(cell), 0)).1 += 1;
             }
             return;
         }
         if let Some((place, count)) = self.blank.take() {
-            self.missing.get_or_insert((place, 0)).1 += count;
+            let gap = if self.lines.is_empty() { &mut self.late } else { &mut self.missing };
+            gap.get_or_insert((place, 0)).1 += count;
         }
         let content = table.number(cell);
-        let signal = &self.values.shape.signals[0];
-        let Some(value) = parse(&content, signal, real) else {
-            let found = || format!("`{}` for {}", content.escape_default(), signal.name);
+        let Shape { real, signals } = &self.values.shape;
+        let Some(value) = parse(&content, &signals[0], *real).filter(is_allowed) else {
+            let found = || format!("`{}` for {}", content.escape_default(), signals[0].name);
             self.wrong.add(|| {
-                Mistake::new(row.place(cell), found(), allowed(signal.ty, real))
-                    .instead(instead(&content, signal.ty, real))
+                Mistake::new(row.place(cell), found(), allowed(signals[0].ty, *real)).instead(instead(
+                    &content,
+                    signals[0].ty,
+                    *real,
+                ))
             });
             return;
         };
@@ -179,12 +245,10 @@ impl<'t> Series<'t> {
 }
 
 /// The number of samples of each column before the first common one.
-fn offsets(series: &[Series<'_>], times: &[Instants<'_>], cycle_time_ns: u32) -> Result<Vec<usize>, Mistake> {
-    let of = |time: TimeColumn<'_>| times.iter().find(|known| known.column == time);
-    let first = |series: &Series<'_>| series.column.time.and_then(of).and_then(Instants::first);
-    let Some(latest) = series.iter().filter_map(first).max() else { return Ok(vec![0; series.len()]) };
-    let columns = series.iter().map(|series| (series.column, first(series).unwrap_or(latest)));
-    columns.map(|(column, first)| instants::cycles_between(column, first, latest, cycle_time_ns)).collect()
+fn offsets(series: &[Series<'_>], cycle_time_ns: u32) -> Result<Vec<usize>, Mistake> {
+    let Some(latest) = series.iter().filter_map(|series| series.begins).max() else { return Ok(vec![0; series.len()]) };
+    let first = |series: &Series<'_>| series.begins.unwrap_or(latest);
+    series.iter().map(|of| instants::cycles_between(of.column, first(of), latest, cycle_time_ns)).collect()
 }
 
 /// The samples that all columns have; without columns each row is a sample.

@@ -23,6 +23,9 @@ pub(crate) fn of_columns(
     other: &[&str],
     map: &Map,
 ) -> Result<Vec<Option<usize>>, Vec<Mistake>> {
+    if table.has_blanks() {
+        return Err(vec![Mistake::new([1, 1], "blanks between the cells", "semicolons, tabs or commas")]);
+    }
     let mut mistakes = Vec::new();
     let mut signals: Vec<Option<usize>> = Vec::new();
     for column in &table.columns {

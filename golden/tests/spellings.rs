@@ -4,11 +4,13 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 use compiler::program::Type;
+use golden::measure;
 use golden::mistake::Mistake;
 use golden::recording::{self, Recording};
 use golden::samples::{Shape, Signal};
 use golden::table::Table;
 use portable::{Literal, RealKind};
+use std::ops::Range;
 
 /// How a column of times belongs to channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +47,10 @@ const CHANNELS: [Channel; 6] = [
     ("fast", "MAIN.fbX.fFast", "REAL32", 200, 0),
     ("slow", "MAIN.fbX.fVelo", "REAL32", 5000, -3000),
 ];
+const UNITS: [(&str, &str); 2] =
+    [("Motor speed (1)", "mm/s (Velocity)"), ("Dr\u{fc}cke[{\u{e4}\u{f6}\u{df}}]", "dV (Voltage)")];
 const SAMPLES: u32 = 40;
+const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
 /// The value of a channel in its sample.
 fn value(channel: usize, sample: u32) -> String {
@@ -99,7 +104,9 @@ fn written(form: Form) -> String {
     // In the language of the PC, whatever the decimal mark of the samples is.
     lines.push(row("SampleTime[ms]", &|channel| milliseconds(i64::from(channel.3), ',')));
     lines.push(row("SymbolName", &|channel| channel.1.to_owned()));
-    lines.push(row("Unit", &|_| "dV (Voltage)".to_owned()));
+    let unit = |channel: &Channel| UNITS.iter().find(|of| of.0 == channel.0).map_or("(None)", |of| of.1);
+    lines.push(row("Unit", &|channel| unit(channel).to_owned()));
+    lines.push(row("Unit Offset", &|_| "0".to_owned()));
     lines.push(String::new());
     let count = |channel: usize| SAMPLES * 1000 / CHANNELS[channel].3;
     for sample in 0..order.iter().map(|channel| count(*channel)).max().unwrap() {
@@ -125,6 +132,20 @@ fn written(form: Form) -> String {
     lines.join(form.line_end) + form.line_end
 }
 
+/// The file with one cell of each sample changed.
+fn changed(form: Form, at: usize, change: impl Fn(usize, &str) -> String) -> String {
+    let (text, separator) = (written(form), form.separator.to_string());
+    let head = text.lines().position(|line| line.starts_with("Unit Offset")).unwrap() + 2;
+    let of = |(line, text): (usize, &str)| {
+        let mut cells: Vec<String> = text.split(form.separator).map(str::to_owned).collect();
+        if let Some(cell) = cells.get_mut(at).filter(|_| line >= head) {
+            *cell = change(line - head, cell);
+        }
+        cells.join(&separator) + "\n"
+    };
+    text.lines().enumerate().map(of).collect()
+}
+
 /// The bytes of a text, and what is written before them.
 const ENCODINGS: [fn(&str) -> Vec<u8>; 4] = [
     |text| text.as_bytes().to_vec(),
@@ -147,6 +168,13 @@ fn read(text: &str, map: &[(&str, &str)]) -> Result<Recording, Vec<Mistake>> {
     recording::read(&Table::read(text, &wanted), [&inputs, &outputs], true, &map, 1_000_000)
 }
 
+/// Three of the channels, to be measured.
+fn measured(text: &str) -> Result<Vec<measure::Channel>, Vec<Mistake>> {
+    let map = [("Motor speed", "v_motor"), ("Motor speed (1)", "v_command"), (CHANNELS[2].0, "a_load")];
+    let wanted = map.map(|(name, _)| name);
+    measure::read(&Table::read(text, &wanted), &map.map(|(name, signal)| (name.to_owned(), signal.to_owned())))
+}
+
 const MAP: [(&str, &str); 4] = [
     ("Motor speed", "v_motor"),
     ("Motor speed (1)", "v_command"),
@@ -155,16 +183,11 @@ const MAP: [(&str, &str); 4] = [
 ];
 
 fn forms() -> impl Iterator<Item = Form> {
-    let separators = ['\t', ';', ' ', ':', ','].into_iter();
-    let separators = separators.flat_map(|separator| ['.', ','].map(|mark| (separator, mark)));
     let times = [Times::PerChannel, Times::PerRate, Times::One, Times::None];
-    let layouts = separators.flat_map(move |form| times.map(|times| (form, times)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|is_sorted| (form, is_sorted)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|is_full| (form, is_full)));
-    let layouts = layouts.flat_map(|form| [true, false].map(|has_end| (form, has_end)));
-    let layouts = layouts.flat_map(|form| ["\n", "\r\n"].map(|line_end| (form, line_end)));
-    layouts.map(|(((((form, times), is_sorted), is_full), has_end), line_end)| {
-        let (separator, mark) = form;
+    (0..5 * 128).map(move |form: usize| {
+        let [has_comma, is_sorted, is_full, has_end, is_long] = [64, 1, 2, 4, 8].map(|bit| form & bit > 0);
+        let (mark, line_end) = (if has_comma { ',' } else { '.' }, if is_long { "\r\n" } else { "\n" });
+        let (separator, times) = (SEPARATORS[form / 128], times[form / 16 % 4]);
         Form { separator, mark, times, is_sorted, is_full, has_end, line_end }
     })
 }
@@ -187,6 +210,10 @@ fn every_form_is_read_as_the_same_samples() {
                 read.outputs.read(at, &mut values);
                 assert_eq!(values, [number(2)], "{form:?} {sample}");
             }
+            let [command, motor, load] = &measured(&text).unwrap()[..] else { panic!("{form:?}") };
+            let units = [command, motor, load].map(|channel| channel.unit.map(|unit| unit.name));
+            let units = (units, load.other_unit.as_deref());
+            assert_eq!(units, ([Some("mm/s"), None, None], Some("dV")), "{form:?}");
             let line = text.lines().nth(read.lines[7] - 1).unwrap();
             assert!(line.contains(&value(0, 7).replace('.', &form.mark.to_string())), "{form:?}: {line}");
             count += 1;
@@ -220,7 +247,7 @@ const FORM: Form = Form {
 #[test]
 fn channels_of_other_sampling_times_are_named_at_once() {
     let map = [("fast", "v_motor"), ("slow", "v_command"), MAP[2]];
-    for separator in ['\t', ';', ' ', ':', ','] {
+    for separator in SEPARATORS {
         let mistakes = read(&written(Form { separator, ..FORM }), &map).unwrap_err();
         let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
         assert_eq!(mistake.code, "AX480");
@@ -242,52 +269,59 @@ fn a_symbol_of_several_channels_is_refused() {
 #[test]
 fn channels_begin_together() {
     let form = Form { times: Times::PerChannel, ..FORM };
-    let later = |by: &str| {
-        let table = written(form);
-        let is_sample = |line: &&str| line.starts_with(|first: char| first.is_ascii_digit());
-        let first_at = 2 + 2 * 2; // after those of `fast` and of both speeds
-        let moved = |line: &str| {
-            let mut cells: Vec<String> = line.split('\t').map(str::to_owned).collect();
-            if let Some(cell) = cells.get_mut(first_at).filter(|cell| *cell != " ") {
-                *cell = (cell.parse::<f64>().unwrap() + by.parse::<f64>().unwrap()).to_string();
-            }
-            cells.join("\t")
-        };
-        let line = |line: &str| if is_sample(&line) { moved(line) } else { line.to_owned() };
-        table.lines().map(line).collect::<Vec<_>>().join("\n")
+    let first_at = 2 + 2 * 2; // after those of `fast` and of both speeds
+    let later = |by: f64| {
+        changed(form, first_at, |_, cell| cell.parse().map_or(String::new(), |time: f64| (time + by).to_string()))
     };
-    let recording = read(&later("2"), &MAP).unwrap();
-    let skipped = ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2));
-    assert_eq!(recording.skipped, skipped);
+    let recording = read(&later(2.0), &MAP).unwrap();
+    assert_eq!(recording.skipped, ["v_motor", "v_command", "is_ready"].map(|name| (name.to_owned(), 2)));
     assert_eq!(recording.outputs.len(), 38);
     let mut values = Vec::new();
     recording.inputs.read(0, &mut values);
     assert_eq!(values[0], Literal::F64(value(0, 2).parse().unwrap()));
     recording.outputs.read(0, &mut values);
     assert_eq!(values[0], Literal::F64(value(2, 0).parse().unwrap()));
-    let mistakes = read(&later("0.4"), &MAP).unwrap_err();
+    let mistakes = read(&later(0.4), &MAP).unwrap_err();
     assert_eq!(mistakes.len(), 1);
     assert!(mistakes[0].found.contains(" was sampled 0.4 ms apart from the others"), "{mistakes:?}");
 }
 
-/// A value that is missing between others is a mistake; one message says how many are.
+/// Values that are missing between others are a mistake, for measurements too; one message says how many are. Before the
+/// first value they are not: the channel begins later, if it has times.
 #[test]
-fn values_that_are_missing_in_the_middle() {
-    let table = written(FORM);
-    let without = |line: (usize, &str)| {
-        let mut cells: Vec<&str> = line.1.split('\t').collect();
-        if (30..33).contains(&line.0) {
-            cells[3] = " ";
-        }
-        cells.join("\t")
+fn values_that_are_missing() {
+    let without = |samples: Range<usize>, form: Form, cell| {
+        changed(form, cell, |sample, cell| if samples.contains(&sample) { String::new() } else { cell.to_owned() })
     };
-    let text = table.lines().enumerate().map(without).collect::<Vec<_>>().join("\n");
-    let mistakes = read(&text, &MAP).unwrap_err();
-    let [mistake] = &mistakes[..] else { panic!("{mistakes:?}") };
-    assert_eq!(
-        (mistake.line, mistake.found.as_str()),
-        (31, "3 values are missing in the middle of the column `Motor speed`")
-    );
+    let text = without(18..21, FORM, 3);
+    for mistakes in [read(&text, &MAP).unwrap_err(), measured(&text).unwrap_err()] {
+        let [Mistake { line, column, found, .. }] = &mistakes[..] else { panic!("{mistakes:?}") };
+        assert_eq!((*line, *column), (32, text.lines().nth(31).unwrap().find("\t\t").unwrap() + 2));
+        assert_eq!(found, "3 values are missing in the middle of the column `Motor speed`");
+    }
+    let text = without(0..3, FORM, 3);
+    assert_eq!(read(&text, &MAP).unwrap().skipped, ["v_command", "v_add", "is_ready"].map(|name| (name.to_owned(), 3)));
+    let channels = measured(&text).unwrap();
+    assert_eq!([0, 1].map(|at| channels[at].timing.begins), [Some(0), Some(3_000_000)]);
+    let mistakes = read(&without(0..3, Form { times: Times::None, ..FORM }, 0), &MAP).unwrap_err();
+    assert_eq!(mistakes[0].found, "3 values are missing at the start of the column `Motor speed`");
+}
+
+/// The last channel has no sample at first, or none at all: the cells before it are read as before.
+#[test]
+fn a_last_channel_without_samples() {
+    for (times, last, is_full) in [(Times::One, 4, false), (Times::One, 4, true), (Times::None, 3, false)] {
+        for (separator, count) in [('\t', 3), (' ', 3), ('\t', SAMPLES), (' ', SAMPLES), (',', SAMPLES)] {
+            let form = Form { separator, times, is_full, ..FORM };
+            let map = [MAP[0], MAP[1], MAP[2], ("ready", "-")];
+            let text =
+                changed(form, last, |at, cell| if at < count as usize { String::new() } else { cell.to_owned() });
+            for text in [text.replace(&format!("{separator}\n"), "\n"), text] {
+                let (read, whole) = (read(&text, &map).unwrap(), read(&written(form), &map).unwrap());
+                assert_eq!((read.inputs, read.outputs), (whole.inputs, whole.outputs), "{form:?} {count}\n{text}");
+            }
+        }
+    }
 }
 
 /// Names with blanks between blanks, which neither the user nor a second channel of the name reports apart.

@@ -4,9 +4,9 @@ use super::unit::{Quantity, Unit};
 use crate::instants::Instants;
 use crate::mistake::Mistake;
 use crate::samples::{Shape, Signal};
+use crate::series::{self, Series};
 use crate::signals::{self, Map};
 use crate::table::{Column, Table};
-use crate::value::{allowed, instead, parse};
 use compiler::program::Type;
 use portable::{Literal, RealKind};
 
@@ -38,8 +38,10 @@ pub struct Channel {
     pub quantity: Quantity,
     /// `None` if it is unknown
     pub unit: Option<Unit>,
-    /// whether the name of the column contains the unit
+    /// whether the file states the unit
     pub is_stated: bool,
+    /// what it states instead, if that is no unit of the quantity
+    pub other_unit: Option<String>,
     pub values: Vec<f64>,
     pub timing: Timing,
 }
@@ -57,46 +59,40 @@ impl Channel {
 pub struct Timing {
     /// the sampling interval [s]; `None` if it is unknown
     pub interval: Option<f64>,
-    /// largest deviation of a step from it, except gaps [s]
+    /// largest deviation from it of a step, except gaps, and of all times from even ones [s]
     pub jitter: f64,
+    /// the line of the largest one
+    pub uneven: Option<usize>,
+    /// an assumed unit of the times, if another one is as plausible
+    pub doubt: Option<String>,
     /// number of missing samples, and the line before which the first ones are missing
     pub missing: usize,
     pub first_gap: Option<usize>,
-    /// time of the first sample [ns]; `None` if only rows are known
+    /// time of the channel's first sample [ns]; `None` if only rows are known
     pub begins: Option<i128>,
 }
 
 /// All channels of a table. A column `NAME [UNIT]` is the signal NAME; `map` assigns signals to columns with other names.
 ///
 /// # Errors
-/// All errors: unknown and repeated columns, unknown units; short rows, cells that are not finite numbers.
+/// All errors: unknown and repeated columns, unknown units; those of `series::columns`, and numbers that are not finite.
 pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> {
     let shape = Shape { real: RealKind::F64, signals: SIGNALS.iter().map(|(name, _)| real(name)).collect() };
     let found = signals::of_columns(table, &shape, &OTHERS, &with_units(table, map))?;
-    let chosen: Vec<(&Column<'_>, usize)> =
-        table.columns.iter().zip(&found).filter_map(|(column, signal)| Some((column, (*signal)?))).collect();
-    let units = units(&chosen)?;
-    let mut times: Vec<Instants<'_>> = Vec::new();
-    for (column, _) in &chosen {
-        if let Some(time) = column.time.filter(|time| times.iter().all(|known| known.column != *time)) {
-            times.push(Instants::of(time));
-        }
-    }
-    let mut values: Vec<Vec<f64>> = vec![Vec::with_capacity(table.rows.len()); chosen.len()];
-    let mut mistakes = rows(table, &chosen, &mut values, &mut times);
-    if !mistakes.is_empty() {
-        mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
-        return Err(mistakes);
-    }
+    let units = units(table, &found)?;
+    let is_finite = |value: &Literal| matches!(value, Literal::F64(value) if value.is_finite());
+    let (series, times) = series::columns(table, &found, &shape, is_finite)?;
     let timings: Vec<Timing> = times.iter().map(timing).collect();
-    let channel = |(k, values): (usize, Vec<f64>)| {
-        let ((column, signal), unit) = (chosen[k], units[k]);
+    let channel = |(Series { column, signal, values, begins, .. }, unit): (Series<'_>, Option<Stated>)| {
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
         let (signal, quantity) = SIGNALS[signal];
-        Channel { signal, quantity, unit, is_stated: unit.is_some(), values, timing }
+        let values = values.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+        let (unit, other_unit) = unit.map_or((None, None), |unit| (unit.as_ref().ok().copied(), unit.err()));
+        let timing = Timing { begins, ..timing };
+        Channel { signal, quantity, unit, is_stated: unit.is_some(), other_unit, values, timing }
     };
-    let mut channels: Vec<Channel> = values.into_iter().enumerate().map(channel).collect();
+    let mut channels: Vec<Channel> = series.into_iter().zip(units).map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
     Ok(channels)
 }
@@ -111,18 +107,25 @@ fn bracket(name: &str) -> Option<(&str, &str)> {
     unit.contains(char::is_alphabetic).then(|| (name.trim(), unit.trim()))
 }
 
-/// The units that the names of the columns state; a unit that is not known is not replaced by a plausible one.
-fn units(chosen: &[(&Column<'_>, usize)]) -> Result<Vec<Option<Unit>>, Vec<Mistake>> {
+/// A unit as stated; the text if it is not known.
+type Stated = Result<Unit, String>;
+
+/// The units that the columns state: in brackets after the name, else in the head of an export. A unit that is not known is an
+/// error after the name of a signal; elsewhere, the brackets may be part of a name, and the unit that of a scope.
+fn units(table: &Table<'_>, found: &[Option<usize>]) -> Result<Vec<Option<Stated>>, Vec<Mistake>> {
     let (mut units, mut mistakes) = (Vec::new(), Vec::new());
-    for (column, signal) in chosen {
-        let (signal, quantity) = SIGNALS[*signal];
-        let stated = bracket(column.called()).map(|(_, name)| name);
-        let unit = stated.and_then(|name| Unit::named(quantity, name));
-        if let (Some(name), None) = (stated, unit) {
-            let found = format!("the unit `{}` of {signal}", name.escape_default());
-            mistakes.push(Mistake::new(column.place, found, quantity.names()));
+    for (column, signal) in table.columns.iter().zip(found).filter_map(|(column, signal)| Some((column, (*signal)?))) {
+        let (signal, quantity) = SIGNALS[signal];
+        let bracket = bracket(column.called());
+        let stated = [column.unit, bracket.map_or("", |(_, unit)| unit)];
+        let known = stated.iter().rev().find_map(|name| Unit::named(quantity, name));
+        let other = stated.into_iter().find(|name| !name.is_empty()).map(|name| name.escape_default().to_string());
+        match (bracket, known.map(Ok).or(other.map(Err))) {
+            (Some((name, _)), Some(Err(unit))) if name == signal => {
+                mistakes.push(Mistake::new(column.place, format!("the unit `{unit}` of {signal}"), quantity.names()));
+            }
+            (_, unit) => units.push(unit),
         }
-        units.push(unit);
     }
     if mistakes.is_empty() { Ok(units) } else { Err(mistakes) }
 }
@@ -136,50 +139,6 @@ fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
         (is_signal && !is_mapped(column.name)).then(|| (column.name.to_owned(), name.to_owned()))
     };
     map.iter().cloned().chain(table.columns.iter().filter_map(of)).collect()
-}
-
-/// Reads all rows once; returns the first error of each kind.
-fn rows<'t>(
-    table: &Table<'t>,
-    chosen: &[(&Column<'_>, usize)],
-    values: &mut [Vec<f64>],
-    times: &mut [Instants<'t>],
-) -> Vec<Mistake> {
-    let mut cells = Vec::new();
-    let (mut wrong_row, mut wrong_cells) = (None, vec![None; chosen.len()]);
-    for row in &table.rows {
-        if let Err([found, right]) = table.cells(row, &mut cells) {
-            wrong_row.get_or_insert_with(|| {
-                Mistake::new([row.line, 1], format!("{found} cells"), format!("{right} cells, one for each column"))
-            });
-            continue;
-        }
-        for times in &mut *times {
-            times.read(table.number(cells.get(times.column.cell).copied().unwrap_or_default()).as_ref(), row.line);
-        }
-        for (((column, signal), values), wrong) in chosen.iter().zip(&mut *values).zip(&mut wrong_cells) {
-            let cell = cells.get(column.cell).copied().unwrap_or_default();
-            if cell.is_empty() && table.is_export {
-                continue;
-            }
-            let content = table.number(cell);
-            let signal = real(SIGNALS[*signal].0);
-            match parse(&content, &signal, RealKind::F64) {
-                Some(Literal::F64(value)) if value.is_finite() => values.push(value),
-                _ => {
-                    let found = || format!("`{}` for {}", content.escape_default(), signal.name);
-                    wrong.get_or_insert_with(|| {
-                        Mistake::new(row.place(cell), found(), allowed(Type::Real, RealKind::F64)).instead(instead(
-                            &content,
-                            Type::Real,
-                            RealKind::F64,
-                        ))
-                    });
-                }
-            }
-        }
-    }
-    wrong_row.into_iter().chain(wrong_cells.into_iter().flatten()).collect()
 }
 
 /// The timing of a column of times.
@@ -199,14 +158,16 @@ fn timing(times: &Instants<'_>) -> Timing {
     }
     // Times are written with few digits: their mean step is more precise than any of them.
     let interval = libm::round(sum / count * 1e9) / 1e9;
-    let jitter = steps().filter(|step| !is_gap(step)).fold(0.0, |jitter: f64, step| {
-        let apart = libm::round(libm::fabs(step - interval) * 1e9) / 1e9;
-        if apart > jitter { apart } else { jitter }
-    });
+    let rounded = |apart: f64| libm::round(libm::fabs(apart) * 1e9) / 1e9;
+    let step = |(k, step): (usize, f64)| (rounded(step - interval), times.lines()[k + 1]);
+    let all = steps().enumerate().filter(|(_, step)| !is_gap(step)).map(step);
+    let drift = times.drift().map(|(drift, line)| (rounded(drift * usual), line));
+    let worst = all.chain(drift).reduce(|worst, other| if other.0 > worst.0 { other } else { worst });
+    let (jitter, uneven) = worst.map_or((0.0, None), |(jitter, line)| (jitter, Some(line)));
     let first_gap = steps().position(|step| is_gap(&step)).and_then(|at| times.lines().get(at + 1).copied());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
     let missing = missing as usize;
-    Timing { interval: Some(interval), jitter, missing, first_gap, begins: times.first() }
+    Timing { interval: Some(interval), jitter, uneven, doubt: times.doubt(), missing, first_gap, begins: None }
 }
 
 /// The timing of a column without times: from the head of an export.

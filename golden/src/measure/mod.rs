@@ -108,6 +108,11 @@ pub fn measure(
     if !is_sampled(&measured.channels, verdicts) {
         return measured;
     }
+    let doubt = measured.channels.iter().find_map(|channel| channel.timing.doubt.as_ref());
+    if let Some(found) = doubt.filter(|_| cycle_time.is_none()) {
+        let instead = "state the unit, as in `time [us]`; for 100 ns, --cycle-time TIME and --map NAME=-";
+        verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
+    }
     let Some(mut record) = Record::new(measured.channels.clone(), verdicts) else {
         let instead = "record a move, and export all of its samples";
         verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));

@@ -50,7 +50,9 @@ impl Record {
             let late = latest.zip(begins).map_or(0.0, |(latest, begins)| (latest - begins) as f64 / 1e9 / cycle);
             let is_even = channel.timing.jitter <= TOGETHER * cycle;
             if !is_as_often(&channel.timing) || libm::fabs(late - libm::round(late)) > TOGETHER || !is_even {
-                apart.push(format!("{} every {} ms", channel.signal, shown(channel.timing.interval)));
+                let line = channel.timing.uneven.filter(|_| !is_even);
+                let line = line.map_or_else(String::new, |line| format!(", unevenly at line {line}"));
+                apart.push(format!("{} every {} ms{line}", channel.signal, shown(channel.timing.interval)));
                 channel.values.clear();
                 continue;
             }
@@ -186,6 +188,17 @@ impl Record {
             if is_rotary && channel.quantity != Quantity::Acceleration {
                 channel.unit = channel.unit.map(|unit| unit.rotary().unwrap_or(unit));
             }
+        }
+        for channel in &self.channels {
+            let Some(stated) = &channel.other_unit else { continue };
+            let taken = channel.unit.map_or("no unit", |unit| unit.name);
+            let found = format!("the unit of {}, `{stated}`, is not known: {taken} is assumed", channel.signal);
+            let instead = format!(
+                "state its unit after its name, as in `{} [UNIT]`: {}",
+                channel.signal,
+                channel.quantity.names()
+            );
+            verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
         }
         self.velocities_fit(verdicts)
     }

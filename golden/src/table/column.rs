@@ -13,6 +13,8 @@ pub struct Column<'t> {
     pub place: [usize; 2],
     /// in an export, the time between two samples [ms], with line and column
     pub sample_time: Option<(&'t str, [usize; 2])>,
+    /// in an export, its unit; empty if there is none
+    pub unit: &'t str,
     /// index of its cell in a row
     pub(crate) cell: usize,
     /// its column of times

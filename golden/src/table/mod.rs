@@ -80,6 +80,12 @@ impl<'t> Table<'t> {
         self.separator == ','
     }
 
+    /// Whether a plain table has blanks between its cells, which separate the words of a name too.
+    pub(crate) fn has_blanks(&self) -> bool {
+        let mut words = self.rows.first().map_or("", |row| row.text).split_whitespace();
+        !self.is_export && self.cells == 1 && words.clone().nth(1).is_some() && words.all(cells::is_number)
+    }
+
     /// Whether a column of the table, or one of its times, has this name or shows this symbol.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {
@@ -101,16 +107,22 @@ fn plain<'t>(lines: &[&'t str]) -> Table<'t> {
     let separator = ['\t', ';'].into_iter().find(|separator| first.contains(*separator)).unwrap_or(',');
     let mut header = Vec::new();
     cells::split(first, separator, &mut header);
-    let (mut columns, mut times) = (Vec::new(), Vec::new());
+    let (mut columns, mut times, mut current) = (Vec::new(), Vec::<TimeColumn<'_>>::new(), None);
     for (cell, name) in header.iter().copied().enumerate() {
         let place = [1, cells::column_of(first, name)];
         match column::time_unit(name) {
-            Some(unit) => times.push(TimeColumn { name, cell, unit, place }),
-            None => columns.push(Column { name, symbol: "", place, sample_time: None, cell, time: None }),
+            Some(unit) => {
+                // Of times side by side, the first one counts.
+                if times.last().is_none_or(|last| last.cell + 1 < cell) {
+                    current = Some(TimeColumn { name, cell, unit, place });
+                }
+                times.push(TimeColumn { name, cell, unit, place });
+            }
+            None => columns.push(Column { name, symbol: "", place, sample_time: None, unit: "", cell, time: current }),
         }
     }
     for column in &mut columns {
-        column.time = times.first().copied();
+        column.time = column.time.or(times.first().copied());
     }
     let rows = rows(lines, 1).collect();
     Table { columns, rows, is_export: false, times, separator, cells: header.len() }

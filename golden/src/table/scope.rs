@@ -8,6 +8,7 @@
 //! Name func_a Name test space func_b        between blanks, of names with blanks
 //! SampleTime[ms],0,2,SampleTime[ms],1,1     between commas, with the decimal comma of the PC
 //! Data-Type REAL64 Data-Type REAL64 BIT     the row that determines the columns
+//! Unit (None) Unit mm/s (Velocity) (None)   between blanks, of units that end with a quantity
 //! ```
 
 use super::cells;
@@ -18,6 +19,7 @@ const NAME: &str = "Name";
 const SYMBOL: &str = "SymbolName";
 const DATA_TYPE: &str = "Data-Type";
 const SAMPLE_TIME: &str = "SampleTime[ms]";
+const UNIT: &str = "Unit";
 const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
 /// The contents above the samples.
@@ -48,6 +50,8 @@ struct Rows<'t> {
     symbols: Option<Row<'t>>,
     types: Option<Row<'t>>,
     sample_times: Option<Row<'t>>,
+    /// the unit of each channel
+    units: Vec<&'t str>,
 }
 
 /// The row that distinguishes cells of channels from cells of times.
@@ -66,13 +70,22 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
     };
     let start = lines.iter().position(is_sample).unwrap_or(lines.len());
     let row = |key: &str| row(&lines[..start], separator, key);
-    let rows = Rows { names: row(NAME), symbols: row(SYMBOL), types: row(DATA_TYPE), sample_times: row(SAMPLE_TIME) };
+    let rows = Rows {
+        names: row(NAME),
+        symbols: row(SYMBOL),
+        types: row(DATA_TYPE),
+        sample_times: row(SAMPLE_TIME),
+        units: units(&lines[..start], separator),
+    };
     let samples = lines.get(start).map(|line| {
         cells::split_samples(line, separator, &mut cells);
-        cells.pop_if(|cell| cell.is_empty());
-        cells.len()
+        cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1)
     });
-    match rows.layout(samples) {
+    let first_cells = lines[start..].iter().filter_map(|line| {
+        cells::split_samples(line, separator, &mut cells);
+        cells::number(cells[0], separator).parse().ok()
+    });
+    match rows.layout(samples, first_cells) {
         Some(layout) => Head {
             columns: rows.columns(&layout, wanted),
             cells: layout.row.cells.len() - usize::from(!layout.has_times),
@@ -83,16 +96,28 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
 }
 
 impl<'t> Rows<'t> {
-    /// The first line of samples decides: a row about the channels has the same number of cells, or one more without times.
-    fn layout(&self, samples: Option<usize>) -> Option<Layout<'_, 't>> {
+    /// The first line of samples decides: a row about the channels has the same number of cells, or one more without times. If
+    /// the last channels have no sample there, it has more cells too; then the first cells tell whether they are times.
+    fn layout(&self, samples: Option<usize>, first_cells: impl Iterator<Item = f64>) -> Option<Layout<'_, 't>> {
         let rows: Vec<&Row<'_>> = [&self.symbols, &self.types, &self.names].into_iter().flatten().collect();
-        let with = |more: usize| {
-            let is_it = |row: &&&Row<'_>| samples.is_some_and(|samples| row.cells.len() == samples + more);
-            rows.iter().find(is_it).copied()
-        };
-        let timeless = with(1).filter(|row| with(0).is_none() && !row.cells[1..].contains(&row.cells[0]));
-        let row = with(0).or(timeless).or(rows.first().copied())?;
-        Some(Layout { row, has_times: timeless.is_none() })
+        let of = |count: usize| rows.iter().find(|row| row.cells.len() == count).copied();
+        let row = samples.and_then(|count| of(count).or_else(|| of(count + 1))).or(rows.first().copied())?;
+        let is_longer = samples.is_some_and(|count| count < row.cells.len());
+        let may_lack_times = is_longer && !row.cells[1..].contains(&row.cells[0]);
+        Some(Layout { row, has_times: !may_lack_times || self.are_times(first_cells, row.cells.len()) })
+    }
+
+    /// Whether most steps of these numbers are the sampling time of the first channel, in ms or in 100 ns.
+    fn are_times(&self, numbers: impl Iterator<Item = f64>, cells: usize) -> bool {
+        // All channels have one; between commas, a decimal comma separates it into two cells.
+        let step = self.sample_times.as_ref().and_then(|row| {
+            let parts = (row.cells.len() - 1) / (cells - 1).max(1);
+            row.cells[1..=parts].join(".").replace(',', ".").parse::<f64>().ok()
+        });
+        let Some(step) = step else { return false };
+        let numbers: Vec<f64> = numbers.collect();
+        let is_step = |found: f64| [step, step * 1e4].iter().any(|step| libm::fabs(found - step) < 0.03 * step);
+        2 * numbers.windows(2).filter(|pair| is_step(pair[1] - pair[0])).count() > numbers.len()
     }
 
     /// The channels.
@@ -118,9 +143,13 @@ impl<'t> Rows<'t> {
                 symbol: symbol.map_or("", |(symbol, _)| symbol),
                 place: name.or(symbol).map_or([*line, 1], |(_, place)| place),
                 sample_time: same(&self.sample_times, cell),
+                unit: "",
                 cell: if has_times { cell } else { cell - 1 },
                 time,
             });
+        }
+        if self.units.len() == columns.len() {
+            columns.iter_mut().zip(&self.units).for_each(|(column, unit)| column.unit = unit);
         }
         columns
     }
@@ -147,6 +176,21 @@ fn row<'t>(lines: &[&'t str], separator: char, key: &str) -> Option<Row<'t>> {
         cells.pop();
     }
     Some(Row { line: index + 1, text, cells })
+}
+
+/// The units of the channels, without their quantities: of `mm/s (Velocity)` the velocity, of `(None)` nothing.
+fn units<'t>(lines: &[&'t str], separator: char) -> Vec<&'t str> {
+    let mut cells = Vec::new();
+    let is_row = |line: &&&'t str| {
+        cells::split(line, separator, &mut cells);
+        cells[0] == UNIT && !cells.get(1).is_some_and(|next| ["ScaleFactor", "Offset"].contains(next))
+    };
+    let Some(line) = lines.iter().skip(1).rfind(is_row) else { return Vec::new() };
+    if separator == ' ' {
+        cells = line.split_terminator(')').map(|unit| unit.trim().trim_start_matches(UNIT)).collect();
+    }
+    cells.retain(|cell| *cell != UNIT);
+    cells.iter().map(|cell| cell.split('(').next().unwrap_or_default().trim()).collect()
 }
 
 /// The place of a cell.

@@ -200,11 +200,26 @@ fn moves_with_a_defect() {
     assert_eq!(measure(&moves, &["--cycle-time", "1ms", "--json"]).out, measure(&moves, &["--json"]).out);
     let other = assert_said("other times", &moves, &["--cycle-time", "2ms"], "AX011", 2);
     assert!(other.err.contains("2 ms contradicts the times of the recording, every 1 ms"), "{}", other.err);
-    let uneven = |(n, line): (usize, &&str)| match line.split_once(',') {
-        Some((_, rest)) if n > 0 && n % 2 == 0 => format!("{:.4},{rest}\n", n as f64 * CYCLE - 0.0006),
-        _ => format!("{line}\n"),
+    let timed = |name: &str, time: &dyn Fn(usize) -> String| -> String {
+        let cell = |n| if n == 0 { name.to_owned() } else { time(n - 1) };
+        lines.iter().enumerate().map(|(n, line)| format!("{},{}\n", cell(n), line.split_once(',').unwrap().1)).collect()
     };
-    assert_said("uneven", &lines.iter().enumerate().map(uneven).collect::<String>(), &[], "AX501", 1);
+    let uneven = |n: usize| format!("{:.4}", n as f64 + 0.4 * (n % 2) as f64);
+    let said = assert_said("uneven", &timed("t [ms]", &uneven), &[], "AX501", 1);
+    assert!(said.err.contains(" ms, unevenly at line 4, "), "{}", said.err);
+    let faster = |n: usize| format!("{:.1}", n as f64 + 0.2 * n.saturating_sub(3000) as f64);
+    assert_said("faster", &timed("t [ms]", &faster), &[], "AX501", 1);
+    // 100 ns since 1601, and since the first sample.
+    let ticks = timed("time", &|n| (132_959_733_843_760_000 + 10_000 * n).to_string());
+    assert_eq!(measure(&ticks, &["--json"]).out, measure(&moves, &["--json"]).out);
+    assert_said("unit of the time", &timed("time", &|n| (10_000 * n).to_string()), &[], "AX528", 0);
+    // A second column of times belongs to the columns on its right.
+    let two = |(n, line): (usize, &&str)| {
+        let (other, load) = line.rsplit_once(',').unwrap();
+        if n == 0 { format!("{other},Zeit [ms],{load}\n") } else { format!("{other},{},{load}\n", 2 * n) }
+    };
+    let two = assert_said("two times", &lines.iter().enumerate().map(two).collect::<String>(), &[], "AX501", 1);
+    assert!(two.err.contains("every 1 ms: a_load every 2 ms\n"), "{}", two.err);
     assert_said("mm/s", &of(V_MOTOR, &scaled(1e-3)), &[], "AX506", 1);
     assert_said("other sign", &of(V_MOTOR, &scaled(-1.0)), &[], "AX506", 1);
     let clipped = |values: &[f64]| values.iter().map(|v| v.clamp(-0.7, 0.7)).collect();
@@ -239,17 +254,6 @@ fn moves_with_a_defect() {
     for wrong in [["--excitation", "6"], ["--excitation", "11x0"], ["--cycle-time", "1"]] {
         assert_eq!(measure(&moves, &wrong).code, 2, "{wrong:?}");
     }
-}
-
-/// Two channels of a scope with their own times.
-#[test]
-fn channels_of_two_rates() {
-    let mut text = "Name\tr\nName\tv_command\tName\tv_motor\nSampleTime[ms]\t1\tSampleTime[ms]\t2\n".to_owned();
-    for n in 0..MOVES[0].len() {
-        let [a, b] = [MOVES[V_COMMAND][n], MOVES[V_MOTOR][n]];
-        writeln!(text, "{n}\t{a}\t{}", if n % 2 == 0 { format!("{n}\t{b}") } else { "\t".to_owned() }).unwrap();
-    }
-    assert_said("two rates", &text, &[], "AX501", 1);
 }
 
 #[test]

@@ -88,8 +88,12 @@ fn an_unknown_unit_is_a_mistake() {
     assert_eq!(run.code, 2, "{}{}", run.out, run.err);
     assert!(run.err.contains("m.csv:1:56: error[AX015]: the unit `furlong/h` of v_motor\n"), "{}", run.err);
     assert!(run.err.contains("allowed: um/s, mm/s, m/s, m/min, mm/min, 0.001 deg/s, deg/s, deg/min"), "{}", run.err);
-    // An index is not a unit.
-    let folder = super::tune::folder(&[("m.csv", &scaled(&MOVES, &OF_MOVES, &[(V_MOTOR, "v[1]", 1.0)]))]);
-    let run = axgen(&folder, &["measure", "m.csv", "--map", "v[1]=v_motor"]);
-    assert_eq!(run.code, 0, "{}{}", run.out, run.err);
+    // An index is not a unit, nor need brackets in the name of a mapped column be one.
+    for (name, said) in
+        [("v[1]", ""), ("motor(X)", "warning[AX528]: the unit of v_motor, `X`, is not known: um/s is assumed")]
+    {
+        let folder = super::tune::folder(&[("m.csv", &scaled(&MOVES, &OF_MOVES, &[(V_MOTOR, name, 1.0)]))]);
+        let run = axgen(&folder, &["measure", "m.csv", "--map", &format!("{name}=v_motor")]);
+        assert!(run.code == 0 && run.err.contains(said), "{}{}", run.out, run.err);
+    }
 }

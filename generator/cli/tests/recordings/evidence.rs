@@ -17,40 +17,28 @@ fn what_moves_and_what_was_taken_is_said_first() {
     assert!(lines[2].starts_with("v_add against engine reference, 3000 samples: "), "{}", run.out);
 }
 
-/// A recording with a column `mode`, and what is said of it on standard error.
-fn said(header: &str, row: impl Fn(usize) -> String, samples: usize) -> (i32, String, String) {
-    let folder = folder();
-    let rows: String = (0..samples).map(|sample| row(sample) + "\n").collect();
-    let run = compare(folder.path(), format!("{header}\n{rows}"), &[]);
-    (run.code, run.out, run.err)
-}
-
-const ALLOWED: &str = "\n    write instead: ";
-
+/// What is said of recordings of `v_motor`, `mode` and `v_add` that prove nothing.
 #[test]
-fn no_sample() {
-    let (code, out, err) = said("v_motor,v_add", |_| String::new(), 0);
-    assert_eq!(code, 1, "{out}");
-    assert!(out.starts_with("moved: nothing; in 0 of 0 samples, 0 of them with mode ON\n"), "{out}");
-    let expected = "recorded.csv: error[AX482]: proves nothing: there is no sample";
-    assert_eq!(err, format!("{expected}{ALLOWED}record a move with mode ON\n"));
-}
-
-#[test]
-fn mode_off_throughout() {
-    let (code, out, err) = said("v_motor,mode,v_add", |sample| format!("{sample},0,0"), 100);
-    assert_eq!(code, 1, "{out}");
-    assert!(out.contains("; in 99 of 100 samples, 0 of them with mode ON\nconstant: mode 0, v_add 0\n"), "{out}");
-    assert!(out.contains(": 0 differing bits\n"), "{out}");
-    let still = "recorded.csv: error[AX482]: proves nothing: no output that was recorded moves";
-    let off = "recorded.csv: error[AX482]: proves nothing: mode is OFF throughout";
-    assert_eq!(
-        err,
-        format!(
-            "{still}{ALLOWED}record the outputs that the move changes: v_add, or v_add_calculated with mode DRYRUN\n\
-             {off}{ALLOWED}record a move with mode ON (1)\n"
-        )
-    );
+fn recordings_that_prove_nothing() {
+    let remedy = "record the outputs that the move changes: v_add, or v_add_calculated with mode DRYRUN";
+    let still = ("no output that was recorded moves", remedy);
+    let inputs = "record the inputs of the block, too, while the axis moves; --map NAME=SIGNAL where the names differ";
+    let empty = [("there is no sample", "record a move with mode ON")];
+    let off = [still, ("mode is OFF throughout", "record a move with mode ON (1)")];
+    let rest = [("no input of the block moves", inputs), still];
+    for (samples, speed, mode, out, expected) in [
+        (0, 0, 1, "moved: nothing; in 0 of 0 samples, 0 of them with mode ON\n", &empty[..]),
+        (100, 1, 0, "; in 99 of 100 samples, 0 of them with mode ON\nconstant: mode 0, v_add 0\n", &off),
+        (100, 0, 1, "moved: nothing; in 0 of 100 samples", &rest),
+    ] {
+        let rows: String = (0..samples).map(|sample| format!("{},{mode},0\n", speed * sample)).collect();
+        let run = compare(folder().path(), format!("v_motor,mode,v_add\n{rows}"), &[]);
+        assert!(run.code == 1 && run.out.contains(out), "{}", run.out);
+        let message = |(found, instead): &(&str, &str)| {
+            format!("recorded.csv: error[AX482]: proves nothing: {found}\n    write instead: {instead}\n")
+        };
+        assert_eq!(run.err, expected.iter().map(message).collect::<String>());
+    }
 }
 
 /// The block of an axis without improved position control has no input `mode`; a column with that name proves nothing.
@@ -68,15 +56,6 @@ fn a_block_without_a_mode() {
     let compared = run(&["--compare", "out.csv"]);
     assert_eq!((compared.code, compared.err.as_str()), (0, ""), "{}", compared.out);
     assert!(compared.out.lines().next().is_some_and(|line| line.ends_with("of 200 samples")), "{}", compared.out);
-}
-
-#[test]
-fn nothing_that_moves() {
-    let (code, out, err) = said("v_motor,mode,v_add", |_| "0,1,0".to_owned(), 100);
-    assert_eq!(code, 1, "{out}");
-    assert!(out.starts_with("moved: nothing; in 0 of 100 samples"), "{out}");
-    assert!(err.contains("error[AX482]: proves nothing: no input of the block moves\n"), "{err}");
-    assert!(err.contains("error[AX482]: proves nothing: no output that was recorded moves\n"), "{err}");
 }
 
 /// Digits so few that any block would agree.
