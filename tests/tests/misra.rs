@@ -72,7 +72,8 @@ fn cppcheck_finds_what_is_recorded() {
     let output = Command::new(&command[0])
         .args(&command[1..])
         .args(["-j2", "--template=FOUND {id} in {file}:{line}: {message}"])
-        .args(&sources)
+        // It takes a minute for that one, and 20 s for the statements of the same kinds in axis_small_ipc.
+        .args(sources.iter().filter(|source| !source.starts_with("axis_p_ipc")))
         .current_dir(folder.path())
         .output()
         .unwrap();

@@ -147,7 +147,9 @@ fn symbols(modules: &[Vec<File>], more: &[&str]) -> Vec<String> {
 /// Copies and clears that a compiler makes, and arithmetic of double precision where the processor has none: `core`
 /// comes with both.
 fn is_of_core(symbol: &str) -> bool {
-    ["mem", "__aeabi_mem", "__aeabi_d", "__aeabi_i2d", "__aeabi_ui2d"].iter().any(|start| symbol.starts_with(start))
+    ["mem", "__aeabi_mem", "__aeabi_d", "__aeabi_f2d", "__aeabi_i2d", "__aeabi_ui2d"]
+        .iter()
+        .any(|start| symbol.starts_with(start))
 }
 
 /// What an unoptimised build calls where a remainder by -1 would overflow. Check words take remainders by constants alone.
