@@ -779,8 +779,8 @@ codes! {
         "One sample of a sensor is more than 10 times all others, as after a lost frame or a loose contact. It hides all lines \
          of the spectrum, and makes wrong which side a vibration comes from. Record again, or correct the sample in the file.";
     ASSUMED_UNIT = "AX528", "a unit of a recording that is assumed",
-        "The file states no unit that axgen knows for these values or times. The unit is taken that makes them plausible, which can \
-         be wrong by a factor of 10 or 1000. State the unit in the name of the column.";
+        "The file states no unit that axgen knows for these values or times. The unit is taken that makes them plausible, which \
+         can be wrong by a factor of 10 or 1000. State the unit in the name of the column.";
     UNSETTLED = "AX529", "stages with which the load settles worse",
         "A stage also acts after a stop: the following error that it causes is made up for slowly, and a narrow stage rings on. \
          If the load moves more than 1.1 times as much then as without stages, the stages are not proposed. Choose smaller \

@@ -6,7 +6,7 @@
 
 use crate::axis::Stage;
 use crate::blocks::{self, BLOCKS, BlockKind, Designed, Effect, Effects, is_same};
-use crate::number::significant;
+use crate::number::{literal, significant};
 use crate::parameters::words::{AxisType, Words};
 use crate::set_change::judge;
 use portable::Literal;
@@ -58,7 +58,7 @@ fn without_words(old: &Designed, new: &Designed) -> Vec<String> {
         let named = kind.coefficient_paths().into_iter().zip(values);
         let differ = named.filter(|(_, (old, new))| !is_rounding(*old, *new));
         differ.map(move |(path, (old, new))| {
-            format!("{}: coefficient {path} {} -> {}", kind.name(), text(old), text(new))
+            format!("{}: coefficient {path} {} -> {}", kind.name(), literal(old), literal(new))
         })
     };
     blocks::of_axis(&new.axis).flat_map(of_block).collect()
@@ -70,18 +70,6 @@ fn is_rounding(old: Literal, new: Literal) -> bool {
         (Literal::F64(old), Literal::F64(new)) => is_same(old, new),
         (Literal::F32(old), Literal::F32(new)) => [old.next_down(), old, old.next_up()].contains(&new),
         _ => old == new,
-    }
-}
-
-fn text(of: Literal) -> String {
-    match of {
-        Literal::F64(value) => format!("{value:?}"),
-        Literal::F32(value) => format!("{value:?}"),
-        Literal::Bool(value) => value.to_string(),
-        Literal::I32(value) => value.to_string(),
-        Literal::U32(value) => value.to_string(),
-        Literal::Usize(value) => value.to_string(),
-        Literal::Variant(variant) => variant.def().name.to_owned(),
     }
 }
 

@@ -31,7 +31,7 @@ mod feasibility;
 pub mod generate;
 pub mod import_export;
 pub mod manifest;
-mod number;
+pub mod number;
 pub mod parameters;
 pub mod params_of;
 pub mod pipeline;

@@ -1,5 +1,20 @@
 //! Numbers as text for readers: short, the same on every host, and different for two different numbers.
 
+use portable::Literal;
+
+/// The digits of a number, which read back to the same bits.
+pub fn literal(value: Literal) -> String {
+    match value {
+        Literal::F64(value) => format!("{value:?}"),
+        Literal::F32(value) => format!("{value:?}"),
+        Literal::U32(value) => value.to_string(),
+        Literal::I32(value) => value.to_string(),
+        Literal::Usize(value) => value.to_string(),
+        Literal::Bool(value) => value.to_string(),
+        Literal::Variant(variant) => variant.def().name.to_owned(),
+    }
+}
+
 /// `old -> new`, both with at least `digits` significant digits and as many more as distinguish them.
 pub(crate) fn pair(old: f64, new: f64, digits: u32) -> String {
     let text = |digits| [old, new].map(|value| significant(value, digits));

@@ -1,12 +1,13 @@
 //! From a file to its designed axes: read, check, design, feasibility. Only this file calls these steps.
 
 use crate::blocks::ipc::drive_response;
+use crate::blocks::{self, Designed};
 use crate::check::{self, Checked, command_filter, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
 use crate::target::block_name;
-use crate::{axis::Axis, blocks, blocks::Designed, codes, feasibility, parameters::Name};
+use crate::{axis::Axis, codes, feasibility, parameters::Name};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::{collections::BTreeMap, path::Path};

@@ -9,7 +9,6 @@ use crate::config::values::{Key, Setting, Values, key};
 use crate::config::{ListOptions, Load};
 use crate::diagnostics::{Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Value, path_with};
-use crate::rules::effective::Effective;
 use portable::Literal;
 use std::mem::discriminant;
 use std::path::Path;
@@ -62,9 +61,9 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
     };
     let traced = |((name, index), value): (Key, &Value)| {
         let parameter = name.parameter();
-        let source = source(&effective, (name, index));
+        let source = effective.source((name, index));
         let others = others(parameter, value).into_iter();
-        let versions: Vec<Designed> = others.filter_map(|other| version(((source, index), other))).collect();
+        let versions: Vec<Designed> = others.filter_map(|other| version((source, other))).collect();
         let after: Vec<Numbers> = versions.iter().map(numbers).collect();
         Traced {
             id: parameter.id,
@@ -73,25 +72,12 @@ fn of_given(of: &GivenAxis, top: &Values, cycle_time: u32) -> Option<Vec<Traced>
             // A time is written with its unit.
             unit: if matches!(value, Value::Duration(_)) { "" } else { parameter.unit },
             meaning: parameter.meaning,
-            given: values.get((source, index)).or(top.get((name, index))).map(Setting::value_place),
+            given: values.get(source).or(top.get((name, index))).map(Setting::value_place),
             coefficients: changed(&before, &after),
             versions,
         }
     };
     Some(effective.used().map(traced).collect())
-}
-
-/// The parameter that a value comes from: its predecessor, if only that is given.
-fn source(effective: &Effective<'_>, (name, index): Key) -> Name {
-    let predecessor = match name {
-        Name::OscDamping => Name::FilterDamping,
-        Name::VVelocityControlOn => Name::VelocityPositionControlOn,
-        Name::VPositionControlOn => Name::VelocityPositionControlOff,
-        Name::FeedForwardVWeighting => Name::ChangeFeedForwardVWeighting,
-        _ => return name,
-    };
-    let is_given = |name: Name| effective.given((name, index)).is_some();
-    if !is_given(name) && is_given(predecessor) { predecessor } else { name }
 }
 
 fn numbers(designed: &Designed) -> Numbers {

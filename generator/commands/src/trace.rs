@@ -1,11 +1,12 @@
 //! Traceability of an axis: each parameter with the coefficients that depend on it, and each coefficient with its parameters
 //! and with its lines in the emitted files.
 
-use crate::words::{made, number};
+use crate::words::made;
 use generator::blocks::{Block, Designed};
 use generator::config::{ListOptions, Load};
 use generator::diagnostics::Report;
 use generator::generate::identity;
+use generator::number::literal;
 use generator::target::{File, Target};
 use generator::trace::{self, Traced};
 use serde::Serialize;
@@ -121,7 +122,7 @@ fn emitted(
         found.entry((of_block, *leaf)).or_insert_with(|| CoefficientRow {
             block: of_block,
             path: constant.path.clone(),
-            value: number(constant.value),
+            value: literal(constant.value),
             meaning: constant.doc,
             parameters: Vec::new(),
             lines: Vec::new(),

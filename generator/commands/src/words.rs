@@ -1,6 +1,5 @@
 //! Words that several commands use.
 
-use portable::Literal;
 use std::fmt::Display;
 
 /// `1 file`, `2 files`.
@@ -16,19 +15,6 @@ pub fn counted(count: impl Display, what: &str) -> String {
 /// If it has failed: that is a defect of axgen.
 pub fn made<T>(result: Result<T, impl Display>) -> T {
     result.unwrap_or_else(|defect| panic!("a defect of axgen: {defect}"))
-}
-
-/// The digits of a number, which read back to the same bits.
-pub fn number(value: Literal) -> String {
-    match value {
-        Literal::F64(value) => format!("{value:?}"),
-        Literal::F32(value) => format!("{value:?}"),
-        Literal::U32(value) => value.to_string(),
-        Literal::I32(value) => value.to_string(),
-        Literal::Usize(value) => value.to_string(),
-        Literal::Bool(value) => value.to_string(),
-        Literal::Variant(variant) => variant.def().name.to_owned(),
-    }
 }
 
 /// The units of a time, each with its size [s].

@@ -25,8 +25,8 @@ const PRECISION: f64 = 1e-9;
 const DAMPED: f64 = 1e-3;
 const MOST_DAMPED: f64 = 1e9;
 
-/// A vibration that decays. What disturbs a fit is not noise alone: other vibrations decay beside it. A standard error also has
-/// the difference to a fit whose windows begin 0.1 s later, when less of them is left.
+/// A vibration that decays. Noise disturbs a fit, and so do other vibrations that decay in the same window. A standard error
+/// contains the difference to a fit whose windows begin 0.1 s later, when less of them is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decay {
     /// [Hz], and its standard error
@@ -37,6 +37,17 @@ pub struct Decay {
     pub damping_error: f64,
     /// the largest amplitude at the beginning of a window, in the unit of the signal
     pub amplitude: f64,
+}
+
+impl Decay {
+    /// This fit, with standard errors that contain the difference to another fit of the same vibration.
+    pub(crate) fn compared_with(self, other: &Self) -> Self {
+        Self {
+            hz_error: libm::hypot(self.hz_error, self.hz - other.hz),
+            damping_error: libm::hypot(self.damping_error, self.damping - other.damping),
+            ..self
+        }
+    }
 }
 
 /// The other signals in a window.
@@ -89,11 +100,7 @@ pub fn decay(
     let windows = scaled.iter().map(|window| window.get(late..)).collect::<Option<_>>()?;
     let later = Problem { windows, cycle_time, companions };
     let later = later.result(later.descend(place)?, scale)?;
-    Some(Decay {
-        hz_error: libm::hypot(found.hz_error, found.hz - later.hz),
-        damping_error: libm::hypot(found.damping_error, found.damping - later.damping),
-        ..found
-    })
+    Some(found.compared_with(&later))
 }
 
 struct Problem<'a> {

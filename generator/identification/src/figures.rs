@@ -51,15 +51,14 @@ const STOP: [f64; 2] = [0.14, 0.94];
 const OF_DWELL: [f64; 2] = [50.0 / 53.0, 56.0 / 53.0];
 const OF_RAMP: [f64; 2] = [9.5 / 11.0, 12.5 / 11.0];
 const OF_RING: [f64; 2] = [7.0 / 11.0, 18.0 / 11.0];
-/// After a stop the frequencies up to that part of the highest vibration count: R multiplies the noise above it.
-const OF_STOP: f64 = 2.2;
 /// Lines per 1/(length of a window).
 const PADDED: f64 = 8.0;
 /// The highest frequency for the figures, relative to that of a vibration: an amplitude needs little above it, a peak needs
-/// 16 samples per period.
+/// 16 samples per period. The motion after stops has those of amplitudes: R multiplies the noise above them.
 const HIGHEST: [f64; 2] = [2.2, 8.0];
 
-/// The signals of the record: the following error, the velocity of the motor, and after them the channels.
+/// The signals of the record: the following error, the velocity of the motor, the acceleration of the load, and after them the
+/// channels.
 const ERROR: usize = 0;
 const MOTOR: usize = 1;
 const LOAD: usize = 2;
@@ -198,7 +197,7 @@ impl<'a> Judge<'a> {
     fn after_stops(&self, left: &[Complex64]) -> Option<f64> {
         self.record.load?;
         let highest = self.vibrations.iter().map(|vibration| vibration.hz).fold(0.0, f64::larger);
-        let [_, below] = self.what_if.signal(LOAD, left, 1.0, [0.0, OF_STOP * highest]);
+        let [_, below] = self.what_if.signal(LOAD, left, 1.0, [0.0, HIGHEST[0] * highest]);
         let squares = self.stops.iter().flat_map(|window| below.get(window.clone())).flatten().map(|a| a * a);
         Some(mean(squares).sqrt()).filter(|rms| *rms > 0.0)
     }

@@ -29,12 +29,8 @@ const LEAST_ERROR: f64 = 1e-6;
 #[must_use]
 pub fn pole(lines: &Lines, f0: f64) -> Option<Decay> {
     let of = pole_within(lines, f0, BAND)?;
-    let Some(other) = pole_within(lines, f0, OTHER_BAND) else { return Some(of) };
-    Some(Decay {
-        hz_error: libm::hypot(of.hz_error, other.hz - of.hz),
-        damping_error: libm::hypot(of.damping_error, other.damping - of.damping),
-        ..of
-    })
+    let other = pole_within(lines, f0, OTHER_BAND);
+    Some(other.map_or(of, |other| of.compared_with(&other)))
 }
 
 /// The fit within a band.

@@ -110,20 +110,7 @@ impl<B: Design> Typed for B {
     }
 
     fn coefficient_paths(&self) -> Vec<String> {
-        paths(<B as Reference<f64>>::Coeffs::TY, String::new())
-    }
-}
-
-/// The paths of the scalars below a path, in the order of its type.
-fn paths(ty: Ty, path: String) -> Vec<String> {
-    let point = if path.is_empty() { "" } else { "." };
-    match ty {
-        Ty::Struct { def } => {
-            let of_field = |field: &Field| paths(field.ty, format!("{path}{point}{}", field.name));
-            def.fields.iter().flat_map(of_field).collect()
-        }
-        Ty::Array { element, len } => (0..len).flat_map(|at| paths(*element, format!("{path}[{at}]"))).collect(),
-        Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Enum { .. } => vec![path],
+        specialise::paths::<<B as Reference<f64>>::Coeffs>()
     }
 }
 

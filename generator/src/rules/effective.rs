@@ -58,6 +58,19 @@ impl<'a> Effective<'a> {
         varied.or_else(|| self.given(key)?.value.as_ref())
     }
 
+    /// The parameter that a value comes from: its predecessor, if only that is given.
+    pub(crate) fn source(&self, (name, index): Key) -> Key {
+        let predecessor = match name {
+            Name::OscDamping => Name::FilterDamping,
+            Name::VVelocityControlOn => Name::VelocityPositionControlOn,
+            Name::VPositionControlOn => Name::VelocityPositionControlOff,
+            Name::FeedForwardVWeighting => Name::ChangeFeedForwardVWeighting,
+            _ => return (name, index),
+        };
+        let is_given = |name: Name| self.given((name, index)).is_some();
+        (if !is_given(name) && is_given(predecessor) { predecessor } else { name }, index)
+    }
+
     pub(crate) fn all_given(&self) -> impl Iterator<Item = (Key, &'a Setting)> + use<'a> {
         self.values.iter()
     }

@@ -233,6 +233,13 @@ impl Specialiser<'_> {
     }
 }
 
+/// The paths of the scalars of a type, in their order.
+pub fn paths<T: Portable>() -> Vec<String> {
+    let mut paths = Vec::new();
+    Leaf::each(T::TY, &mut |leaf| paths.push(leaf.path.clone()));
+    paths
+}
+
 /// The type of a scalar variable. A `usize` exists only while specialising.
 fn scalar_type(leaf: &Leaf) -> Type {
     match leaf.ty {

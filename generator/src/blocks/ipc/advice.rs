@@ -1,7 +1,7 @@
 //! Warnings about a valid axis: what is legal, but without effect, out of date or dangerous. The only error here is a loop
 //! that cannot be stable.
 
-use super::check::{damping_given, master};
+use super::check::master;
 use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
 use crate::axis::{Axis, Ipc, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
@@ -220,7 +220,7 @@ fn resonance(e: &mut Effective<'_>, i: u32, stage: &Stage) {
             rounded(gain)
         );
         let instead = Some("a larger damping ratio or a smaller weight, and DRYRUN first".to_owned());
-        e.warn(codes::RESONANCE, (damping_given(e, i), [i, 0]), found, instead);
+        e.warn(codes::RESONANCE, e.source((Name::OscDamping, [i, 0])), found, instead);
     }
 }
 

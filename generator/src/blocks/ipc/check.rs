@@ -206,12 +206,6 @@ fn osc_damping(e: &mut Effective<'_>, i: u32) -> Option<f64> {
     if let Value::Real(damping) = value { Some(damping) } else { None }
 }
 
-/// The parameter that the damping of a stage comes from.
-pub(crate) fn damping_given(e: &Effective<'_>, i: u32) -> Name {
-    let is_new = e.given((Name::OscDamping, [i, 0])).is_some();
-    if !is_new && e.given((Name::FilterDamping, [i, 0])).is_some() { Name::FilterDamping } else { Name::OscDamping }
-}
-
 /// The fade is counted in cycles, which must be exact in single precision.
 fn fade_cycles(e: &mut Effective<'_>, ipc: &Ipc, cycle_time: Option<u32>) -> Option<()> {
     let ns = cycle_time?;

@@ -1,6 +1,5 @@
 //! Errors that can occur although each parameter is in its range: sections that rounding makes unusable.
 
-use super::check::damping_given;
 use super::stage::{Element, Section, StageDesign};
 use crate::design::rounding::precision;
 use crate::design::{band::frequency, response::at_dc_and_nyquist, trapezoidal::Trapezoidal};
@@ -25,7 +24,7 @@ pub(crate) fn validate(designed: &Designed, e: &mut Effective<'_>) {
     for Refusal { element, found, allowed, instead } in refusals(designed) {
         let stage = as_index(element.stage);
         let key = match &element.filter {
-            None => (damping_given(e, stage), [stage, 0]),
+            None => e.source((Name::OscDamping, [stage, 0])),
             Some(place) => (Name::FilterF0, [stage, as_index(place.filter)]),
         };
         e.refuse(codes::ROUNDING, key, format!("{element}: {found}"), [Some(allowed), Some(instead)]);

@@ -3,7 +3,6 @@
 
 use super::header::layout;
 use super::names;
-use crate::blocks::IPC;
 use crate::target::outline::{Member, Outline};
 use crate::target::values::{Values, of_signals};
 use crate::target::{BlockIdentity, File, TargetBlock, rendered};
@@ -121,7 +120,7 @@ fn objects(outline: &Outline<'_>, prefix: &str, tables: &[Table]) -> Vec<Object>
     let state: Vec<&Variable> = program.state.iter().filter(|_| program.made.is_none()).collect();
     let groups = [
         (inputs, outline.inputs(), "in"),
-        (outputs, outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]), "out"),
+        (outputs, outline.outputs([names::set(outline.axis), String::new()]), "out"),
         (state, outline.parts_of_state(), "mem"),
         (set, outline.set(), "designed"),
     ];

@@ -196,7 +196,7 @@ fn listed(outline: &Outline<'_>, prefix: &str) -> CBlock {
         prefix: prefix.to_owned(),
         inputs: outline.inputs(),
         set: outline.set(),
-        outputs: outline.outputs([format!("{}_params", names::prefix(outline.axis, IPC)), String::new()]),
+        outputs: outline.outputs([names::set(outline.axis), String::new()]),
         state: outline
             .state(outline.parts_of_state(), |of, length| Member { name: format!("{}[{length}]", of.name), ..of }),
         shared,

@@ -10,6 +10,11 @@ pub(crate) fn prefix(axis: &BlockIdentity, block: &str) -> String {
     called(&axis.name, block, axis.short_names)
 }
 
+/// The struct of the parameter sets of an axis.
+pub(crate) fn set(axis: &BlockIdentity) -> String {
+    format!("{}_params", prefix(axis, blocks::IPC))
+}
+
 /// A block and its self-test.
 pub(crate) fn block_and_test(axis: &str, block: &str, is_short: bool) -> [String; 2] {
     with_self_test(called(axis, block, is_short))
