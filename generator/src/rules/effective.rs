@@ -32,6 +32,14 @@ struct Used {
     by: BTreeSet<Option<&'static str>>,
 }
 
+/// Parameters with the ones that they replaced.
+const PREDECESSORS: [(Name, Name); 4] = [
+    (Name::OscDamping, Name::FilterDamping),
+    (Name::VVelocityControlOn, Name::VelocityPositionControlOn),
+    (Name::VPositionControlOn, Name::VelocityPositionControlOff),
+    (Name::FeedForwardVWeighting, Name::ChangeFeedForwardVWeighting),
+];
+
 impl<'a> Effective<'a> {
     pub(crate) fn new(values: &'a Values, home: Place) -> Self {
         let (adopted, used) = (BTreeMap::new(), BTreeMap::new());
@@ -60,12 +68,8 @@ impl<'a> Effective<'a> {
 
     /// The parameter that a value comes from: its predecessor, if only that is given.
     pub(crate) fn source(&self, (name, index): Key) -> Key {
-        let predecessor = match name {
-            Name::OscDamping => Name::FilterDamping,
-            Name::VVelocityControlOn => Name::VelocityPositionControlOn,
-            Name::VPositionControlOn => Name::VelocityPositionControlOff,
-            Name::FeedForwardVWeighting => Name::ChangeFeedForwardVWeighting,
-            _ => return (name, index),
+        let Some((_, predecessor)) = PREDECESSORS.into_iter().find(|(own, _)| *own == name) else {
+            return (name, index);
         };
         let is_given = |name: Name| self.given((name, index)).is_some();
         (if !is_given(name) && is_given(predecessor) { predecessor } else { name }, index)
