@@ -452,7 +452,7 @@ codes! {
          and a quarter of that already below. A position controller in the CNC takes the following error instead.";
     KV_DEFAULT = "AX431", "the gain of the position controller is its default",
         "The list has no getriebe[i].kv (P-AXIS-00099). Where the drive controls the position, Kv must be that of the drive \
-         (SERCOS S-0-0104, CANopen 30C0h:01).";
+         (SERCOS S-0-0104 in 1000/min, where 20/s is 1.2; CANopen 30C0h:01 in 1/s).";
     NO_WAY_OUT_YET = "AX432", "improved position control that may not be enabled",
         "The drive controls the position, and its process data have no additive velocity: nothing would go out. The mode is \
          OFF at start; it must stay so until the drive has the process datum and process_data.additive_velocity says so.";
@@ -688,6 +688,16 @@ codes! {
         "No block passes v_excite on to another axis: a gantry slave gets v_add of its master alone. If only one axis is excited, the \
          bridge is pulled askew by the whole excitation. Give all axes the same keys excitation and start them in the same cycle \
          with one button: their sequences are then equal, cycle by cycle.";
+    REVERSED = "AX497", "a sign that the CNC changes and the blocks do not",
+        "P-AXIS-00231 (lr_hw[i].vz_stellgr), P-AXIS-00230 (lr_hw[i].vz_istw) and, on a spindle, P-AXIS-00159 (getriebe[i].reverse) \
+         change signs between the CNC and the drive. The blocks do not know them: a block that takes the place of the CNC's \
+         position controller then moves the axis in the wrong direction without an end, and a stage with the wrong sign excites \
+         the vibration that it should damp. Change the same signs in the program that calls the block, and compare all signs \
+         before the outputs are connected, as the commissioning page describes.";
+    VARIABLE_KV = "AX498", "a Kv of the CNC that depends on the velocity",
+        "With P-AXIS-00244 (getriebe[i].dyn_kv.dyn_kv_active) the CNC interpolates Kv between P-AXIS-00245 (kv1) and 00247 (kv2). The \
+         blocks position_control and axis have one Kv, P-AXIS-00099, and the margins of the stages are calculated with it. \
+         SERCOS and CANopen drives do not have this function.";
 
     NO_INTERVAL = "AX500", "a recording without a sampling interval",
         "The file has neither a column of times nor the line SampleTime of an export, or its times do not rise by the cycle of a \

@@ -2,7 +2,7 @@
 
 use crate::blocks::ipc::drive_response;
 use crate::blocks::{self, Designed};
-use crate::check::{self, Checked, command_filter, gantry};
+use crate::check::{self, Checked, cnc_functions, gantry};
 use crate::config::given::{self, GivenAxis};
 use crate::config::{ListOptions, Load, file, values::key};
 use crate::diagnostics::{Diagnostic, Place, Report, Severity};
@@ -187,7 +187,7 @@ fn design(
     }
     if let Some(designed) = &designed {
         feasibility::validate(designed, gear, &mut effective);
-        command_filter::advise(&designed.axis, &given.foreign, &mut effective);
+        cnc_functions::advise(&designed.axis, &given.foreign, &mut effective);
     }
     let mut said = effective.report;
     if matches!(purpose, Purpose::Look | Purpose::Tune) {

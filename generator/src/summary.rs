@@ -2,6 +2,7 @@
 
 use crate::axis::{Axis, Changeover, Location, Numbers};
 use crate::blocks::{self, Designed, Reserve, StageRow, Summary};
+use crate::number::rounded;
 use crate::parameters::words::{DriveType, Words};
 use serde::Serialize;
 
@@ -98,13 +99,15 @@ fn drive(axis: &Axis) -> Vec<String> {
         (None, of) => of.as_ref().is_some_and(|of| of.location != Location::Cnc),
     };
     let kv = control.kv.filter(|_| in_drive).map(|kv| {
+        let kv = f64::from(kv) / 100.0;
+        let of_sercos = format!("SERCOS S-0-0104: {} in 1000/min", rounded(kv * 0.06));
         let of_drive = match control.drive_type {
-            Some(DriveType::Sercos) => " (SERCOS S-0-0104)",
-            Some(DriveType::CanOpen) => " (CANopen 30C0h:01)",
-            Some(DriveType::Profidrive) => "",
-            _ => " (SERCOS S-0-0104, CANopen 30C0h:01)",
+            Some(DriveType::Sercos) => format!(" ({of_sercos})"),
+            Some(DriveType::CanOpen) => " (CANopen 30C0h:01)".to_owned(),
+            Some(DriveType::Profidrive) => String::new(),
+            _ => format!(" ({of_sercos}, CANopen 30C0h:01)"),
         };
-        format!("Kv {}/s (P-AXIS-00099): that of the drive must be equal{of_drive}", f64::from(kv) / 100.0)
+        format!("Kv {kv}/s (P-AXIS-00099): that of the drive must be equal{of_drive}")
     });
     drive_type.into_iter().chain(kv).collect()
 }

@@ -177,7 +177,7 @@ fn wrong_interval(times: &Instants<'_>, cycle_time_ns: u32) -> Option<String> {
     let Some(unit) = times.unit(cycle_time_ns) else {
         #[expect(clippy::cast_precision_loss, reason = "for a message")]
         let step = step as f64 / 1e9;
-        return Some(format!("{step} of `{}`, which has no unit,", times.column.name.escape_default()));
+        return Some(format!("{step} (`{}` has no unit)", times.column.name.escape_default()));
     };
     let found = nanoseconds(step, unit);
     (!is_near(found, f64::from(cycle_time_ns))).then(|| format!("{} ms", found / 1e6))

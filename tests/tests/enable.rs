@@ -100,21 +100,27 @@ fn vibrate(run: &mut Run<'_>, cycle: i32) {
 }
 
 #[test]
-fn valid_falls_with_the_last_v_add() {
-    in_each(&read(IPC), "ipc", &mut |run| {
-        let (mut faded, mut after) = (0, 0);
-        for cycle in 0..2000 {
-            run.set("Enable", Literal::Bool(cycle < 1000));
-            vibrate(run, cycle);
-            let (adds, valid, busy) = (run.number("v_add") != 0.0, run.is("Valid"), run.is("Busy"));
-            assert!(!adds || valid, "{}: v_add without Valid in cycle {cycle}", run.of);
-            assert_eq!(valid, busy, "{}: without an error both are the same", run.of);
-            faded += i32::from(cycle >= 1000 && adds);
-            after = if adds { 0 } else { after + 1 };
-            assert!(cycle < 1000 || after < 3 || !valid, "{}: Valid and nothing to add in cycle {cycle}", run.of);
-        }
-        assert!(faded > 20 && after > 500, "{}: {faded} cycles of fading, then {after}", run.of);
-    });
+fn valid_and_busy_fall_with_the_last_value_to_add() {
+    let excited = read(&format!("{IPC}excitation = {{ amplitude = 5000, periods = 8 }}\n"));
+    for (designed, name, output) in [(&read(IPC), "ipc", "v_add"), (&excited, "excitation", "v_excite")] {
+        in_each(designed, name, &mut |run| {
+            let (mut faded, mut after) = (0, 0);
+            for cycle in 0..2000 {
+                run.set("Enable", Literal::Bool(cycle < 1000));
+                run.set("hold_to_run", Literal::Bool(cycle > 0));
+                let v = 100_000.0 * (f64::from(cycle) * 0.125_664).sin();
+                run.set("v_motor", Literal::F64(if name == "ipc" { v } else { 50_000.0 }));
+                run.cycle();
+                let (adds, valid, busy) = (run.number(output) != 0.0, run.is("Valid"), run.is("Busy"));
+                assert!(!adds || valid, "{}: {output} without Valid in cycle {cycle}", run.of);
+                assert_eq!(valid, busy, "{}: without an error both are the same", run.of);
+                faded += i32::from(cycle >= 1000 && adds);
+                after = if adds { 0 } else { after + 1 };
+                assert!(cycle < 1000 || after < 3 || !valid, "{}: Valid and nothing to add in cycle {cycle}", run.of);
+            }
+            assert!(faded > 20 && after > 500, "{}: {faded} cycles of fading, then {after}", run.of);
+        });
+    }
 }
 
 #[test]
@@ -186,7 +192,7 @@ fn a_notice_and_an_error_exclude_each_other() {
 fn turn_and_disable(run: &mut Run<'_>) {
     let step = DECELERATION * CYCLE * (1.0 + 1e-9);
     let increments = run.instance.get("velocity_command").is_some().then_some(step * 10_000_000.0 / 360_000.0 * 60.0);
-    let (mut before, mut was) = (0.0, 0.0);
+    let (mut before, mut was, mut modes) = (0.0, 0.0, Vec::new());
     let (mut fastest, mut braking) = (0.0_f64, 0);
     run.set("drive_on", Literal::Bool(true));
     for cycle in 0..6000 {
@@ -201,12 +207,12 @@ fn turn_and_disable(run: &mut Run<'_>) {
         let v = v_spindle + (wanted - v_spindle).clamp(-most, most);
         run.set("v_interpolator", Literal::F64(v));
         run.set("x_command", Literal::F64(x_spindle + v * CYCLE));
-        // The drive follows at once.
+        // The drive follows at once, and changes its mode after 5 cycles.
         run.set("x_actual", Literal::F64(x_spindle));
         run.set("v_actual", Literal::F64(v_spindle));
-        if let Some(mode) = run.instance.get("operation_mode") {
-            run.set("operation_mode_display", mode);
-        }
+        modes.push(run.instance.get("operation_mode"));
+        let displayed = modes[modes.len().saturating_sub(5)];
+        displayed.into_iter().for_each(|mode| run.set("operation_mode_display", mode));
         run.cycle();
         let now = run.number("v_spindle");
         fastest = fastest.max(now);
@@ -216,9 +222,10 @@ fn turn_and_disable(run: &mut Run<'_>) {
             assert!((command - was).abs() <= most + 1.0, "{}: {was} to {command} in cycle {cycle}", run.of);
             was = command;
         }
-        if !is_on && now != 0.0 {
+        let is_in_position = displayed.is_none() || displayed == modes[0];
+        if !is_on && (now != 0.0 || !is_in_position) {
             braking += 1;
-            assert!(run.is("Busy") && run.is("Valid"), "{}: turning in cycle {cycle}", run.of);
+            assert!(run.is("Busy") && run.is("Valid"), "{}: turning, or in velocity control, in cycle {cycle}", run.of);
         }
         assert!(now >= 0.0 && !run.is("Error"), "{}: {now}, {} in cycle {cycle}", run.of, run.number("ErrorID"));
         before = now;

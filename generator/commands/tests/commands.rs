@@ -211,3 +211,11 @@ fn engines_without_a_compiler_agree() {
     assert_eq!(rows.len(), 6);
     assert!(rows.iter().all(|row| row.failure().is_none() && row.digest == rows[0].digest), "{rows:?}");
 }
+
+#[test]
+fn signals_are_explained_by_their_emitted_names() {
+    for name in ["tuning_weight0", "stage0_filter1_f0", "params_set_id", "active_set", "wrong_filter"] {
+        let text = commands::explain::text(Some(name)).unwrap();
+        assert!(text.contains(&format!("put `{name}` of the block ")), "{text}");
+    }
+}

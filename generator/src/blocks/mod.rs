@@ -37,6 +37,7 @@ pub use set_design::calls as calls_of_design;
 use crate::axis::Axis;
 use compiler::pass::Defect;
 use portable::{Block as Reference, Field};
+use reference::tunable_ipc::TunableIpc;
 
 /// All blocks, in the order in which an axis needs them.
 pub(crate) const BLOCKS: [&dyn BlockKind; 8] = [
@@ -72,19 +73,34 @@ pub fn named(name: &str) -> Option<&'static dyn BlockKind> {
     BLOCKS.into_iter().find(|kind| kind.name() == name)
 }
 
-/// The signals of that name, without or with an index (`tuning_weight0`): the block, whether it is an output, and its meaning.
+/// The signals of that name, without or with indices (`tuning_weight0`, `stage0_filter1_f0`): the block, whether it is an output,
+/// and its meaning.
 pub fn signals(name: &str) -> Vec<(&'static str, bool, &'static str)> {
-    let of_array = name.trim_end_matches(|letter: char| letter.is_ascii_digit());
-    let of_block = |kind: &&'static dyn BlockKind| {
-        let [inputs, outputs] = kind.signals();
-        let block = kind.name();
-        [(inputs, false), (outputs, true)].map(|(fields, is_output)| {
-            let is_named = |field: &&Field| [name, of_array].iter().any(|name| field.name.eq_ignore_ascii_case(name));
-            let field = fields.iter().find(is_named);
-            field.map(|field| (block, is_output, field.doc))
-        })
-    };
-    BLOCKS.iter().flat_map(of_block).flatten().collect()
+    let references = BLOCKS.iter().map(|kind| *kind as &dyn Typed).chain([&TunableIpc as &dyn Typed]);
+    let mut found = Vec::new();
+    for reference in references {
+        for (fields, is_output) in reference.signals().into_iter().zip([false, true]) {
+            let doc = meaning(fields, "", &without_indices(name));
+            let is_known = found.iter().any(|(block, of, _)| (*block, *of) == (reference.name(), is_output));
+            found.extend(doc.filter(|_| !is_known).map(|doc| (reference.name(), is_output, doc)));
+        }
+    }
+    found
+}
+
+/// The meaning of the field that has this name without indices, among those of a struct and of the structs within it.
+fn meaning(fields: &'static [Field], before: &str, wanted: &str) -> Option<&'static str> {
+    fields.iter().find_map(|field| {
+        let name = format!("{before}{}", without_indices(field.name));
+        let is_wanted = name.eq_ignore_ascii_case(wanted);
+        is_wanted.then_some(field.doc).or_else(|| meaning(products::fields(&field.ty), &format!("{name}_"), wanted))
+    })
+}
+
+/// A name without the digits at the end of each of its parts.
+fn without_indices(name: &str) -> String {
+    let parts = name.split(['_', '.']).map(|part| part.trim_end_matches(|letter: char| letter.is_ascii_digit()));
+    parts.collect::<Vec<_>>().join("_")
 }
 
 /// The blocks of an axis, ready to be printed.

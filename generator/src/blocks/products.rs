@@ -63,10 +63,7 @@ impl<B: Design> Typed for B {
     }
 
     fn signals(&self) -> [&'static [Field]; 2] {
-        [<B as Reference<f64>>::Inputs::TY, <B as Reference<f64>>::Outputs::TY].map(|ty| match ty {
-            Ty::Struct { def } => def.fields,
-            Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Array { .. } | Ty::Enum { .. } => &[],
-        })
+        [<B as Reference<f64>>::Inputs::TY, <B as Reference<f64>>::Outputs::TY].map(|ty| fields(&ty))
     }
 
     fn arithmetic_of(&self, designed: &Designed) -> Arithmetic {
@@ -111,6 +108,15 @@ impl<B: Design> Typed for B {
 
     fn coefficient_paths(&self) -> Vec<String> {
         specialise::paths::<<B as Reference<f64>>::Coeffs>()
+    }
+}
+
+/// The fields of a struct, or of the elements of an array; a scalar has none.
+pub(super) fn fields(ty: &Ty) -> &'static [Field] {
+    match ty {
+        Ty::Struct { def } => def.fields,
+        Ty::Array { element, .. } => fields(element),
+        Ty::Bool | Ty::I32 | Ty::U32 | Ty::Usize | Ty::Real(_) | Ty::Enum { .. } => &[],
     }
 }
 

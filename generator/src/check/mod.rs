@@ -1,20 +1,20 @@
 //! From given values to an axis that may be designed: defaults, ranges, rules. No file, no syntax, no coefficient.
 //!
 //! ```text
-//! askew    what skews a gantry while it moves
-//! assumed  values that were not given although something depends on them
-//! gear     the gear step in use, and its missing parameters
-//! gantry   slaves and their masters
-//! inert    factors of 0, parameters without effect
-//! units    numbers that are probably in another unit
-//! command_filter  filters of the position command
+//! askew          what skews a gantry while it moves
+//! assumed        values that were not given although something depends on them
+//! cnc_functions  functions of the CNC that no block has
+//! gear           the gear step in use, and its missing parameters
+//! gantry         slaves and their masters
+//! inert          factors of 0, parameters without effect
+//! units          numbers that are probably in another unit
 //! ```
 //! The rules of a block are in its folder (`blocks/ipc/check.rs`); rules that several blocks need are in `rules`. Only
 //! values in use are validated: vendors' examples contain unused parameters that are out of range.
 
 mod askew;
 pub(crate) mod assumed;
-pub(crate) mod command_filter;
+pub(crate) mod cnc_functions;
 pub(crate) mod gantry;
 pub(crate) mod gear;
 pub(crate) mod inert;

@@ -98,6 +98,16 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
             missing.push("EncPara ScaleFactorNumerator: write getriebe[0].wegaufz and wegaufn, if a spindle needs them")
         }
     }
+    let is_inverse = |path: &[&str]| {
+        let node = path.iter().try_fold(axis, |node, name| child(node, name));
+        node.and_then(|node| node.attribute("Inverse")).is_some_and(|inverse| inverse == "true")
+    };
+    if is_inverse(&["Drive", "DrvPara"]) {
+        said.push("DrvPara Inverse: the drive counts against the axis: negate what the program writes to it and reads from it".to_owned());
+    }
+    if is_inverse(&["Encoder", "EncPara"]) {
+        said.push("EncPara Inverse: negate what the program reads from the encoder, but not NcToPlc".to_owned());
+    }
     taken.sort();
     let place = Place { column: 0, ..source.place(axis.range().start) };
     let name = child(axis, "Name").and_then(|name| name.text()).filter(|name| *name != NAME_OF_FILE);

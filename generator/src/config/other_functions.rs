@@ -34,7 +34,8 @@ impl OtherFunctions {
     /// Counts a line, and keeps it if it is used.
     pub(super) fn pass_over(&mut self, line: &Statement<'_>, source: &Source, start: usize) {
         self.count += 1;
-        if line.path == NAME || line.path.starts_with("filter[") || line.path.starts_with("filter_fir.") {
+        const USED: [&str; 5] = [NAME, "filter[", "filter_fir.", "lr_hw[", "getriebe["];
+        if USED.iter().any(|of| line.path.starts_with(of)) {
             let found = Found { text: line.value.to_owned(), place: source.place(start + line.value_at()) };
             self.looked_at.insert(line.path.to_owned(), found);
         }
@@ -57,5 +58,10 @@ impl OtherFunctions {
 
     pub(crate) fn get(&self, path: &str) -> Option<&Found> {
         self.looked_at.get(path)
+    }
+
+    /// Those whose path begins and ends so.
+    pub(crate) fn all(&self, start: &'static str, end: &'static str) -> impl Iterator<Item = (&String, &Found)> {
+        self.looked_at.iter().filter(move |(path, _)| path.starts_with(start) && path.ends_with(end))
     }
 }

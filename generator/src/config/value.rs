@@ -275,7 +275,12 @@ pub(crate) fn without_groups(text: &str) -> Option<String> {
         (!rest.is_empty() && rest.iter().all(is_group)).then(|| [&[first], rest.as_slice()].concat().concat())
     };
     let point = text.trim_end_matches(',').replace([' ', '\t'], "").replace(',', ".");
-    let point = (text.contains(',') && is_number(&point)).then_some(point);
+    // `2000,0` is a whole number, which a parameter without decimals takes.
+    let whole = point
+        .split_once('.')
+        .filter(|(_, digits)| digits.bytes().all(|digit| digit == b'0'))
+        .map(|(whole, _)| whole.to_owned());
+    let point = (text.contains(',') && is_number(&point)).then_some(whole.unwrap_or(point));
     [' ', '\'', '_', '.'].into_iter().find_map(grouped).or(point)
 }
 

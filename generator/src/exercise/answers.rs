@@ -50,7 +50,7 @@ fn record(trial: &Trial, run: &mut dyn Run, works: Works) -> Vec<Answer> {
             answers.push(Answer {
                 sample,
                 is_off,
-                is_busy: is_off && works.shows(run, &outputs),
+                is_busy: is_off && works.shows(run, &inputs, &outputs),
                 changes: outputs.iter().enumerate().filter_map(change).collect(),
                 outputs,
             });
@@ -74,12 +74,15 @@ fn unsigned_zero(value: Literal) -> Literal {
 enum Works {
     Never,
     /// a part of the state
-    Fades(usize),
-    /// two outputs
+    State(usize),
+    /// an output
+    Output(usize),
+    /// two outputs, and the drive
     Brakes {
         velocity: usize,
         state: usize,
         resting: &'static [i32],
+        drive: (usize, i32),
     },
 }
 
@@ -87,28 +90,38 @@ impl Works {
     fn of(program: &Program, state_paths: &[String]) -> Self {
         let output = |path: &str| program.outputs.iter().position(|output| output.path == path);
         let found = match program.switch.as_ref().map(|switch| &switch.off) {
-            Some(Off::Mode(_, Some(fades)) | Off::Fade(Some(fades)) | Off::Execute(Some(fades))) => {
-                state_paths.iter().position(|path| path == program.path(*fades)).map(Self::Fades)
+            Some(Off::Mode(_, Some(fades)) | Off::Execute(Some(fades))) => {
+                state_paths.iter().position(|path| path == program.path(*fades)).map(Self::State)
             }
-            Some(Off::Brake(Brake { velocity, state, resting })) => {
-                output(velocity).zip(output(state)).map(|(velocity, state)| Self::Brakes { velocity, state, resting })
+            Some(Off::Fade(Some(active))) => output(program.path(*active)).map(Self::Output),
+            Some(Off::Brake(Brake { velocity, state, resting, drive: (input, number) })) => {
+                let drive = program.inputs.iter().position(|variable| variable.path == *input);
+                let found = output(velocity).zip(output(state)).zip(drive);
+                found.map(|((velocity, state), drive)| Self::Brakes {
+                    velocity,
+                    state,
+                    resting,
+                    drive: (drive, *number),
+                })
             }
             Some(Off::Mode(_, None) | Off::Fade(None) | Off::Execute(None) | Off::False) | None => None,
         };
         found.unwrap_or(Self::Never)
     }
 
-    fn shows(self, run: &dyn Run, outputs: &[Literal]) -> bool {
+    fn shows(self, run: &dyn Run, inputs: &[Literal], outputs: &[Literal]) -> bool {
         match self {
             Self::Never => false,
-            Self::Fades(leaf) => {
+            Self::Output(index) => outputs[index] == Literal::Bool(true),
+            Self::State(leaf) => {
                 let mut fades = false;
                 run.state(&[leaf], &mut |value| fades = value == Literal::Bool(true));
                 fades
             }
-            Self::Brakes { velocity, state, resting } => {
+            Self::Brakes { velocity, state, resting, drive: (drive, in_off) } => {
+                let is_off = inputs[drive] == Literal::Bool(false);
                 let stands = matches!(outputs[velocity], Literal::F64(0.0) | Literal::F32(0.0));
-                let rests = matches!(outputs[state], Literal::I32(number) if resting.contains(&number));
+                let rests = matches!(outputs[state], Literal::I32(number) if resting.contains(&number) || is_off && number == in_off);
                 !(stands && rests)
             }
         }

@@ -82,7 +82,11 @@ pub static OTHERS: [Other; 18] = [
         "SERCOS: additive torque command, which takes the feedforward ADD_ACC",
         "A process datum. The key process_data.additive_torque says that the telegram has it, and in which type.",
     ),
-    other("S-0-0104", "SERCOS: gain Kv of the drive's position controller; P-AXIS-00099 must be equal to it", OF_DRIVE),
+    other(
+        "S-0-0104",
+        "SERCOS: gain Kv of the drive's position controller [1000/min: 20/s is 1.2]; P-AXIS-00099 must be equal to it",
+        OF_DRIVE,
+    ),
     other(
         "S-0-0296",
         "SERCOS: gain of the drive's own feedforward of the velocity. With it the CNC feeds nothing forward, or the axis leads (AX423)",

@@ -74,7 +74,7 @@ fn where_the_gain_of_a_drive_is() {
         lines.into_iter().find(|line| line.starts_with("Kv ")).unwrap_or_default()
     };
     let said = "Kv 20/s (P-AXIS-00099): that of the drive must be equal";
-    assert_eq!(line("SERCOS"), format!("{said} (SERCOS S-0-0104)"));
+    assert_eq!(line("SERCOS"), format!("{said} (SERCOS S-0-0104: 1.2 in 1000/min)"));
     assert_eq!(line("CANOPEN"), format!("{said} (CANopen 30C0h:01)"));
     assert_eq!(line("PROFIDRIVE"), said);
 }

@@ -209,10 +209,10 @@ fn the_gain_of_the_drive() {
     };
     let axis = |drive: &str| format!("getriebe = [{{ kv = 2050, dynamik.vb_max = 500000 }}]\n{drive}");
     let equal = |of_drive: &str| [format!("20.5/s (P-AXIS-00099): that of the drive must be equal ({of_drive})")];
-    assert_eq!(said(&axis("kenngr.antr_typ = 'SERCOS'")), equal("SERCOS S-0-0104"));
+    assert_eq!(said(&axis("kenngr.antr_typ = 'SERCOS'")), equal("SERCOS S-0-0104: 1.23 in 1000/min"));
     assert_eq!(said(&axis("kenngr.antr_typ = 'CANOPEN'")), equal("CANopen 30C0h:01"));
     let lightbus = axis("kenngr.antr_typ = 'LIGHTBUS'\nantr.operation_mode = 'DRIVE_POSITION_CONTROL'");
-    assert_eq!(said(&lightbus), equal("SERCOS S-0-0104, CANopen 30C0h:01"));
+    assert_eq!(said(&lightbus), equal("SERCOS S-0-0104: 1.23 in 1000/min, CANopen 30C0h:01"));
     assert!(said(&axis("kenngr.antr_typ = 'SERCOS'\nantr.operation_mode = 'CNC_POSITION_CONTROL'")).is_empty());
     let of_spindle = |of_drive: &str| equal(of_drive).map(|line| line.replace("20.5", "20"));
     assert_eq!(said(&sercos("")), of_spindle("SERCOS S-0-0104"));

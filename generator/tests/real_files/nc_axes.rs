@@ -10,7 +10,7 @@ fn axis(name: &str, velo: &str, encoder: &str, pid: &str) -> String {
         "\t<Axis Id=\"1\" CreateSymbols=\"true\" AxisType=\"1\">\n\t\t<Name>{name}</Name>\n\t\t<AxisPara>\n\
          \t\t\t<Dynamic AccelerationMaximum=\"0.8\" DelayTime=\"0.008\"/>\n{velo}\t\t</AxisPara>\n\
          \t\t<Encoder Name=\"Enc\" EncType=\"7\">\n\t\t\t<EncPara {encoder}Inverse=\"true\" MaxCount=\"#x0000ffff\"/>\n\t\t</Encoder>\n\
-         \t\t<Drive Name=\"Drive\" DrvType=\"24\">\n\t\t\t<DrvPara>\n\t\t\t\t<Analog VeloReferenz=\"50\"/>\n\t\t\t</DrvPara>\n\t\t</Drive>\n\
+         \t\t<Drive Name=\"Drive\" DrvType=\"24\">\n\t\t\t<DrvPara Inverse=\"true\">\n\t\t\t\t<Analog VeloReferenz=\"50\"/>\n\t\t\t</DrvPara>\n\t\t</Drive>\n\
          \t\t<Controller Name=\"Ctrl\" CtrType=\"2\">\n\t\t\t<CtrPara PriorControlFactor=\"1\">\n{pid}\t\t\t</CtrPara>\n\t\t</Controller>\n\t</Axis>\n"
     )
 }
@@ -37,7 +37,8 @@ fn largest_velocity_gain_and_scale_are_taken() {
          Velo Maximum 800 mm/s is getriebe[0].dynamik.vb_max 800000 (P-AXIS-00212); \
          PID PosKp 20.5/s is getriebe[0].kv 2050 (P-AXIS-00099); \
          EncPara scale 0.0008302003481 mm per increment is getriebe[0].wegaufz 100000000, getriebe[0].wegaufn 830200348 \
-         (P-AXIS-00234, 00233)\n    \
+         (P-AXIS-00234, 00233); DrvPara Inverse: the drive counts against the axis: negate what the program writes to it and \
+         reads from it; EncPara Inverse: negate what the program reads from the encoder, but not NcToPlc\n    \
          write instead: a TOML set whose axis names this file as its list, with the cycle time of the NC's SAF task, the stages and \
          the type of the axis, if it is rotary\n"
     );
@@ -49,7 +50,8 @@ fn what_is_not_in_the_file_is_said() {
     let (set, report) = read(&[("x.xti", xti.as_bytes())]);
     let said = report.to_string();
     assert!(set.is_none_or(|set| set.axes[0].axis.name == "Lift"));
-    let whole = "axis `Lift` of TwinCAT NC, which has no axis list: nothing could be taken; not in the file, for TwinCAT leaves out what \
+    let whole = "axis `Lift` of TwinCAT NC, which has no axis list: DrvPara Inverse: the drive counts against the axis: negate what the \
+                 program writes to it and reads from it; EncPara Inverse: negate what the program reads from the encoder, but not NcToPlc; not in the file, for TwinCAT leaves out what \
                  has its default: Velo Maximum: write getriebe[0].dynamik.vb_max; PID PosKp: write getriebe[0].kv; EncPara \
                  ScaleFactorNumerator: write getriebe[0].wegaufz and wegaufn, if a spindle needs them\n";
     assert!(said.contains(whole), "{said}");

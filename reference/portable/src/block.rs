@@ -19,7 +19,7 @@ pub enum Off {
     Mode(&'static Fn, &'static str),
     /// false, at once
     False,
-    /// false: the block fades out; the part of the state that is true until it has
+    /// false: the block fades out; the output that is true until it has
     Fade(&'static str),
     /// false: nothing new begins; the part of the state that is true until what began has ended
     Execute(&'static str),
@@ -27,7 +27,7 @@ pub enum Off {
     Brake(Brake),
 }
 
-/// The outputs that show whether a braking block is at rest.
+/// The signals that show whether a braking block is at rest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Brake {
     /// the output that is 0 at rest
@@ -36,6 +36,8 @@ pub struct Brake {
     pub state: &'static str,
     /// the values of `state` at rest
     pub resting: &'static [i32],
+    /// the input that is false while the drive is off, and the value of `state` that is rest only then
+    pub drive: (&'static str, i32),
 }
 
 /// A function block: called once per position-controller cycle.

@@ -24,7 +24,8 @@ pub struct Inputs<R> {
     /// FALSE: the axis is not in position control: all outputs are 0 at once, and x_drive, if the drive has the position
     /// controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must be at x_actual
     pub position_controlled: bool,
-    /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command
+    /// while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it while
+    /// positions are set (homing)
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,

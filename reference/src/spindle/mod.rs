@@ -267,7 +267,9 @@ pub const ENABLE: Enable = Enable {
     off: Off::Brake(Brake {
         velocity: "v_spindle",
         state: "spindle_state",
-        resting: &[SpindleState::Position as i32, SpindleState::ToPosition as i32],
+        resting: &[SpindleState::Position as i32],
+        // With the drive on, its mode may still be velocity control.
+        drive: ("drive_on", SpindleState::ToPosition as i32),
     }),
 };
 

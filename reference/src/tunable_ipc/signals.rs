@@ -19,7 +19,8 @@ pub struct Inputs<R> {
     pub mode: i32,
     /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position control
     pub position_controlled: bool,
-    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in
+    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an encoder value
+    /// is set (homing)
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault
     pub task_cycle_ns: u32,

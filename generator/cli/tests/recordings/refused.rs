@@ -35,7 +35,7 @@ fn times_of_another_interval() {
     // What the times count is not known: then it is the user who says that they are none.
     let text = with_times("time", |sample| 2.0 * sample);
     let remedy = "write instead: state the unit of the times, as in `time [us]`, or leave them out: --map time=-\n";
-    assert_refused(&text, 1, &["error[AX480]: a sample every 2 of `time`, which has no unit, of v_command", remedy]);
+    assert_refused(&text, 1, &["error[AX480]: a sample every 2 (`time` has no unit) of v_command", remedy]);
     let run = compare(folder().path(), &text, &["--map", "time=-"]);
     assert_eq!((run.code, run.err.as_str()), (0, ""), "{}", run.out);
 }

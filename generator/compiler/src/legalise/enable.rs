@@ -66,7 +66,10 @@ pub(super) fn run(mut program: Program) -> Result<Program, Defect> {
     };
     let moved = add_signals(&mut program, &switch.off, [error?, error_id?]);
     let works = match &switch.off {
-        Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades) => fades.map(Expr::Var),
+        Off::Mode(_, fades) | Off::Fade(fades) | Off::Execute(fades) => fades.map(|var| match var {
+            Var::Output(index) => Expr::Var(moved(index)),
+            other => Expr::Var(other),
+        }),
         Off::False => None,
         Off::Brake(of) => brake.map(|(velocity, state)| works(&program, of, [velocity, state].map(&moved))),
     };
@@ -128,7 +131,11 @@ fn works(program: &Program, brake: &Brake, [velocity, state]: [Var; 2]) -> Expr 
         let known = program.constants.iter().position(is_it);
         known.map_or(Expr::Literal(Literal::I32(number)), |index| Expr::Var(Var::Constant(index)))
     };
-    let changes = brake.resting.iter().map(|number| Expr::binary(Binary::NotEqual, Expr::Var(state), named(*number)));
+    let differs = |number: i32| Expr::binary(Binary::NotEqual, Expr::Var(state), named(number));
+    let (input, number) = brake.drive;
+    let drive = program.inputs.iter().position(|variable| variable.path == input);
+    let drive = drive.map(|index| or(Expr::Var(Var::Input(index)), differs(number)));
+    let changes = brake.resting.iter().map(|number| differs(*number)).chain(drive);
     let changes = changes.reduce(|left, right| Expr::binary(Binary::And, left, right));
     changes.map_or(moves.clone(), |changes| or(moves, changes))
 }

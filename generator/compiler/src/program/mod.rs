@@ -71,7 +71,7 @@ pub enum Off {
     Mode(Constant, Option<Var>),
     /// FALSE, at once
     False,
-    /// FALSE, and the part of the state that is TRUE until the block has faded out
+    /// FALSE, and the output that is TRUE until the block has faded out
     Fade(Option<Var>),
     /// FALSE: nothing new begins; the part of the state that is TRUE until what began has ended
     Execute(Option<Var>),

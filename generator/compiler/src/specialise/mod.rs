@@ -166,7 +166,7 @@ impl Specialiser<'_> {
         let (off, fades) = match enable.off {
             portable::Off::False => return Switch { input, off: Off::False },
             portable::Off::Fade(fades) => {
-                return Switch { input, off: Off::Fade(find(&self.program.state, fades).map(Var::State)) };
+                return Switch { input, off: Off::Fade(find(&self.program.outputs, fades).map(Var::Output)) };
             }
             portable::Off::Execute(works) => {
                 return Switch { input, off: Off::Execute(find(&self.program.state, works).map(Var::State)) };

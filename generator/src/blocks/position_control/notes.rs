@@ -20,7 +20,7 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
             notes.push(note("manipulated_range", of_width(of.command)));
         }
         Location::Drive | Location::Profidrive => {
-            let check = "the drive must have the same Kv (SERCOS S-0-0104, CANopen 30C0h:01)";
+            let check = "the drive must have the same Kv (SERCOS S-0-0104 in 1000/min, CANopen 30C0h:01 in 1/s)";
             notes.push(note("lag", format!("1/Kv, Kv = {kv}/s (P-AXIS-00099): {check}")));
         }
     }

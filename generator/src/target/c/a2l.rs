@@ -248,7 +248,11 @@ fn identifier(unit: &str) -> String {
     unit.replace("0.001 deg", "mdeg").replace('%', "percent").replace('/', "_per_").replace('^', "").replace(' ', "_")
 }
 
-/// A text for quotation marks, with the 255 characters that ASAP2 allows.
+/// A text for quotation marks, with the 255 characters that ASAP2 allows: whole words.
 fn text(doc: &str) -> String {
-    doc.replace('\\', "/").replace('"', "'").chars().take(255).collect()
+    const MOST: usize = 255;
+    let text = doc.replace('\\', "/").replace('"', "'");
+    let Some((end, _)) = text.char_indices().nth(MOST) else { return text };
+    let words = text[..end].rfind(' ').map_or(&text[..end], |space| text[..space].trim_end_matches([',', ';', ':']));
+    words.to_owned()
 }

@@ -59,18 +59,18 @@ pub static SCL: Language = Language { appearances: declared, before: ["#"; 5], .
 /// Keywords of the standard's editions and of its dialects, standard functions and blocks, and words that a block uses.
 static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
     "
-        abstract abs acos action actions adr and any any_bit any_date any_int any_num any_real array asin at atan atan2
+        abstract abs acos action actions adr and andn any any_bit any_date any_int any_num any_real array asin at atan atan2
         begin bitadr bool by byte cal calc calcn case char class concat configuration const constant continue cos ctd
         ctu ctud data_block date date_and_time delete derivative dint div do dt dword else elsif en end_action end_case
         end_class end_configuration end_for end_function end_function_block end_if end_interface end_method
         end_namespace end_program end_property end_repeat end_resource end_step end_struct end_transition end_type
         end_union end_var end_while enable eno eq error errorid busy exit exp expt extends f_edge f_trig false final
         find for from function function_block ge goto gt hysteresis if implements in initial_step insert int integral
-        interface internal interval jmp jmpc jmpcn label ldate ldt le left len limit lint ln log lower_bound lreal lt
-        ltime ltod lword max method mid min mod move mul mux namespace nan ne non_retain not null of on or or_else
-        override persistent pid pointer priority private program property protected public r_edge r_trig ramp read_only
-        read_write real ref reference region repeat replace resource ret retain return right rol ror rs rtc sel sema shl
-        shr sin single sint sizeof sqrt sr st step string struct sub super tan task then this time tod time_of_day to
+        interface internal interval jmp jmpc jmpcn label ld ldate ldn ldt le left len limit lint ln log lower_bound lreal lt
+        ltime ltod lword max method mid min mod move mul mux namespace nan ne non_retain not null of on or or_else orn
+        override persistent pid pointer priority private program property protected public r r_edge r_trig ramp read_only
+        read_write real ref reference region repeat replace resource ret retain retc retcn return right rol ror rs rtc s sel sema shl
+        shr sin single sint sizeof sqrt sr st step stn string struct sub super tan task then this time tod time_of_day to
         tof ton tp transition true trunc type udint uint ulint union until upper_bound usint using valid var var_access
         var_config var_external var_global var_in_out var_input var_inst var_output var_stat var_temp vartype wchar
         while with word wstring xor xorn add sub
