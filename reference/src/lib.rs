@@ -7,6 +7,15 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)] // the emitted comments and the subset's rules come from here
 
+/// Constants as portable functions without parameters: each a doc comment, and `pub fn name() -> Type { value }`.
+macro_rules! constants {
+    ($($(#[$($doc:tt)*])+ pub fn $name:ident $(<$real:ident: Real>)?() -> $ty:ident $value:tt)+) => {$(
+        $(#[$($doc)*])+
+        #[portable::portable]
+        pub fn $name $(<$real: portable::Real>)?() -> $ty $value
+    )+};
+}
+
 pub mod allpass;
 pub mod angle;
 pub mod axis;
