@@ -16,6 +16,35 @@ macro_rules! constants {
     )+};
 }
 
+/// The part of `impl Block<R>` that every block has: the types, `init` and `step` of its own module.
+macro_rules! types_init_and_step {
+    ($real:ident, $state:ty) => {
+        type Coeffs = Coeffs<$real>;
+        type State = $state;
+        type Inputs = Inputs<$real>;
+        type Outputs = Outputs<$real>;
+
+        const INIT: portable::Fn = init::Ir::<$real>::IR;
+        const STEP: portable::Fn = step::Ir::<$real>::IR;
+
+        fn memory() -> $state {
+            Default::default()
+        }
+
+        fn init(state: &mut $state) {
+            init(state);
+        }
+
+        fn outputs() -> Outputs<$real> {
+            Outputs::default()
+        }
+
+        fn step(state: &mut $state, coeffs: &Coeffs<$real>, inputs: &Inputs<$real>, outputs: &mut Outputs<$real>) {
+            step(state, coeffs, inputs, outputs);
+        }
+    };
+}
+
 pub mod allpass;
 pub mod angle;
 pub mod axis;
