@@ -1,6 +1,7 @@
 //! The events in a run of a block that counts its calls, in words. Other blocks have no such events.
 
 use crate::samples::Samples;
+use compiler::arithmetic::wide;
 use portable::Literal;
 use std::collections::BTreeSet;
 
@@ -29,11 +30,7 @@ pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
         inputs.read(sample, &mut given);
         outputs.read(sample, &mut answers);
         let number = |value: Literal| if let Literal::U32(number) = value { number } else { 0 };
-        let acts = v_add.is_some_and(|v_add| match answers[v_add] {
-            Literal::F64(v) => v != 0.0,
-            Literal::F32(v) => v != 0.0,
-            _ => false,
-        });
+        let acts = v_add.and_then(|v_add| wide(answers[v_add])).is_some_and(|v| v != 0.0);
         let now = Call { counter: number(given[counter]), error_id: number(answers[error_id]), acts };
         shown.extend(word(before, last, now).map(str::to_owned));
         (before, last) = (last, now);

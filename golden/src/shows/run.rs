@@ -1,6 +1,7 @@
 //! The events in a run of improved position control, in words. A run of other signals has none.
 
 use crate::samples::Samples;
+use compiler::arithmetic::wide;
 use portable::Literal;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -152,11 +153,7 @@ fn cycle(sample: usize, inputs: &Samples, outputs: &Samples) -> Option<Cycle> {
         run.read(sample, &mut values);
         signals.extend(run.shape.signals.iter().map(|signal| signal.name.as_str()).zip(values.iter().copied()));
     }
-    let real = |name| match signals.get(name)? {
-        Literal::F64(value) => Some(*value),
-        Literal::F32(value) => Some(f64::from(*value)),
-        _ => None,
-    };
+    let real = |name| signals.get(name).copied().and_then(wide);
     let bool = |name| Some(*signals.get(name)? == Literal::Bool(true));
     let u32 = |name| match signals.get(name)? {
         Literal::U32(value) => Some(*value),

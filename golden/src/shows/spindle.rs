@@ -1,6 +1,7 @@
 //! The constructs of a spindle that changes over, and the events of its runs, in words.
 
 use crate::samples::Samples;
+use compiler::arithmetic::wide;
 use generator::axis::{Axis, Bus, Changeover};
 use portable::Literal;
 use std::collections::BTreeSet;
@@ -44,11 +45,7 @@ pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
         }
         let requested = requests.iter().filter(|(at, _)| at.is_some_and(|at| given[at] == Literal::Bool(true)));
         shown.extend(requested.map(|(_, word)| (*word).to_owned()));
-        let velocity = match answers[v] {
-            Literal::F64(v) => v,
-            Literal::F32(v) => f64::from(v),
-            _ => 0.0,
-        };
+        let velocity = wide(answers[v]).unwrap_or(0.0);
         if velocity.abs() > MOVING {
             if velocity * turned < 0.0 && number == 0 {
                 shown.insert("turns round in POSITION".to_owned());
