@@ -55,7 +55,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_IN_RANGE_{real}") {
         return in_range(lowering, node, &arguments);
     }
-    if lowering.variables.inner(&name).is_some() {
+    if lowering.variables.inner.get(&name).is_some() {
         let found = format!("a call of {} in an expression", shown(function, text));
         lowering.say(function, found, "the call as a statement before it");
         return None;

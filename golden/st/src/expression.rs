@@ -52,7 +52,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
         }
         "binary_expression" => lowering.binary(node),
-        "member_access_expression" => match lowering.variables.find(said(node, text)) {
+        "member_access_expression" => match lowering.variables.single.get(said(node, text)) {
             // A block that reads its task uses only its inputs here, because there is no task.
             None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
                 Some(lowering.literal(Kind::Udint, Value::Word(0)))
@@ -77,7 +77,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
 
 fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let name = said(node, lowering.text);
-    let Some(variable) = lowering.variables.find(name) else {
+    let Some(variable) = lowering.variables.single.get(name) else {
         lowering.no_variable(node);
         return None;
     };
@@ -90,11 +90,11 @@ fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> 
 
 /// An element of an array, at a number of the text or at a DINT.
 fn element(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
-    if lowering.variables.find(said(node, lowering.text)).is_some() {
+    if lowering.variables.single.get(said(node, lowering.text)).is_some() {
         return variable(lowering, node);
     }
     let (object, index) = (node.child_by_field_name("object")?, node.child_by_field_name("index")?);
-    let Some(array) = lowering.variables.array(said(object, lowering.text)) else {
+    let Some(array) = lowering.variables.arrays.get(said(object, lowering.text)) else {
         lowering.say(node, shown(node, lowering.text), "a variable, a number or an operation on them");
         return None;
     };
