@@ -8,14 +8,8 @@ use super::op::Code;
 use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
-impl Lowering<'_, '_> {
-    /// Lowers a call; `None` after a reported error.
-    pub(crate) fn call(&mut self, node: Node<'_>) -> Option<Operand> {
-        lower(self, node)
-    }
-}
-
-fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+/// Lowers a call; `None` after a reported error.
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     let function = node.child_by_field_name("function")?;
     let name = said(function, text).to_ascii_uppercase();

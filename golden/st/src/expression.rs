@@ -1,6 +1,5 @@
 //! Expressions -> operations: every part gets a slot of its type.
 
-use super::Dialect;
 use super::constant::{SMALLEST_DINT, operator};
 use super::kind::{Kind, Value};
 use super::lowering::{Lowering, Operand};
@@ -8,6 +7,7 @@ use super::number::{self, MINUS_ZERO};
 use super::op::Code;
 use super::syntax::{children, said, shown};
 use super::variables::Role;
+use super::{Dialect, binary, call};
 use portable::RealKind;
 use tree_sitter::Node;
 
@@ -51,7 +51,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         "binary_expression" if said(node, text) == MINUS_ZERO && !lowering.has_named_reals() => {
             Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
         }
-        "binary_expression" => lowering.binary(node),
+        "binary_expression" => binary::lower(lowering, node),
         "member_access_expression" => match lowering.variables.single.get(said(node, text)) {
             // A block that reads its task uses only its inputs here, because there is no task.
             None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
@@ -60,7 +60,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             Some(part) => part.known.then_some(Operand::Slot { kind: part.kind, slot: part.slot, part: false }),
             None => lowering.output(node),
         },
-        "call_expression" => lowering.call(node),
+        "call_expression" => call::lower(lowering, node),
         // A string and a number with a type have already been reported.
         "string_literal"
         | "typed_literal"
