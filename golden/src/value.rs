@@ -16,20 +16,19 @@ pub fn parse(cell: &str, signal: &Signal, real: RealKind) -> Option<Literal> {
         (Type::I32, _) => cell.parse().ok().map(Literal::I32),
         (Type::U32, _) => cell.parse().ok().map(Literal::U32),
         (Type::Real, RealKind::F64) => match cell.strip_prefix("0x") {
-            Some(digits) if digits.len() == 16 => {
-                u64::from_str_radix(digits, 16).ok().map(|bits| Literal::F64(f64::from_bits(bits)))
-            }
-            Some(_) => None,
+            Some(digits) => bits(digits, 16).map(|bits| Literal::F64(f64::from_bits(bits))),
             None => cell.parse().ok().map(Literal::F64),
         },
         (Type::Real, RealKind::F32) => match cell.strip_prefix("0x") {
-            Some(digits) if digits.len() == 8 => {
-                u32::from_str_radix(digits, 16).ok().map(|bits| Literal::F32(f32::from_bits(bits)))
-            }
-            Some(_) => None,
+            Some(digits) => Some(Literal::F32(f32::from_bits(u32::try_from(bits(digits, 8)?).ok()?))),
             None => cell.parse().ok().map(Literal::F32),
         },
     }
+}
+
+/// A number of exactly this many hexadecimal digits.
+fn bits(digits: &str, count: usize) -> Option<u64> {
+    u64::from_str_radix(digits, 16).ok().filter(|_| digits.len() == count)
 }
 
 pub(crate) fn allowed(ty: Type, real: RealKind) -> &'static str {

@@ -122,7 +122,6 @@ fn rise(t: f64) -> f64 {
 }
 
 /// A whole number as a real.
-#[expect(clippy::cast_precision_loss, reason = "below 2^53")]
 fn exact(value: u64) -> f64 {
     value as f64
 }

@@ -4,34 +4,17 @@ use portable::{Real, from_i32, in_range, nearest, note, portable, truncate};
 
 const TURNS: f64 = 1.0 / 360_000.0;
 
-/// a full turn [0.001 deg]
-#[portable]
-pub fn full_turn<R: Real>() -> R {
-    R::lit(360_000.0)
-}
-
-/// 1 / full_turn
-#[portable]
-pub fn per_turn<R: Real>() -> R {
-    R::lit(TURNS)
-}
-
-/// largest magnitude of a position in range: its number of turns fits in 32 bits
-#[portable]
-pub fn position_limit<R: Real>() -> R {
-    R::per_kind(7.0e14, 1.0e9)
-}
-
-/// largest magnitude of an angle whose turns are counted: more than half a turn above the position limit
-#[portable]
-pub fn counted_limit<R: Real>() -> R {
-    R::per_kind(7.1e14, 2.0e9)
-}
-
-/// largest angle below a full turn [0.001 deg]
-#[portable]
-pub fn below_full_turn<R: Real>() -> R {
-    R::per_kind(359_999.999_999_999_94, 359_999.97)
+constants! {
+    /// a full turn [0.001 deg]
+    pub fn full_turn<R: Real>() -> R { R::lit(360_000.0) }
+    /// 1 / full_turn
+    pub fn per_turn<R: Real>() -> R { R::lit(TURNS) }
+    /// largest magnitude of a position in range: its number of turns fits in 32 bits
+    pub fn position_limit<R: Real>() -> R { R::per_kind(7.0e14, 1.0e9) }
+    /// largest magnitude of an angle whose turns are counted: more than half a turn above the position limit
+    pub fn counted_limit<R: Real>() -> R { R::per_kind(7.1e14, 2.0e9) }
+    /// largest angle below a full turn [0.001 deg]
+    pub fn below_full_turn<R: Real>() -> R { R::per_kind(359_999.999_999_999_94, 359_999.97) }
 }
 
 /// Whether 0 <= angle < full_turn. False for a NaN, which is compared by `in_range` only.

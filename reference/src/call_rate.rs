@@ -32,22 +32,13 @@ pub struct State {
     pub score: u32,
 }
 
-/// increase of the score for an irregular call
-#[portable]
-pub fn irregular() -> u32 {
-    8u32
-}
-
-/// the call rate is a fault from this score on
-#[portable]
-pub fn alarm() -> u32 {
-    16u32
-}
-
-/// score after the call rate has become a fault
-#[portable]
-pub fn full() -> u32 {
-    32u32
+constants! {
+    /// increase of the score for an irregular call
+    pub fn irregular() -> u32 { 8u32 }
+    /// the call rate is a fault from this score on
+    pub fn alarm() -> u32 { 16u32 }
+    /// score after the call rate has become a fault
+    pub fn full() -> u32 { 32u32 }
 }
 
 /// Before the first cycle.

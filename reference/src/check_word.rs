@@ -34,40 +34,19 @@ pub struct Forming<R> {
     pub is_covering: bool,
 }
 
-/// largest magnitude of a number of a parameter set, limits scaled by 2^-20
-#[portable]
-pub fn largest_number<R: Real>() -> R {
-    R::lit(32_768.0)
-}
-
-/// 2^15: scales a number before its first integer for the check word is taken
-#[portable]
-pub fn first_cut<R: Real>() -> R {
-    R::lit(32_768.0)
-}
-
-/// 2^31: scales the remainder of a number before its next integer for the check word is taken
-#[portable]
-pub fn next_cut<R: Real>() -> R {
-    R::lit(2_147_483_648.0)
-}
-
-/// largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken
-#[portable]
-pub fn largest_piece<R: Real>() -> R {
-    R::per_kind(2_147_483_647.999_999_8, 2_147_483_520.0)
-}
-
-/// 2^-20: scales a limit for the check word
-#[portable]
-pub fn limit_scale<R: Real>() -> R {
-    R::lit(9.536_743_164_062_5e-7)
-}
-
-/// the last piece of a number, counted from 0
-#[portable]
-pub fn last_piece<R: Real>() -> u32 {
-    if is_single::<R>() { 2u32 } else { 3u32 }
+constants! {
+    /// largest magnitude of a number of a parameter set, limits scaled by 2^-20
+    pub fn largest_number<R: Real>() -> R { R::lit(32_768.0) }
+    /// 2^15: scales a number before its first integer for the check word is taken
+    pub fn first_cut<R: Real>() -> R { R::lit(32_768.0) }
+    /// 2^31: scales the remainder of a number before its next integer for the check word is taken
+    pub fn next_cut<R: Real>() -> R { R::lit(2_147_483_648.0) }
+    /// largest number below 2^31: upper bound of a scaled number from which an integer for the check word is taken
+    pub fn largest_piece<R: Real>() -> R { R::per_kind(2_147_483_647.999_999_8, 2_147_483_520.0) }
+    /// 2^-20: scales a limit for the check word
+    pub fn limit_scale<R: Real>() -> R { R::lit(9.536_743_164_062_5e-7) }
+    /// the last piece of a number, counted from 0
+    pub fn last_piece<R: Real>() -> u32 { if is_single::<R>() { 2u32 } else { 3u32 } }
 }
 
 /// The whole part of a real below 2^31; 0 for any other.

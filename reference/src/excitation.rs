@@ -15,7 +15,7 @@
 use crate::call_rate;
 use crate::signal::sample_limit;
 use crate::signal::{error_call_rate, error_cycle_time, error_none, error_reversal, error_state, error_v_motor};
-use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable};
+use portable::{Block, Enable, Off, Real, from_u32, in_range, note, portable};
 
 /// Coefficients.
 #[portable]
@@ -318,23 +318,10 @@ pub fn step<R: Real>(state: &mut State, coeffs: &Coeffs<R>, inputs: &Inputs<R>, 
 pub struct Excitation;
 
 impl<R: Real> Block<R> for Excitation {
-    type Coeffs = Coeffs<R>;
-    type State = State;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State);
 
     const NAME: &'static str = "excitation";
     const ENABLE: Option<Enable> = Some(Enable { input: "hold_to_run", off: Off::Fade("active") });
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
-
-    fn memory() -> State {
-        State::default()
-    }
-
-    fn init(state: &mut State) {
-        init(state);
-    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs::default()
@@ -342,13 +329,5 @@ impl<R: Real> Block<R> for Excitation {
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.hold_to_run = true;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

@@ -7,6 +7,44 @@
 #![forbid(unsafe_code)]
 #![warn(missing_docs)] // the emitted comments and the subset's rules come from here
 
+/// Constants as portable functions without parameters: each a doc comment, and `pub fn name() -> Type { value }`.
+macro_rules! constants {
+    ($($(#[$($doc:tt)*])+ pub fn $name:ident $(<$real:ident: Real>)?() -> $ty:ident $value:tt)+) => {$(
+        $(#[$($doc)*])+
+        #[portable::portable]
+        pub fn $name $(<$real: portable::Real>)?() -> $ty $value
+    )+};
+}
+
+/// The part of `impl Block<R>` that every block has: the types, `init` and `step` of its own module.
+macro_rules! types_init_and_step {
+    ($real:ident, $state:ty) => {
+        type Coeffs = Coeffs<$real>;
+        type State = $state;
+        type Inputs = Inputs<$real>;
+        type Outputs = Outputs<$real>;
+
+        const INIT: portable::Fn = init::Ir::<$real>::IR;
+        const STEP: portable::Fn = step::Ir::<$real>::IR;
+
+        fn memory() -> $state {
+            Default::default()
+        }
+
+        fn init(state: &mut $state) {
+            init(state);
+        }
+
+        fn outputs() -> Outputs<$real> {
+            Outputs::default()
+        }
+
+        fn step(state: &mut $state, coeffs: &Coeffs<$real>, inputs: &Inputs<$real>, outputs: &mut Outputs<$real>) {
+            step(state, coeffs, inputs, outputs);
+        }
+    };
+}
+
 pub mod allpass;
 pub mod angle;
 pub mod axis;

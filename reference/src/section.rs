@@ -28,27 +28,19 @@ pub fn is_driven_by_change<R: Real>() -> bool {
     is_single::<R>()
 }
 
-/// added in every update of s2, so that a section at rest never decays into subnormal numbers
-///
-/// On a PLC's x86 an operation on a subnormal can take a hundred times as long as on a normal number. The value is far
-/// below any velocity: 1e-30 in double, 1e-18 in single precision.
-#[portable]
-pub fn anti_denormal<R: Real>() -> R {
-    R::per_kind(1.0e-30, 1.0e-18)
-}
-
-/// added to every change of an input and to the filter state low, so that a section at rest never decays into subnormal numbers
-///
-/// One addition to a change serves all sections that it drives.
-#[portable]
-pub fn least_change<R: Real>() -> R {
-    R::lit(1.0e-18)
-}
-
-/// 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section
-#[portable]
-pub fn pole_limit<R: Real>() -> R {
-    R::lit(2.0)
+constants! {
+    /// added in every update of s2, so that a section at rest never decays into subnormal numbers
+    ///
+    /// On a PLC's x86 an operation on a subnormal can take a hundred times as long as on a normal number. The value is far
+    /// below any velocity: 1e-30 in double, 1e-18 in single precision.
+    pub fn anti_denormal<R: Real>() -> R { R::per_kind(1.0e-30, 1.0e-18) }
+    /// added to every change of an input and to the filter state low, so that a section at rest never decays into subnormal
+    /// numbers
+    ///
+    /// One addition to a change serves all sections that it drives.
+    pub fn least_change<R: Real>() -> R { R::lit(1.0e-18) }
+    /// 2: upper bound of |a1| of a stable biquad, and of B of a stable trapezoidal section
+    pub fn pole_limit<R: Real>() -> R { R::lit(2.0) }
 }
 
 /// Whether the poles of a biquad lie inside the unit circle: |a2| < 1 and |a1| < 1 + a2. False for a NaN.

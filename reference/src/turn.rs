@@ -2,58 +2,25 @@
 
 use portable::portable;
 
-/// what a number of a set is: a coefficient of a section
-#[portable]
-pub fn role_coefficient() -> i32 {
-    0i32
-}
-
-/// what a number of a set is: the largest |v_add|
-#[portable]
-pub fn role_limit() -> i32 {
-    1i32
-}
-
-/// what a number of a set is: the negative limit, after the limit
-#[portable]
-pub fn role_lower_limit() -> i32 {
-    2i32
-}
-
-/// what a number of a set is: the largest sum, after both limits
-#[portable]
-pub fn role_sum_limit() -> i32 {
-    3i32
-}
-
-/// what a number of a set is: the smallest span at which growth counts
-#[portable]
-pub fn role_quiet() -> i32 {
-    4i32
-}
-
-/// what a number of a set is: -weight
-#[portable]
-pub fn role_gain() -> i32 {
-    5i32
-}
-
-/// what a number of a set is: a2 of a biquad, after its a1
-#[portable]
-pub fn role_a2() -> i32 {
-    6i32
-}
-
-/// what a number of a set is: C of a trapezoidal section, after its A and B
-#[portable]
-pub fn role_c() -> i32 {
-    7i32
-}
-
-/// what a number of a set is: G2 of the simulated oscillation, after its H, R and G
-#[portable]
-pub fn role_g2() -> i32 {
-    8i32
+constants! {
+    /// what a number of a set is: a coefficient of a section
+    pub fn role_coefficient() -> i32 { 0i32 }
+    /// what a number of a set is: the largest |v_add|
+    pub fn role_limit() -> i32 { 1i32 }
+    /// what a number of a set is: the negative limit, after the limit
+    pub fn role_lower_limit() -> i32 { 2i32 }
+    /// what a number of a set is: the largest sum, after both limits
+    pub fn role_sum_limit() -> i32 { 3i32 }
+    /// what a number of a set is: the smallest span at which growth counts
+    pub fn role_quiet() -> i32 { 4i32 }
+    /// what a number of a set is: -weight
+    pub fn role_gain() -> i32 { 5i32 }
+    /// what a number of a set is: a2 of a biquad, after its a1
+    pub fn role_a2() -> i32 { 6i32 }
+    /// what a number of a set is: C of a trapezoidal section, after its A and B
+    pub fn role_c() -> i32 { 7i32 }
+    /// what a number of a set is: G2 of the simulated oscillation, after its H, R and G
+    pub fn role_g2() -> i32 { 8i32 }
 }
 
 /// The number whose turn it is.

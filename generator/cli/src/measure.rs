@@ -12,7 +12,7 @@ use commands::words::{TIMES, seconds};
 use generator::codes;
 use golden::measure::{Excitation, Measured, is_same_interval, picture, text};
 use golden::svg;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Bits of a sequence, and the longest clock [cycles].
 const BITS: std::ops::RangeInclusive<u32> = 7..=15;
@@ -46,12 +46,8 @@ pub fn run(of: &MeasureArguments, format: Format) -> Result<Exit, Exit> {
     let is_response = |found: &[u8]| found.starts_with(text::HEAD.as_bytes());
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let rules = [Rule::earlier_output(of.force, &is_response), Rule::earlier_output(of.force, &is_picture)];
-    one_file::told_apart(&of.response.iter().chain(&of.picture).map(PathBuf::as_path).collect::<Vec<_>>())?;
-    for (out, rule) in [of.response.as_deref(), of.picture.as_deref()].into_iter().zip(rules) {
-        let Some(out) = out else { continue };
-        one_file::kept_apart(out, [Some(recording), of.excited.as_deref()].into_iter().flatten())?;
-        rule.allows(out)?;
-    }
+    let outs = [of.response.as_deref(), of.picture.as_deref()].into_iter().zip(rules);
+    one_file::allowed(outs, [Some(recording), of.excited.as_deref()].into_iter().flatten())?;
     let reading = Reading { map: &of.map, cycle_time: of.cycle_time, excitation: of.excitation };
     let all = read(recording, of.excited.as_deref(), &reading)?;
     agrees(&all, of.cycle_time)?;

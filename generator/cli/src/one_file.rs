@@ -74,6 +74,19 @@ pub fn commit<'p>(files: impl IntoIterator<Item = Staged<'p>>) -> Result<(), Exi
     files.try_for_each(|Staged { path, one, rule }| one.commit().map_err(|error| rule.failed(path, &error)))
 }
 
+/// Refuses outputs that would replace an input, each other, or a file of the user, before anything runs.
+pub fn allowed<'p>(
+    outs: impl IntoIterator<Item = (Option<&'p Path>, Rule<'p>)>,
+    inputs: impl IntoIterator<Item = &'p Path> + Clone,
+) -> Result<(), Exit> {
+    let asked: Vec<_> = outs.into_iter().filter_map(|(out, rule)| Some((out?, rule))).collect();
+    told_apart(&asked.iter().map(|(out, _)| *out).collect::<Vec<_>>())?;
+    asked.into_iter().try_for_each(|(out, rule)| {
+        kept_apart(out, inputs.clone())?;
+        rule.allows(out)
+    })
+}
+
 /// Refuses an output file that is an input of the command.
 pub fn kept_apart<'p>(
     out: impl Into<Option<&'p Path>>,

@@ -49,11 +49,7 @@ impl Files {
 
     /// Refuses to write over an input of the command, or over a file that is not one of its results.
     pub fn kept_apart(&self, input: Option<&Path>) -> Result<(), Exit> {
-        one_file::told_apart(&self.forms().map(|(file, ..)| file).collect::<Vec<_>>())?;
-        self.forms().try_for_each(|(file, _, rule)| {
-            one_file::kept_apart(file, input)?;
-            rule.allows(file)
-        })
+        one_file::allowed(self.forms().map(|(file, _, rule)| (Some(file), rule)), input)
     }
 
     /// Writes the requested files, after all of them are staged.

@@ -11,7 +11,7 @@ use generator::blocks::{self, Designed};
 use generator::codes;
 use golden::simulate::{self, Moved, picture, recording, text};
 use golden::svg;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Limits of `--dwell` [s].
 const SHORTEST: f64 = 1.0;
@@ -61,7 +61,7 @@ pub fn run<'a>(to: &'a SimulateArguments, format: Format) -> Result<Exit, Exit> 
         (&to.excited, of_recording),
         (&to.recorded, Rule::by_force(to.force)),
     ];
-    allowed(&all.map(|(out, rule)| (out.as_deref(), rule)), &to.subject.set.set)?;
+    one_file::allowed(all.map(|(out, rule)| (out.as_deref(), rule)), [to.subject.set.set.as_path()])?;
     let noise = to.noise.unwrap_or(0.0);
     let mut staged = Vec::new();
     let mut stage = |out: &'a Option<PathBuf>, rule, text: &dyn Fn() -> Result<String, Exit>| {
@@ -97,16 +97,6 @@ fn moved(designed: &Designed, to: &SimulateArguments) -> Result<Moved, Exit> {
         )),
         Some(_) => Ok(Moved::Demonstration),
     }
-}
-
-/// Refuses outputs that would replace an input, each other, or a file of the user, before anything runs.
-fn allowed(outs: &[(Option<&Path>, Rule<'_>)], set: &Path) -> Result<(), Exit> {
-    let asked = || outs.iter().filter_map(|(out, rule)| Some(((*out)?, *rule)));
-    one_file::told_apart(&asked().map(|(out, _)| out).collect::<Vec<_>>())?;
-    asked().try_for_each(|(out, rule)| {
-        one_file::kept_apart(out, [set])?;
-        rule.allows(out)
-    })
 }
 
 /// A recording of a move with the excitation of the axis.

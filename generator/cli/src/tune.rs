@@ -16,7 +16,6 @@ use generator::diagnostics::Slashes;
 use golden::measure::{Measured, Record, Verdict};
 use golden::svg;
 use golden::tune::{self, Prefer, Proposal, Stages, signals, text};
-use std::path::{Path, PathBuf};
 
 /// Runs the command.
 pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
@@ -24,7 +23,9 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
     let drive = DriveArguments { response: of.response.clone(), ..DriveArguments::default() };
     let is_picture = |found: &[u8]| found.starts_with(svg::HEAD.as_bytes());
     let rules = [Rule::by_force(of.force), Rule::earlier_output(of.force, &is_picture)];
-    allowed(arguments, of, rules)?;
+    let outs = [of.signals.as_deref(), of.picture.as_deref()].into_iter().zip(rules);
+    let inputs = [Some(arguments.set.as_path()), Some(&of.recording), of.excited.as_deref()];
+    one_file::allowed(outs, inputs.into_iter().flatten())?;
     let is_set = of.stage == ["set"];
     let given = if is_set { Vec::new() } else { config::stage_keys(&of.stage).map_err(Exit::Input)? };
     let set = input::read_to_tune(arguments, [drive.keys(), given].concat(), format)?;
@@ -64,19 +65,6 @@ pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
         apply(arguments, format, name, &chosen, of.json)?;
     }
     Ok(Exit::Done)
-}
-
-/// Says beforehand what would not be written.
-fn allowed(arguments: &SetArguments, of: &TuneArguments, rules: [Rule<'_>; 2]) -> Result<(), Exit> {
-    let outs: Vec<&Path> = of.signals.iter().chain(&of.picture).map(PathBuf::as_path).collect();
-    one_file::told_apart(&outs)?;
-    for (out, rule) in [of.signals.as_deref(), of.picture.as_deref()].into_iter().zip(rules) {
-        let Some(out) = out else { continue };
-        let inputs = [Some(arguments.set.as_path()), Some(&of.recording), of.excited.as_deref()];
-        one_file::kept_apart(out, inputs.into_iter().flatten())?;
-        rule.allows(out)?;
-    }
-    Ok(())
 }
 
 /// Writes the files that were asked for, all or none.

@@ -70,12 +70,12 @@ pub trait BlockKind: Typed {
         None
     }
 
-    /// The proven properties of its program.
+    /// The proven properties of its program: its limit, if it has one.
     ///
     /// # Errors
     /// The program does not do what was designed.
-    fn certificate(&self, _: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified::default())
+    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
+        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }
 

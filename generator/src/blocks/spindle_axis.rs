@@ -1,9 +1,7 @@
 //! The block `spindle_axis`: the changeover with feedforward, position control and improved position control.
 
-use super::{BlockKind, Certified, Design, Drill, Figure, Summary, axis, ipc, spindle};
+use super::{BlockKind, Design, Drill, Figure, Summary, axis, ipc, spindle};
 use crate::blocks::designed::Designed;
-use compiler::pass::Defect;
-use compiler::program::Program;
 use portable::Literal;
 use reference::axis::Axis;
 use reference::ipc::mode_off;
@@ -63,10 +61,5 @@ impl BlockKind for SpindleAxis {
 
     fn limit(&self, designed: &Designed) -> Option<Figure> {
         ipc::limit(designed)
-    }
-
-    /// The limit of its v_add.
-    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }

@@ -71,7 +71,6 @@ fn inserted(inputs: &Samples, at: usize, count: usize) -> Samples {
     inputs.read(at - 1, &mut from);
     inputs.read(at, &mut to);
     for step in 1..=count {
-        #[expect(clippy::cast_precision_loss, reason = "at most 20")]
         let part = step as f64 / (count + 1) as f64;
         let between = |((from, to), signal): ((&Literal, &Literal), &Signal)| match signal.ty {
             Type::Real => {

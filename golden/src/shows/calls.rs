@@ -1,7 +1,7 @@
 //! The events in a run of a block that counts its calls, in words. Other blocks have no such events.
 
+use super::cycles;
 use crate::samples::Samples;
-use portable::Literal;
 use std::collections::BTreeSet;
 
 /// The error id of the call rate.
@@ -18,23 +18,10 @@ struct Call {
 
 /// The events of a run.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
-    let place = |run: &Samples, name: &str| run.shape.place(name);
-    let (Some(counter), Some(error_id)) = (place(inputs, "cycle_counter"), place(outputs, "error_id")) else {
-        return BTreeSet::new();
-    };
-    let v_add = place(outputs, "v_add");
-    let (mut given, mut answers, mut shown) = (Vec::new(), Vec::new(), BTreeSet::new());
-    let (mut before, mut last) = (Call::default(), Call::default());
-    for sample in 0..inputs.len() {
-        inputs.read(sample, &mut given);
-        outputs.read(sample, &mut answers);
-        let number = |value: Literal| if let Literal::U32(number) = value { number } else { 0 };
-        let acts = v_add.is_some_and(|v_add| match answers[v_add] {
-            Literal::F64(v) => v != 0.0,
-            Literal::F32(v) => v != 0.0,
-            _ => false,
-        });
-        let now = Call { counter: number(given[counter]), error_id: number(answers[error_id]), acts };
+    let (mut before, mut last, mut shown) = (Call::default(), Call::default(), BTreeSet::new());
+    for of in cycles(inputs, outputs) {
+        let (Some(counter), Some(error_id)) = (of.number("cycle_counter"), of.number("error_id")) else { break };
+        let now = Call { counter, error_id, acts: of.real("v_add").is_some_and(|v| v != 0.0) };
         shown.extend(word(before, last, now).map(str::to_owned));
         (before, last) = (last, now);
     }

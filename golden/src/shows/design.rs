@@ -1,24 +1,17 @@
 //! The events of a run of the block `set_design`, in words. Another block has none.
 
+use super::cycles;
 use crate::samples::Samples;
-use portable::Literal;
 use std::collections::BTreeSet;
 
 /// The events of a run.
-pub fn events(outputs: &Samples) -> BTreeSet<String> {
-    let mut shown = BTreeSet::new();
-    let place = |name| outputs.shape.place(name);
-    let Some(((designed, active), (fault, set))) =
-        place("designed").zip(place("active")).zip(place("fault").zip(place("params.set_id")))
-    else {
-        return shown;
-    };
+pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     // `last`: the number of the last set. `refused`: an input was refused since then.
-    let (mut now, mut before, mut last, mut refused) = (Vec::new(), [false; 3], 0, false);
-    for sample in 0..outputs.len() {
-        outputs.read(sample, &mut now);
-        let Literal::U32(set) = now[set] else { continue };
-        let [designed, active, fault] = [designed, active, fault].map(|at| now[at] == Literal::Bool(true));
+    let (mut shown, mut before, mut last, mut refused) = (BTreeSet::new(), [false; 3], 0, false);
+    for of in cycles(inputs, outputs) {
+        let Some(set) = of.number("params.set_id") else { break };
+        let states = ["designed", "active", "fault"].map(|name| of.bool(name));
+        let [Some(designed), Some(active), Some(fault)] = states else { break };
         let words = [
             (active && !before[1], "a design starts"),
             (designed && !before[0] && last == 0, "a first set is designed"),

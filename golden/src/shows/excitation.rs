@@ -1,7 +1,7 @@
 //! The events of a run of the block `excitation`, in words. Another block has none.
 
+use super::{Signals, cycles};
 use crate::samples::Samples;
-use portable::Literal;
 use std::collections::BTreeSet;
 
 /// One cycle, as far as it is looked at.
@@ -17,29 +17,24 @@ struct Cycle {
 
 /// The events of a run.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
-    let mut shown = BTreeSet::new();
-    let output = |name| outputs.shape.place(name);
-    let Some(held) = inputs.shape.place("hold_to_run") else { return shown };
-    let places = (output("active"), output("done"), output("fault"), output("period"), output("error_id"));
-    let (Some(active), Some(done), Some(fault), Some(period), Some(error_id)) = places else { return shown };
-    let (mut given, mut answers, mut last) = (Vec::new(), Vec::new(), Cycle::default());
-    for sample in 0..inputs.len() {
-        inputs.read(sample, &mut given);
-        outputs.read(sample, &mut answers);
-        let is = |value| value == Literal::Bool(true);
-        let number = |value| if let Literal::U32(number) = value { number } else { 0 };
-        let now = Cycle {
-            active: is(answers[active]),
-            done: is(answers[done]),
-            fault: is(answers[fault]),
-            held: is(given[held]),
-            period: number(answers[period]),
-            error_id: number(answers[error_id]),
-        };
+    let (mut shown, mut last) = (BTreeSet::new(), Cycle::default());
+    for signals in cycles(inputs, outputs) {
+        let Some(now) = cycle(&signals) else { break };
         shown.extend(words(&last, &now).into_iter().map(str::to_owned));
         last = now;
     }
     shown
+}
+
+fn cycle(of: &Signals<'_>) -> Option<Cycle> {
+    Some(Cycle {
+        active: of.bool("active")?,
+        done: of.bool("done")?,
+        fault: of.bool("fault")?,
+        held: of.bool("hold_to_run")?,
+        period: of.number("period")?,
+        error_id: of.number("error_id")?,
+    })
 }
 
 fn words(last: &Cycle, now: &Cycle) -> Vec<&'static str> {

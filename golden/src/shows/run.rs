@@ -1,8 +1,9 @@
 //! The events in a run of improved position control, in words. A run of other signals has none.
 
+use super::{Signals, cycles};
 use crate::samples::Samples;
 use portable::Literal;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Cycles at rest, up to the end of the run, in which the output must be exactly 0.
 const REST: usize = 100;
@@ -33,8 +34,8 @@ struct Cycle {
 /// The events of a run.
 pub fn shown(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     let mut watch = Watch::default();
-    for sample in 0..inputs.len() {
-        let Some(cycle) = cycle(sample, inputs, outputs) else { return BTreeSet::new() };
+    for signals in cycles(inputs, outputs) {
+        let Some(cycle) = cycle(&signals) else { return BTreeSet::new() };
         watch.see(cycle);
     }
     if watch.rest >= REST {
@@ -144,36 +145,23 @@ fn at_rest(now: &Cycle) -> bool {
         && now.v_add_calculated.to_bits() == positive_zero
 }
 
-/// The signals of a cycle; `None` if they belong to another block.
-fn cycle(sample: usize, inputs: &Samples, outputs: &Samples) -> Option<Cycle> {
-    let mut signals = BTreeMap::new();
-    let mut values = Vec::new();
-    for run in [inputs, outputs] {
-        run.read(sample, &mut values);
-        signals.extend(run.shape.signals.iter().map(|signal| signal.name.as_str()).zip(values.iter().copied()));
-    }
-    let real = |name| match signals.get(name)? {
-        Literal::F64(value) => Some(*value),
-        Literal::F32(value) => Some(f64::from(*value)),
-        _ => None,
-    };
-    let bool = |name| Some(*signals.get(name)? == Literal::Bool(true));
-    let u32 = |name| match signals.get(name)? {
-        Literal::U32(value) => Some(*value),
-        _ => None,
-    };
-    let Literal::I32(mode) = *signals.get("mode")? else { return None };
+/// The values of a cycle; `None` if they belong to another block.
+fn cycle(of: &Signals<'_>) -> Option<Cycle> {
+    let Literal::I32(mode) = of.value("mode")? else { return None };
     Some(Cycle {
-        velocities: ["v_command", "v_motor", "v_direct"].into_iter().map(real).collect::<Option<_>>()?,
+        velocities: ["v_command", "v_motor", "v_direct"]
+            .into_iter()
+            .map(|name| of.real(name))
+            .collect::<Option<_>>()?,
         mode,
-        position_controlled: bool("position_controlled")?,
-        reset: bool("reset")?,
-        task_cycle_ns: u32("task_cycle_ns")?,
-        v_add: real("v_add")?,
-        v_add_calculated: real("v_add_calculated")?,
-        limited: bool("limited")?,
-        tripped: bool("tripped")?,
-        fault: bool("fault")?,
-        error_id: u32("error_id")?,
+        position_controlled: of.bool("position_controlled")?,
+        reset: of.bool("reset")?,
+        task_cycle_ns: of.number("task_cycle_ns")?,
+        v_add: of.real("v_add")?,
+        v_add_calculated: of.real("v_add_calculated")?,
+        limited: of.bool("limited")?,
+        tripped: of.bool("tripped")?,
+        fault: of.bool("fault")?,
+        error_id: of.number("error_id")?,
     })
 }

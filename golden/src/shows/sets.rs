@@ -1,18 +1,15 @@
 //! The events of parameter sets in a run, in words. A run of a block without sets has none.
 
+use super::cycles;
 use crate::samples::Samples;
-use portable::Literal;
 use std::collections::BTreeSet;
 
 /// The events of a run.
-pub fn events(outputs: &Samples) -> BTreeSet<String> {
-    let mut shown = BTreeSet::new();
-    let Some(place) = outputs.shape.place("active_set") else { return shown };
+pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
     // `last`: the last set in use. Between two sets none is in use.
-    let (mut answers, mut before, mut last) = (Vec::new(), 0, 0);
-    for sample in 0..outputs.len() {
-        outputs.read(sample, &mut answers);
-        let Literal::U32(now) = answers[place] else { continue };
+    let (mut shown, mut before, mut last) = (BTreeSet::new(), 0, 0);
+    for of in cycles(inputs, outputs) {
+        let Some(now) = of.number("active_set") else { break };
         let word = match (before, now) {
             (0, 1..) if last == 0 => "a first set is taken over",
             (0, 1..) if last == now => "the last set is taken over again",

@@ -1,5 +1,6 @@
 //! The constructs of a spindle that changes over, and the events of its runs, in words.
 
+use super::cycles;
 use crate::samples::Samples;
 use generator::axis::{Axis, Bus, Changeover};
 use portable::Literal;
@@ -27,28 +28,15 @@ pub fn constructs(axis: &Axis) -> BTreeSet<String> {
 
 /// The events of a run; empty if it is a run of another block.
 pub fn events(inputs: &Samples, outputs: &Samples) -> BTreeSet<String> {
-    let place = |name| outputs.shape.place(name);
-    let (Some(state), Some(v)) = (place("spindle_state"), place("v_spindle")) else {
-        return BTreeSet::new();
-    };
-    let requests = REQUESTS.map(|(name, word)| (inputs.shape.place(name), word));
-    let mut shown = BTreeSet::new();
-    let (mut given, mut answers, mut states) = (Vec::new(), Vec::new(), Vec::new());
-    let mut turned = 0.0;
-    for sample in 0..inputs.len() {
-        inputs.read(sample, &mut given);
-        outputs.read(sample, &mut answers);
-        let Literal::I32(number) = answers[state] else { continue };
+    let (mut shown, mut states, mut turned) = (BTreeSet::new(), Vec::new(), 0.0);
+    for of in cycles(inputs, outputs) {
+        let Some(Literal::I32(number)) = of.value("spindle_state") else { break };
+        let Some(velocity) = of.real("v_spindle") else { break };
         if states.last() != Some(&number) {
             states.push(number);
         }
-        let requested = requests.iter().filter(|(at, _)| at.is_some_and(|at| given[at] == Literal::Bool(true)));
+        let requested = REQUESTS.iter().filter(|(name, _)| of.bool(name) == Some(true));
         shown.extend(requested.map(|(_, word)| (*word).to_owned()));
-        let velocity = match answers[v] {
-            Literal::F64(v) => v,
-            Literal::F32(v) => f64::from(v),
-            _ => 0.0,
-        };
         if velocity.abs() > MOVING {
             if velocity * turned < 0.0 && number == 0 {
                 shown.insert("turns round in POSITION".to_owned());

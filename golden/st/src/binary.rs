@@ -8,14 +8,8 @@ use super::op::Code;
 use super::syntax::said;
 use tree_sitter::Node;
 
-impl Lowering<'_, '_> {
-    /// Lowers an operator and its two operands; `None`: a mistake was reported.
-    pub(crate) fn binary(&mut self, node: Node<'_>) -> Option<Operand> {
-        lower(self, node)
-    }
-}
-
-fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+/// Lowers an operator and its two operands; `None`: a mistake was reported.
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let (left, right) = (node.child_by_field_name("left")?, node.child_by_field_name("right")?);
     let operator = operator(node, lowering.text).to_ascii_uppercase();
     let instead = match operator.as_str() {

@@ -8,14 +8,8 @@ use super::op::Code;
 use super::syntax::{children, said, shown};
 use tree_sitter::Node;
 
-impl Lowering<'_, '_> {
-    /// Lowers a call; `None` after a reported error.
-    pub(crate) fn call(&mut self, node: Node<'_>) -> Option<Operand> {
-        lower(self, node)
-    }
-}
-
-fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
+/// Lowers a call; `None` after a reported error.
+pub(crate) fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let text = lowering.text;
     let function = node.child_by_field_name("function")?;
     let name = said(function, text).to_ascii_uppercase();
@@ -55,7 +49,7 @@ fn lower(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     if matches!(lowering.dialect, Dialect::TwinCat | Dialect::Codesys) && name == format!("F_AXGEN_IN_RANGE_{real}") {
         return in_range(lowering, node, &arguments);
     }
-    if lowering.variables.inner(&name).is_some() {
+    if lowering.variables.inner.get(&name).is_some() {
         let found = format!("a call of {} in an expression", shown(function, text));
         lowering.say(function, found, "the call as a statement before it");
         return None;

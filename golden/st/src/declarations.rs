@@ -170,7 +170,7 @@ impl Declarations<'_, '_> {
                 if role == Role::Constant && kind == Kind::Real {
                     self.all.numbers.push(slot);
                 }
-                self.all.add(&self.path(name), Variable { kind, role, slot, known });
+                self.all.single.add(&self.path(name), Variable { kind, role, slot, known });
             }
         }
     }
@@ -192,7 +192,7 @@ impl Declarations<'_, '_> {
             for &name in names {
                 if self.is_new(name) {
                     let slot = self.all.slot(Kind::Real, None);
-                    self.all.add(&self.path(name), Variable { kind: Kind::Real, role, slot, known: false });
+                    self.all.single.add(&self.path(name), Variable { kind: Kind::Real, role, slot, known: false });
                 }
             }
             return;
@@ -203,9 +203,9 @@ impl Declarations<'_, '_> {
                 let elements: Vec<Variable> =
                     (0..=last).map(|_| Variable { kind, role, slot: self.all.slot(kind, None), known: true }).collect();
                 for (index, element) in elements.iter().enumerate() {
-                    self.all.add(&format!("{path}[{index}]"), *element);
+                    self.all.single.add(&format!("{path}[{index}]"), *element);
                 }
-                self.all.add_array(&path, Array { first: elements[0], length: last + 1 });
+                self.all.arrays.add(&path, Array { first: elements[0], length: last + 1 });
             }
         }
     }
@@ -223,9 +223,9 @@ impl Declarations<'_, '_> {
                 let path = self.path(name);
                 for &Part { path: ref part, kind, start } in &self.known.structures[of].parts {
                     let slot = self.all.slot(kind, start);
-                    self.all.add(&format!("{path}.{part}"), Variable { kind, role, slot, known: true });
+                    self.all.single.add(&format!("{path}.{part}"), Variable { kind, role, slot, known: true });
                 }
-                self.all.add_whole(&path, Whole { of, role });
+                self.all.whole.add(&path, Whole { of, role });
             }
         }
     }
@@ -248,8 +248,9 @@ impl Declarations<'_, '_> {
     fn is_new(&mut self, node: Node<'_>) -> bool {
         let (name, path) = (said(node, self.text), self.path(node));
         let all = &self.all;
-        let is_group = all.inner(&path).is_some() || all.whole(&path).is_some() || all.array(&path).is_some();
-        let declared = is_group || all.find(&path).is_some();
+        let is_group =
+            all.inner.get(&path).is_some() || all.whole.get(&path).is_some() || all.arrays.get(&path).is_some();
+        let declared = is_group || all.single.get(&path).is_some();
         if declared {
             self.say(node, format!("`{name}`, which is declared already"), "another name");
         }

@@ -1,6 +1,5 @@
 //! Expressions -> operations: every part gets a slot of its type.
 
-use super::Dialect;
 use super::constant::{SMALLEST_DINT, operator};
 use super::kind::{Kind, Value};
 use super::lowering::{Lowering, Operand};
@@ -8,6 +7,7 @@ use super::number::{self, MINUS_ZERO};
 use super::op::Code;
 use super::syntax::{children, said, shown};
 use super::variables::Role;
+use super::{Dialect, binary, call};
 use portable::RealKind;
 use tree_sitter::Node;
 
@@ -51,8 +51,8 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
         "binary_expression" if said(node, text) == MINUS_ZERO && !lowering.has_named_reals() => {
             Some(lowering.literal(Kind::Real, Value::Real(-0.0)))
         }
-        "binary_expression" => lowering.binary(node),
-        "member_access_expression" => match lowering.variables.find(said(node, text)) {
+        "binary_expression" => binary::lower(lowering, node),
+        "member_access_expression" => match lowering.variables.single.get(said(node, text)) {
             // A block that reads its task uses only its inputs here, because there is no task.
             None if lowering.dialect == Dialect::TwinCat && said(node, text).starts_with(RUNTIME) => {
                 Some(lowering.literal(Kind::Udint, Value::Word(0)))
@@ -60,7 +60,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
             Some(part) => part.known.then_some(Operand::Slot { kind: part.kind, slot: part.slot, part: false }),
             None => lowering.output(node),
         },
-        "call_expression" => lowering.call(node),
+        "call_expression" => call::lower(lowering, node),
         // A string and a number with a type have already been reported.
         "string_literal"
         | "typed_literal"
@@ -77,7 +77,7 @@ fn inner(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
 
 fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
     let name = said(node, lowering.text);
-    let Some(variable) = lowering.variables.find(name) else {
+    let Some(variable) = lowering.variables.single.get(name) else {
         lowering.no_variable(node);
         return None;
     };
@@ -90,11 +90,11 @@ fn variable(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> 
 
 /// An element of an array, at a number of the text or at a DINT.
 fn element(lowering: &mut Lowering<'_, '_>, node: Node<'_>) -> Option<Operand> {
-    if lowering.variables.find(said(node, lowering.text)).is_some() {
+    if lowering.variables.single.get(said(node, lowering.text)).is_some() {
         return variable(lowering, node);
     }
     let (object, index) = (node.child_by_field_name("object")?, node.child_by_field_name("index")?);
-    let Some(array) = lowering.variables.array(said(object, lowering.text)) else {
+    let Some(array) = lowering.variables.arrays.get(said(object, lowering.text)) else {
         lowering.say(node, shown(node, lowering.text), "a variable, a number or an operation on them");
         return None;
     };

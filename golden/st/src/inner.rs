@@ -38,7 +38,7 @@ impl Lowering<'_, '_> {
             children(arguments).into_iter().map(|(part, _)| part).filter(Node::is_named).collect();
         let is_shared = |argument: &Node<'_>| {
             let name = argument.child_by_field_name("name");
-            let whole = name.and_then(|name| block.variables.whole(said(name, self.text)));
+            let whole = name.and_then(|name| block.variables.whole.get(said(name, self.text)));
             whole.is_some_and(|whole| whole.role == Role::Shared)
         };
         let (given, others): (Vec<Node<'_>>, Vec<Node<'_>>) = arguments.into_iter().partition(is_shared);
@@ -63,10 +63,10 @@ impl Lowering<'_, '_> {
             let word =
                 |field| argument.child_by_field_name(field).map(|node| said(node, self.text).to_ascii_lowercase());
             let (Some(name), Some(path)) = (word("name"), word("value")) else { continue };
-            let Some(whole) = block.variables.whole(&name) else { continue };
+            let Some(whole) = block.variables.whole.get(&name) else { continue };
             let wanted = &self.known.structures[whole.of];
             missing.remove(&name);
-            let found = self.variables.whole(&path).filter(|whole| whole.role != Role::Input);
+            let found = self.variables.whole.get(&path).filter(|whole| whole.role != Role::Input);
             if found.is_none_or(|whole| self.known.structures[whole.of].name != wanted.name) {
                 let instead = format!("a variable of type `{}`", wanted.name);
                 self.say(argument, shown(argument, self.text), instead);
@@ -86,8 +86,8 @@ impl Lowering<'_, '_> {
     /// The parts of two variables of a type: the first one in the block, the second one in an instance.
     fn pairs(&self, [here, there]: [&str; 2], ty: &Structure, (inner, block): (Inner, &Block)) -> Vec<Pair> {
         let pair = |path: &str| {
-            let here = self.variables.find(&format!("{here}.{path}"))?;
-            let there = slot_of(inner, block.variables.find(&format!("{there}.{path}"))?);
+            let here = self.variables.single.get(&format!("{here}.{path}"))?;
+            let there = slot_of(inner, block.variables.single.get(&format!("{there}.{path}"))?);
             Some(Pair { kind: here.kind, here: here.slot, there })
         };
         ty.parts.iter().filter_map(|part| pair(&part.path)).collect()
@@ -117,10 +117,10 @@ impl Lowering<'_, '_> {
             return None;
         }
         let word = said(name, self.text).to_ascii_lowercase();
-        if let Some(whole) = block.variables.whole(&word) {
+        if let Some(whole) = block.variables.whole.get(&word) {
             return self.whole_argument(node, (inner, block, whole), before);
         }
-        let input = block.variables.find(&word).filter(|variable| variable.role == Role::Input);
+        let input = block.variables.single.get(&word).filter(|variable| variable.role == Role::Input);
         if input.is_none() {
             let found = format!("{}, which is not an input of `{}`", shown(name, self.text), block.name);
             self.say(name, found, "one of its inputs");
@@ -170,7 +170,7 @@ impl Lowering<'_, '_> {
             return None;
         };
         let block = &self.known.blocks[inner.of];
-        let output = block.variables.find(path).filter(|variable| variable.role == Role::Output);
+        let output = block.variables.single.get(path).filter(|variable| variable.role == Role::Output);
         let Some(variable) = output else {
             let found = format!("{}, which is not an output of `{}`", shown(member, self.text), block.name);
             self.say(member, found, "one of its outputs");
@@ -185,11 +185,11 @@ impl Lowering<'_, '_> {
 
     /// The instance that a node names.
     fn instance(&self, node: Node<'_>) -> Option<Inner> {
-        self.variables.inner(said(node, self.text)).filter(|_| node.kind() == "identifier")
+        self.variables.inner.get(said(node, self.text)).filter(|_| node.kind() == "identifier")
     }
 
     /// Whether a node names a variable with a rejected type: it may have been meant as an instance.
     fn has_unknown_type(&self, node: Node<'_>) -> bool {
-        self.variables.find(said(node, self.text)).is_some_and(|variable| !variable.known)
+        self.variables.single.get(said(node, self.text)).is_some_and(|variable| !variable.known)
     }
 }

@@ -81,7 +81,7 @@ impl Lowering<'_, '_> {
         if self.is_whole(left) {
             return self.whole_assignment(left, right);
         }
-        if let Some(target) = self.variables.array(said(left, self.text)) {
+        if let Some(target) = self.variables.arrays.get(said(left, self.text)) {
             return self.array_assignment(target, right);
         }
         let target = self.target(left);
@@ -118,11 +118,11 @@ impl Lowering<'_, '_> {
     fn target(&mut self, node: Node<'_>) -> Option<(Kind, u32)> {
         let name = said(node, self.text);
         let is_part = matches!(node.kind(), "member_access_expression" | "index_expression");
-        if node.kind() != "identifier" && !(is_part && self.variables.find(name).is_some()) {
+        if node.kind() != "identifier" && !(is_part && self.variables.single.get(name).is_some()) {
             self.say(node, format!("{} left of `:=`", shown(node, self.text)), "a variable");
             return None;
         }
-        let Some(variable) = self.variables.find(name) else {
+        let Some(variable) = self.variables.single.get(name) else {
             self.no_variable(node);
             return None;
         };

@@ -67,9 +67,9 @@ impl Lowering<'_, '_> {
     /// Reports a name that is not a variable; it may be declared in an unreadable declaration.
     pub(crate) fn no_variable(&mut self, node: Node<'_>) {
         let name = shown(node, self.text);
-        if self.variables.inner(said(node, self.text)).is_some() {
+        if self.variables.inner.get(said(node, self.text)).is_some() {
             self.say(node, format!("the instance {name} by itself"), "a variable, or one of its outputs");
-        } else if self.variables.whole(said(node, self.text)).is_some() {
+        } else if self.variables.whole.get(said(node, self.text)).is_some() {
             self.say(node, format!("the structure {name} by itself"), "one of its parts");
         } else if self.all_declared {
             self.say(node, format!("{name}, which is not declared"), "a declared variable");

@@ -2,99 +2,87 @@
 
 use super::kind::Kind;
 
-/// The kind of an operation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Code {
-    /// real := real
-    MoveReal,
-    /// real := -real
-    NegateReal,
-    /// real := real + real
-    AddReal,
-    /// real := real - real
-    SubtractReal,
-    /// real := real * real
-    MultiplyReal,
-    /// real := real / real
-    DivideReal,
+/// The kinds of operations, each with the places of its result and of its operands.
+macro_rules! codes {
+    ($($(#[$doc:meta])* $code:ident: $result:ident <- $operands:ident,)+) => {
+        /// The kind of an operation.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub(crate) enum Code {
+            $($(#[$doc])* $code,)+
+        }
+
+        impl Code {
+            /// The places of its result and of its operands.
+            fn places(self) -> (Place, Place) {
+                match self {
+                    $(Self::$code => (Place::$result, Place::$operands),)+
+                }
+            }
+        }
+    };
+}
+
+codes! {
+    MoveReal: Real <- Real,
+    NegateReal: Real <- Real,
+    AddReal: Real <- Real,
+    SubtractReal: Real <- Real,
+    MultiplyReal: Real <- Real,
+    DivideReal: Real <- Real,
     /// real := real * real + real, rounded once
-    FusedAdd,
+    FusedAdd: Real <- Real,
     /// real := real * real - real, rounded once
-    FusedSubtract,
+    FusedSubtract: Real <- Real,
     /// real := third real - real * real, rounded once
-    FusedSubtractFrom,
-    /// bool := real < real
-    LessReal,
-    /// bool := real <= real
-    AtMostReal,
-    /// bool := real = real
-    EqualReal,
-    /// bool := real <> real
-    UnequalReal,
-    /// bool := bool
-    MoveBool,
-    /// bool := NOT bool
-    Not,
-    /// bool := bool AND bool
-    And,
-    /// bool := bool OR bool
-    Or,
-    /// bool := bool = bool
-    EqualBool,
-    /// bool := bool <> bool
-    UnequalBool,
-    /// word := word
-    MoveWord,
-    /// word := -word
-    NegateWord,
+    FusedSubtractFrom: Real <- Real,
+    LessReal: Bool <- Real,
+    AtMostReal: Bool <- Real,
+    EqualReal: Bool <- Real,
+    UnequalReal: Bool <- Real,
+    MoveBool: Bool <- Bool,
+    Not: Bool <- Bool,
+    And: Bool <- Bool,
+    Or: Bool <- Bool,
+    EqualBool: Bool <- Bool,
+    UnequalBool: Bool <- Bool,
+    MoveWord: Word <- Word,
+    NegateWord: Word <- Word,
     /// word := word + word; a DINT and a UDINT have the same bits
-    AddWord,
-    /// word := word - word
-    SubtractWord,
-    /// word := word * word
-    MultiplyWord,
+    AddWord: Word <- Word,
+    SubtractWord: Word <- Word,
+    MultiplyWord: Word <- Word,
     /// DINT := DINT / DINT, towards 0
-    DivideDint,
+    DivideDint: Word <- Word,
     /// DINT := DINT MOD DINT, with the sign of the first one
-    RemainderDint,
-    /// UDINT := UDINT / UDINT
-    DivideUdint,
-    /// UDINT := UDINT MOD UDINT
-    RemainderUdint,
-    /// bool := word = word
-    EqualWord,
-    /// bool := word <> word
-    UnequalWord,
-    /// bool := DINT < DINT
-    LessDint,
-    /// bool := DINT <= DINT
-    AtMostDint,
-    /// bool := UDINT < UDINT
-    LessUdint,
-    /// bool := UDINT <= UDINT
-    AtMostUdint,
-    /// real := DINT
-    RealOfDint,
-    /// real := UDINT
-    RealOfUdint,
+    RemainderDint: Word <- Word,
+    DivideUdint: Word <- Word,
+    RemainderUdint: Word <- Word,
+    EqualWord: Bool <- Word,
+    UnequalWord: Bool <- Word,
+    LessDint: Bool <- Word,
+    AtMostDint: Bool <- Word,
+    LessUdint: Bool <- Word,
+    AtMostUdint: Bool <- Word,
+    RealOfDint: Real <- Word,
+    RealOfUdint: Real <- Word,
     /// DINT := whole part of real
-    Truncate,
+    Truncate: Word <- Real,
     /// real := real, rounded to single precision
-    Single,
+    Single: Real <- Real,
     /// INT := DINT
-    Narrow,
+    Narrow: Word <- Word,
     /// bool := real is finite, and between -real and real
-    InRange,
+    InRange: Bool <- Real,
     /// real := element of the `c` reals from `a` on, at the DINT `b`
-    ElementReal,
+    ElementReal: Real <- Real,
     /// bool := element of the `c` bools from `a` on, at the DINT `b`
-    ElementBool,
+    ElementBool: Bool <- Bool,
     /// word := element of the `c` words from `a` on, at the DINT `b`
-    ElementWord,
+    ElementWord: Word <- Word,
     /// continue at operation `to`
-    Jump,
+    Jump: Op <- Bool,
     /// continue at operation `to`, unless bool `a`
-    JumpUnless,
+    JumpUnless: Op <- Bool,
 }
 
 impl Code {
@@ -106,9 +94,7 @@ impl Code {
             Kind::Dint | Kind::Udint | Kind::Int | Kind::Uint => Self::MoveWord,
         }
     }
-}
 
-impl Code {
     /// The operation that reads an element of an array of this type.
     pub(crate) fn element(kind: Kind) -> Self {
         match kind {
@@ -178,53 +164,10 @@ pub(crate) fn moved(op: Op, base: Base, first: u32) -> Op {
         Place::Word => base.words,
         Place::Op => first,
     };
-    let (to, operands) = places(op.code);
+    let (to, operands) = op.code.places();
     let operand = |slot: u32| slot + start(operands);
     if op.code.is_element() {
         return Op { to: op.to + start(to), a: operand(op.a), b: op.b + base.words, ..op };
     }
     Op { to: op.to + start(to), a: operand(op.a), b: operand(op.b), c: operand(op.c), ..op }
-}
-
-/// The places of the result and of the operands of an operation.
-fn places(code: Code) -> (Place, Place) {
-    match code {
-        Code::MoveReal
-        | Code::NegateReal
-        | Code::AddReal
-        | Code::SubtractReal
-        | Code::MultiplyReal
-        | Code::DivideReal
-        | Code::FusedAdd
-        | Code::FusedSubtract
-        | Code::FusedSubtractFrom
-        | Code::ElementReal => (Place::Real, Place::Real),
-        Code::LessReal | Code::AtMostReal | Code::EqualReal | Code::UnequalReal | Code::InRange => {
-            (Place::Bool, Place::Real)
-        }
-        Code::MoveBool | Code::Not | Code::And | Code::Or | Code::EqualBool | Code::UnequalBool | Code::ElementBool => {
-            (Place::Bool, Place::Bool)
-        }
-        Code::MoveWord
-        | Code::NegateWord
-        | Code::AddWord
-        | Code::SubtractWord
-        | Code::MultiplyWord
-        | Code::Narrow
-        | Code::DivideDint
-        | Code::RemainderDint
-        | Code::DivideUdint
-        | Code::RemainderUdint
-        | Code::ElementWord => (Place::Word, Place::Word),
-        Code::EqualWord
-        | Code::UnequalWord
-        | Code::LessDint
-        | Code::AtMostDint
-        | Code::LessUdint
-        | Code::AtMostUdint => (Place::Bool, Place::Word),
-        Code::RealOfDint | Code::RealOfUdint => (Place::Real, Place::Word),
-        Code::Truncate => (Place::Word, Place::Real),
-        Code::Single => (Place::Real, Place::Real),
-        Code::Jump | Code::JumpUnless => (Place::Op, Place::Bool),
-    }
 }

@@ -35,7 +35,7 @@ impl Program {
     /// Declares a variable of type UDINT of the controller's runtime, by the text of its uses.
     pub fn runtime(&mut self, text: &str) {
         let slot = self.globals.slot(Kind::Udint, None);
-        self.globals.add(text, Variable { kind: Kind::Udint, role: Role::Input, slot, known: true });
+        self.globals.single.add(text, Variable { kind: Kind::Udint, role: Role::Input, slot, known: true });
     }
 
     /// Reads a `.TcDUT` with structures.

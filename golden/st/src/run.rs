@@ -72,7 +72,7 @@ impl Block {
             Literal::Usize(_) | Literal::Variant(_) => (None, "a type"),
         };
         let fits = |variable: &Variable| Some(variable.kind) == kind && variable.role == role;
-        let found = self.variables.find(name).filter(fits);
+        let found = self.variables.single.get(name).filter(fits);
         if found.is_none() {
             let place = if role == Role::Input { "VAR_INPUT" } else { "VAR_OUTPUT" };
             let (line, column) = self.place;
@@ -87,7 +87,7 @@ impl Instance<'_> {
     /// The value of a variable by its path, as a bus or a visualisation reads it.
     #[must_use]
     pub fn get(&self, path: &str) -> Option<Literal> {
-        let variable = self.block.variables.find(path)?;
+        let variable = self.block.variables.single.get(path)?;
         Some(match &self.slots {
             Memory::Double(slots) => read(slots, variable),
             Memory::Single(slots) => read(slots, variable),
@@ -98,7 +98,7 @@ impl Instance<'_> {
     /// Writes a variable by its path, as a bus or a visualisation does; returns false if there is none of this type.
     #[must_use]
     pub fn set(&mut self, path: &str, value: Literal) -> bool {
-        let Some(variable) = self.block.variables.find(path) else { return false };
+        let Some(variable) = self.block.variables.single.get(path) else { return false };
         let fits = self.get(path).is_some_and(|now| std::mem::discriminant(&now) == std::mem::discriminant(&value));
         let value = if matches!(self.slots, Memory::Mixed(_)) { in_double(value) } else { value };
         match &mut self.slots {

@@ -4,7 +4,7 @@ use super::kind::{Kind, Value};
 use super::machine::Slots;
 use super::op::Base;
 use portable::RealKind;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// The writer of a variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,19 +63,37 @@ pub(crate) struct Array {
     pub(crate) length: u32,
 }
 
+/// What has a name, by the names in lower case.
+#[derive(Clone, Debug)]
+pub(crate) struct Names<T>(BTreeMap<String, T>);
+
+impl<T: Copy> Names<T> {
+    fn new() -> Self {
+        Self(BTreeMap::new())
+    }
+
+    pub(crate) fn get(&self, name: &str) -> Option<T> {
+        self.0.get(&name.to_ascii_lowercase()).copied()
+    }
+
+    pub(crate) fn add(&mut self, name: &str, named: T) {
+        self.0.insert(name.to_ascii_lowercase(), named);
+    }
+}
+
 /// The variables of a block.
 #[derive(Clone, Debug)]
 pub(crate) struct Variables {
     /// the real type
     pub(crate) real: RealKind,
-    /// by their names in lower case
-    by_name: HashMap<String, Variable>,
-    /// instances, by their names in lower case
-    inner: HashMap<String, Inner>,
-    /// structures, by their names in lower case; each part of one is a variable by its path
-    whole: BTreeMap<String, Whole>,
-    /// arrays, by their names in lower case
-    arrays: HashMap<String, Array>,
+    /// those with a slot
+    pub(crate) single: Names<Variable>,
+    /// instances
+    pub(crate) inner: Names<Inner>,
+    /// structures; each part of one is a variable by its path
+    pub(crate) whole: Names<Whole>,
+    /// arrays
+    pub(crate) arrays: Names<Array>,
     /// the slots of the real numbers of the text, apart from start values, in its order
     pub(crate) numbers: Vec<u32>,
     /// start values of the slots
@@ -85,49 +103,14 @@ pub(crate) struct Variables {
 impl Variables {
     /// No variables.
     pub(crate) fn new(real: RealKind) -> Self {
-        let (by_name, inner, whole, arrays) = (HashMap::new(), HashMap::new(), BTreeMap::new(), HashMap::new());
-        Self { real, by_name, inner, whole, arrays, numbers: Vec::new(), slots: Slots::default() }
-    }
-
-    /// A variable by its name.
-    pub(crate) fn find(&self, name: &str) -> Option<Variable> {
-        self.by_name.get(&name.to_ascii_lowercase()).copied()
-    }
-
-    /// An instance by its name.
-    pub(crate) fn inner(&self, name: &str) -> Option<Inner> {
-        self.inner.get(&name.to_ascii_lowercase()).copied()
-    }
-
-    /// A structure by its name.
-    pub(crate) fn whole(&self, name: &str) -> Option<Whole> {
-        self.whole.get(&name.to_ascii_lowercase()).copied()
+        let (single, inner, whole, arrays) = (Names::new(), Names::new(), Names::new(), Names::new());
+        Self { real, single, inner, whole, arrays, numbers: Vec::new(), slots: Slots::default() }
     }
 
     /// The structures that the caller passes, by their names.
     pub(crate) fn shared(&self) -> impl Iterator<Item = (&str, Whole)> {
         let is_shared = |(_, whole): &(&String, &Whole)| whole.role == Role::Shared;
-        self.whole.iter().filter(is_shared).map(|(name, whole)| (name.as_str(), *whole))
-    }
-
-    /// An array by its name.
-    pub(crate) fn array(&self, name: &str) -> Option<Array> {
-        self.arrays.get(&name.to_ascii_lowercase()).copied()
-    }
-
-    /// Adds an array.
-    pub(crate) fn add_array(&mut self, name: &str, array: Array) {
-        self.arrays.insert(name.to_ascii_lowercase(), array);
-    }
-
-    /// Adds a structure.
-    pub(crate) fn add_whole(&mut self, name: &str, whole: Whole) {
-        self.whole.insert(name.to_ascii_lowercase(), whole);
-    }
-
-    /// Adds a variable.
-    pub(crate) fn add(&mut self, name: &str, variable: Variable) {
-        self.by_name.insert(name.to_ascii_lowercase(), variable);
+        self.whole.0.iter().filter(is_shared).map(|(name, whole)| (name.as_str(), *whole))
     }
 
     /// Adds an instance with its own slots, whose start values are those of its block.
@@ -141,7 +124,7 @@ impl Variables {
         slots.reals.extend(&start.reals);
         slots.bools.extend(&start.bools);
         slots.words.extend(&start.words);
-        self.inner.insert(name.to_ascii_lowercase(), Inner { of, base });
+        self.inner.add(name, Inner { of, base });
     }
 
     /// Adds a slot.

@@ -19,21 +19,21 @@ pub(crate) struct Named {
 impl Lowering<'_, '_> {
     /// Whether a node names a structure of the block, which only programs around emitted blocks use as a value.
     pub(crate) fn is_whole(&self, node: Node<'_>) -> bool {
-        self.known.is_program && self.variables.whole(said(node, self.text)).is_some()
+        self.known.is_program && self.variables.whole.get(said(node, self.text)).is_some()
     }
 
     /// The structure that a node names: a variable, or in a program an output of an instance.
     pub(crate) fn named(&self, node: Node<'_>) -> Option<Named> {
         let path = said(node, self.text);
-        if let Some(whole) = self.variables.whole(path) {
+        if let Some(whole) = self.variables.whole.get(path) {
             let of = &self.known.structures[whole.of];
             let part = |variable: Variable| (variable.kind, variable.slot);
             return Some(Named { ty: of.name.clone(), parts: parts(of, self.variables, path, part) });
         }
         let (object, member) = path.split_once('.').filter(|_| self.known.is_program)?;
-        let inner = self.variables.inner(object)?;
+        let inner = self.variables.inner.get(object)?;
         let block = &self.known.blocks[inner.of];
-        let whole = block.variables.whole(member).filter(|whole| whole.role == Role::Output)?;
+        let whole = block.variables.whole.get(member).filter(|whole| whole.role == Role::Output)?;
         let of = &block.structures[whole.of];
         let part = |variable: Variable| (variable.kind, slot_of(inner, variable));
         Some(Named { ty: of.name.clone(), parts: parts(of, &block.variables, member, part) })
@@ -43,7 +43,7 @@ impl Lowering<'_, '_> {
     pub(crate) fn whole_assignment(&mut self, left: Node<'_>, right: Node<'_>) -> Option<()> {
         let name = said(left, self.text);
         let target = self.named(left)?;
-        if self.variables.whole(name)?.role == Role::Input {
+        if self.variables.whole.get(name)?.role == Role::Input {
             self.say(left, format!("the input `{name}` left of `:=`"), "a variable of its own");
             return None;
         }
@@ -58,7 +58,7 @@ impl Lowering<'_, '_> {
     /// Lowers an assignment of an array to another one of the same type and length, element by element.
     pub(crate) fn array_assignment(&mut self, target: Array, right: Node<'_>) -> Option<()> {
         let is_same = |value: &Array| (value.first.kind, value.length) == (target.first.kind, target.length);
-        let Some(value) = self.variables.array(said(right, self.text)).filter(is_same) else {
+        let Some(value) = self.variables.arrays.get(said(right, self.text)).filter(is_same) else {
             let (last, kind) = (target.length - 1, self.name(target.first.kind));
             self.say(right, shown(right, self.text), format!("an `ARRAY[0..{last}] OF {kind}`"));
             return None;
@@ -85,5 +85,5 @@ pub(crate) fn parts(
     path: &str,
     part: impl Fn(Variable) -> (Kind, u32),
 ) -> Vec<(Kind, u32)> {
-    of.parts.iter().filter_map(|of| variables.find(&format!("{path}.{}", of.path)).map(&part)).collect()
+    of.parts.iter().filter_map(|of| variables.single.get(&format!("{path}.{}", of.path)).map(&part)).collect()
 }

@@ -20,7 +20,7 @@ use crate::signal::{
     error_v_interpolator, error_x_command, sample_limit,
 };
 use crate::{call_rate, feedforward, ipc, position_control};
-use portable::{Block, Enable, Fn, Off, Real, copy, in_range, note, portable, within};
+use portable::{Block, Enable, Off, Real, copy, in_range, note, portable, within};
 use position_control::Location;
 
 /// Where the additive velocity comes from.
@@ -386,24 +386,11 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct Axis;
 
 impl<R: Real> Block<R> for Axis {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "axis";
     const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
-    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs {
@@ -421,13 +408,5 @@ impl<R: Real> Block<R> for Axis {
         (inputs.tuning_weight, inputs.tuning_limit) = ([R::ONE; ipc::STAGES], R::ONE);
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

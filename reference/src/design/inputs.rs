@@ -72,17 +72,12 @@ pub fn highest_f0(cycle_time_ns: u32) -> f64 {
     if f0 > LARGEST_F0 { LARGEST_F0 } else { f0 }
 }
 
-/// largest quality factor
-#[portable]
-pub fn largest_quality<R: Real>() -> R {
-    R::lit(10.0)
-}
-
-/// smallest weight and smallest damping ratio: 2^-50, far below any that acts; single precision and the check word of a set then
-/// cover all digits of the numbers
-#[portable]
-pub fn smallest_ratio<R: Real>() -> R {
-    R::lit(8.881_784_197_001_252e-16)
+constants! {
+    /// largest quality factor
+    pub fn largest_quality<R: Real>() -> R { R::lit(10.0) }
+    /// smallest weight and smallest damping ratio: 2^-50, far below any that acts; single precision and the check word of a
+    /// set then cover all digits of the numbers
+    pub fn smallest_ratio<R: Real>() -> R { R::lit(8.881_784_197_001_252e-16) }
 }
 
 /// Which input of a filter is outside its range. The range of f0 is from `lowest` to `highest` [Hz].

@@ -54,16 +54,11 @@ pub fn norm<R: Real>(structure: &Coeffs<R>, inputs: &Inputs<R>) -> R {
     norm
 }
 
-/// largest norm of a band-pass
-#[portable]
-pub fn bandpass_norm<R: Real>() -> R {
-    R::lit(4.0)
-}
-
-/// largest norm of an all-pass
-#[portable]
-pub fn allpass_norm<R: Real>() -> R {
-    R::lit(4.5)
+constants! {
+    /// largest norm of a band-pass
+    pub fn bandpass_norm<R: Real>() -> R { R::lit(4.0) }
+    /// largest norm of an all-pass
+    pub fn allpass_norm<R: Real>() -> R { R::lit(4.5) }
 }
 
 /// The largest norm of the simulated oscillation.

@@ -5,7 +5,7 @@
 
 use crate::filter::MAX_ORDER;
 use crate::{allpass, bandpass, oscillation};
-use portable::{Real, portable};
+use portable::{Real, copy, portable};
 
 /// A section before the transform s = (1 - z^-1) / (1 + z^-1).
 #[portable]
@@ -59,13 +59,10 @@ pub fn bandpass_numbers<R: Real>(coeffs: &mut bandpass::Coeffs<R>, shape: &Shape
     let mut of = Denominator::<R>::default();
     denominator(&mut of, shape);
     coeffs.b2 = -(shape.c * shape.k * shape.g / of.d);
-    coeffs.a1 = of.a1;
-    coeffs.a2 = of.a2;
+    copy!(coeffs = of: a1, a2);
     let mut part = Trapezoidal::<R>::default();
     trapezoidal(&mut part, shape);
-    coeffs.a = part.a;
-    coeffs.b = part.b;
-    coeffs.c = part.c;
+    copy!(coeffs = part: a, b, c);
 }
 
 /// An all-pass, with the signs of `y = a2 x + s1; s1 = a1 x - a1 y; s2 = x - a2 y`: a1 and a2 are those of the band-pass of
@@ -74,14 +71,11 @@ pub fn bandpass_numbers<R: Real>(coeffs: &mut bandpass::Coeffs<R>, shape: &Shape
 pub fn allpass_numbers<R: Real>(coeffs: &mut allpass::Coeffs<R>, shape: &Shape<R>) {
     let mut of = Denominator::<R>::default();
     denominator(&mut of, shape);
-    coeffs.a1 = of.a1;
-    coeffs.a2 = of.a2;
+    copy!(coeffs = of: a1, a2);
     coeffs.preset = R::ONE - of.a2;
     let mut part = Trapezoidal::<R>::default();
     trapezoidal(&mut part, shape);
-    coeffs.a = part.a;
-    coeffs.b = part.b;
-    coeffs.c = part.c;
+    copy!(coeffs = part: a, b, c);
 }
 
 /// The simulated oscillation (k g s + g^2) / (s^2 + k g s + g^2), with the signs of
@@ -100,8 +94,7 @@ pub fn oscillation_numbers<R: Real>(coeffs: &mut oscillation::Coeffs<R>, shape: 
     coeffs.b0 = b0;
     coeffs.b1 = R::lit(2.0) * g * g / of.d;
     coeffs.b2 = b2;
-    coeffs.a1 = of.a1;
-    coeffs.a2 = of.a2;
+    copy!(coeffs = of: a1, a2);
     coeffs.preset_s1 = R::ONE - b0;
     coeffs.preset_s2 = b2 - of.a2;
     coeffs.h = R::ONE / of.d;

@@ -19,7 +19,7 @@ use crate::signal::{error_a_interpolator, error_call_rate, error_cycle_time, err
 use crate::signal::{error_state, error_v_interpolator, sample_limit};
 use crate::sum::empty_sum;
 use crate::{call_rate, delay, process_data};
-use portable::{Block, Enable, Fn, Off, Real, from_i32, in_range, portable};
+use portable::{Block, Enable, Off, Real, from_i32, in_range, portable};
 
 /// The quantities of a sum.
 #[portable]
@@ -312,23 +312,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct Feedforward;
 
 impl<R: Real> Block<R> for Feedforward {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "feedforward";
     const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
-    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { feedforward_percentage: 100, position_controlled: true, ..Inputs::default() }
@@ -337,13 +324,5 @@ impl<R: Real> Block<R> for Feedforward {
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.feedforward_active = true;
         inputs.feedforward_percentage = 87;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

@@ -31,7 +31,7 @@ use crate::signal::{
 use crate::signal::{error_tuning, error_v_command, error_v_direct, error_v_motor, sample_limit};
 use crate::stage;
 use crate::sum::empty_sum;
-use portable::{Block, Enable, Fn, Off, Real, from_u32, in_range, note, portable, within};
+use portable::{Block, Enable, Off, Real, from_u32, in_range, note, portable, within};
 use tuning::are_followed;
 
 /// Coefficients.
@@ -490,27 +490,14 @@ pub fn tell_trip<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, outputs: &mut Ou
 pub struct Ipc;
 
 impl<R: Real> Block<R> for Ipc {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "ipc";
     const ENABLE: Option<Enable> = Some(Enable { input: "mode", off: Off::Mode(&mode_off::Ir::<R>::IR, "preset") });
     const FRACTIONS: &'static [&'static str] = tuning::INPUTS;
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
 
     fn is_usual_first(coeffs: &Coeffs<R>) -> bool {
         coeffs.tuning.active
-    }
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
@@ -526,13 +513,5 @@ impl<R: Real> Block<R> for Ipc {
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = mode_on();
         (inputs.tuning_weight, inputs.tuning_limit) = ([R::ONE; STAGES], R::ONE);
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

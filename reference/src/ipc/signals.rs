@@ -57,20 +57,11 @@ pub struct Outputs<R> {
     pub error_id: u32,
 }
 
-/// mode: the block is off
-#[portable]
-pub fn mode_off() -> i32 {
-    0i32
-}
-
-/// mode: the block acts
-#[portable]
-pub fn mode_on() -> i32 {
-    1i32
-}
-
-/// mode: the block calculates and does not act
-#[portable]
-pub fn mode_dryrun() -> i32 {
-    2i32
+constants! {
+    /// mode: the block is off
+    pub fn mode_off() -> i32 { 0i32 }
+    /// mode: the block acts
+    pub fn mode_on() -> i32 { 1i32 }
+    /// mode: the block calculates and does not act
+    pub fn mode_dryrun() -> i32 { 2i32 }
 }

@@ -62,22 +62,13 @@ pub fn quiet<R: Real>(limit: R) -> R {
     limit / R::lit(50.0)
 }
 
-/// a block counts as growing above this multiple of the previous block's span
-#[portable]
-pub fn growth<R: Real>() -> R {
-    R::lit(1.1)
-}
-
-/// a block counts as decaying up to this fraction of the previous block's span
-#[portable]
-pub fn decay<R: Real>() -> R {
-    R::lit(0.9)
-}
-
-/// upper bound of the score: no loop grows for this number of blocks
-#[portable]
-pub fn largest_score() -> u32 {
-    1_000_000u32
+constants! {
+    /// a block counts as growing above this multiple of the previous block's span
+    pub fn growth<R: Real>() -> R { R::lit(1.1) }
+    /// a block counts as decaying up to this fraction of the previous block's span
+    pub fn decay<R: Real>() -> R { R::lit(0.9) }
+    /// upper bound of the score: no loop grows for this number of blocks
+    pub fn largest_score() -> u32 { 1_000_000u32 }
 }
 
 /// Restarts the count of blocks.

@@ -25,7 +25,7 @@ use crate::signal::{
 use crate::signal::{error_state, error_x_actual, error_x_command, sample_limit};
 use crate::sum::empty_sum;
 use crate::{call_rate, delay, process_data};
-use portable::{Block, Enable, Fn, Off, Real, in_range, note, portable};
+use portable::{Block, Enable, Off, Real, in_range, note, portable};
 
 /// Where the position is controlled.
 #[portable]
@@ -317,23 +317,10 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct PositionControl;
 
 impl<R: Real> Block<R> for PositionControl {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "position_control";
     const ENABLE: Option<Enable> = Some(Enable { input: "position_controlled", off: Off::False });
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
-    }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
         Inputs { position_controlled: true, ..Inputs::default() }
@@ -341,13 +328,5 @@ impl<R: Real> Block<R> for PositionControl {
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.torque_feedforward = 321;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

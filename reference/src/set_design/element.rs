@@ -8,7 +8,7 @@ use crate::design::poles::{has_pair, real_poles, real_sigma};
 use crate::filter::{MAX_ORDER, Type};
 use crate::ipc::STAGES;
 use crate::stage::{self, FILTERS, Mode};
-use portable::{Real, portable};
+use portable::{Real, copy, portable};
 
 /// An element: its place, its inputs as they were read, and its structure.
 #[portable]
@@ -62,8 +62,7 @@ pub fn is_last<R: Real>(structure: &stage::Coeffs<R>, k: usize) -> bool {
 #[portable]
 pub fn read<R: Real>(of: &mut Element<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, i: usize, k: usize) {
     let prototype = coeffs.prototype[i].filter[k];
-    of.f0 = inputs.stage[i].filter[k].f0;
-    of.q_factor = inputs.stage[i].filter[k].q_factor;
+    copy!(of = inputs.stage[i].filter[k]: f0, q_factor);
     of.weight = inputs.stage[i].weight;
     of.is_simulated = coeffs.set.ipc.stage[i].mode != Mode::Direct;
     if coeffs.set.ipc.stage[i].mode != Mode::Direct {

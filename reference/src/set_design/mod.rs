@@ -32,7 +32,7 @@ pub use state::{Piece, State};
 use crate::design::inputs::Wrong;
 use crate::ipc::numbers::{self, Params};
 use crate::signal::{error_damping, error_f0, error_limit, error_low_f0, error_none, error_q_factor, error_weight};
-use portable::{Block, Enable, Fn, Off, Real, note, portable};
+use portable::{Block, Enable, Off, Real, note, portable};
 
 /// Before the first call.
 #[portable]
@@ -139,25 +139,12 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct SetDesign;
 
 impl<R: Real> Block<R> for SetDesign {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "set_design";
     const ENABLE: Option<Enable> = Some(Enable { input: "execute", off: Off::Execute("works") });
     const MADE: Option<&'static str> = Some("params");
     const TYPED: bool = true;
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
-    }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
         Inputs { execute: false, limit: coeffs.set.ipc.limit, stage: coeffs.generated }
@@ -165,13 +152,5 @@ impl<R: Real> Block<R> for SetDesign {
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.execute = true;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

@@ -37,7 +37,7 @@ use calls::look_at_calls;
 use change::resynchronise;
 use jobs::WAITING;
 use motion::{advance, slow_down};
-use portable::{Block, Brake, Enable, Fn, Off, Real, in_range, note, portable};
+use portable::{Block, Brake, Enable, Off, Real, in_range, note, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
 use start::{follow, hold_back, release, seize};
@@ -278,26 +278,13 @@ pub const ENABLE: Enable = Enable {
 pub struct Spindle;
 
 impl<R: Real> Block<R> for Spindle {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "spindle";
     const ENABLE: Option<Enable> = Some(ENABLE);
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true
-    }
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
     }
 
     fn inputs(_: &Coeffs<R>) -> Inputs<R> {
@@ -307,13 +294,5 @@ impl<R: Real> Block<R> for Spindle {
     fn exercise(inputs: &mut Inputs<R>, coeffs: &Coeffs<R>) {
         inputs.drive_on = true;
         inputs.operation_mode_display = coeffs.position_mode;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

@@ -131,22 +131,13 @@ pub struct State<R> {
     pub call_rate: call_rate::State,
 }
 
-/// no usual cycle (fast path) is next
-#[portable]
-pub fn usual_none() -> u32 {
-    0u32
-}
-
-/// the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit is detected
-#[portable]
-pub fn usual_position() -> u32 {
-    0x5555u32
-}
-
-/// the usual cycle (fast path) of VELOCITY may be next
-#[portable]
-pub fn usual_velocity() -> u32 {
-    0xAAAAu32
+constants! {
+    /// no usual cycle (fast path) is next
+    pub fn usual_none() -> u32 { 0u32 }
+    /// the usual cycle (fast path) of POSITION may be next; the codes differ in several bits, so that a flipped bit is detected
+    pub fn usual_position() -> u32 { 0x5555u32 }
+    /// the usual cycle (fast path) of VELOCITY may be next
+    pub fn usual_velocity() -> u32 { 0xAAAAu32 }
 }
 
 /// The actual velocity of a spindle that the block does not move yet.

@@ -19,7 +19,7 @@ use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, process_data, spindle};
-use portable::{Block, Enable, Fn, Real, copy, note, portable, within};
+use portable::{Block, Enable, Real, copy, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -251,27 +251,14 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct SpindleAxis;
 
 impl<R: Real> Block<R> for SpindleAxis {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = "spindle_axis";
     const ENABLE: Option<Enable> = Some(spindle::ENABLE);
     const FRACTIONS: &'static [&'static str] = ipc::tuning::INPUTS;
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true
-    }
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
@@ -291,13 +278,5 @@ impl<R: Real> Block<R> for SpindleAxis {
         inputs.feedforward_percentage = 87;
         inputs.drive_on = true;
         inputs.operation_mode_display = coeffs.spindle.position_mode;
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

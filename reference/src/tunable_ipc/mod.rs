@@ -28,7 +28,7 @@ use crate::ipc;
 use crate::ipc::numbers::{self, Numbers, Params};
 use crate::signal::{error_none, error_set_damaged, error_set_structure};
 use crate::turn::Picked;
-use portable::{Block, Enable, Fn, Off, Real, copy, in_range, note, portable, with_numbers};
+use portable::{Block, Enable, Off, Real, copy, in_range, note, portable, with_numbers};
 
 /// Coefficients.
 #[portable]
@@ -342,28 +342,15 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
 pub struct TunableIpc;
 
 impl<R: Real> Block<R> for TunableIpc {
-    type Coeffs = Coeffs<R>;
-    type State = State<R>;
-    type Inputs = Inputs<R>;
-    type Outputs = Outputs<R>;
+    types_init_and_step!(R, State<R>);
 
     const NAME: &'static str = <ipc::Ipc as Block<R>>::NAME;
     const ENABLE: Option<Enable> =
         Some(Enable { input: "mode", off: Off::Mode(&ipc::mode_off::Ir::<R>::IR, "ipc.preset") });
     const SET: Option<&'static str> = Some("params");
-    const INIT: Fn = init::Ir::<R>::IR;
-    const STEP: Fn = step::Ir::<R>::IR;
 
     fn is_usual_first(_: &Coeffs<R>) -> bool {
         true
-    }
-
-    fn memory() -> State<R> {
-        State::default()
-    }
-
-    fn init(state: &mut State<R>) {
-        init(state);
     }
 
     fn inputs(coeffs: &Coeffs<R>) -> Inputs<R> {
@@ -372,13 +359,5 @@ impl<R: Real> Block<R> for TunableIpc {
 
     fn exercise(inputs: &mut Inputs<R>, _: &Coeffs<R>) {
         inputs.mode = ipc::mode_on();
-    }
-
-    fn outputs() -> Outputs<R> {
-        Outputs::default()
-    }
-
-    fn step(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>, outputs: &mut Outputs<R>) {
-        step(state, coeffs, inputs, outputs);
     }
 }

@@ -241,9 +241,9 @@ fn every_number_is_explained() {
     }
     let reference = include_str!("../../../../reference/src/signal.rs");
     let ids = reference.split("/// error_id: ").skip(1).map(|rest| {
-        let (why, rest) = rest.split_once("\n#[portable]").unwrap();
-        let why = why.replace("\n/// ", " ");
-        let id = rest.split_once("{\n").unwrap().1.split_once("u32").unwrap().0.trim();
+        let (why, rest) = rest.split_once("\n    pub fn").unwrap();
+        let why = why.replace("\n    /// ", " ");
+        let id = rest.split_once('{').unwrap().1.split_once("u32").unwrap().0.trim();
         (id.replace('_', ""), why)
     });
     let mut count = 0;

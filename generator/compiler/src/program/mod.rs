@@ -128,14 +128,19 @@ pub enum Origin {
 
 /// The name of the number of a variant: its enumeration's, then its own.
 pub fn variant_name(variant: Variant) -> String {
-    let mut name = String::new();
-    for letter in variant.of.name.chars().chain(variant.def().name.chars()) {
-        if letter.is_ascii_uppercase() && !name.is_empty() {
-            name.push('_');
+    snake_case(variant.of.name.chars().chain(variant.def().name.chars()))
+}
+
+/// `SpindleState` as `spindle_state`.
+pub fn snake_case(name: impl Iterator<Item = char>) -> String {
+    let mut words = String::new();
+    for letter in name {
+        if letter.is_ascii_uppercase() && !words.is_empty() {
+            words.push('_');
         }
-        name.push(letter.to_ascii_lowercase());
+        words.push(letter.to_ascii_lowercase());
     }
-    name
+    words
 }
 
 /// Appends a number to a text, without the cost of a format.

@@ -117,10 +117,7 @@ fn product(a: Interval, b: Interval, kind: RealKind) -> Interval {
     let nan = a.has_zero() && b.has_infinity() || a.has_infinity() && b.has_zero();
     // An infinite bound also represents large numbers: their product with 0 is 0.
     let of = |x: f64, y: f64| if x == 0.0 || y == 0.0 { 0.0 } else { rounded(Binary::Multiply, x, y, kind) };
-    let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
-    let (low, high) =
-        all.iter().fold((all[0], all[0]), |(low, high), value| (low.smaller(*value), high.larger(*value)));
-    Interval { low, high, nan }
+    Interval { nan, ..of_corners(a, b, of) }
 }
 
 fn quotient(a: Interval, b: Interval, kind: RealKind) -> Interval {
@@ -128,11 +125,15 @@ fn quotient(a: Interval, b: Interval, kind: RealKind) -> Interval {
     if b.has_zero() || a.has_infinity() && b.has_infinity() {
         return Interval { nan, ..Interval::ANY };
     }
-    let of = |x, y| rounded(Binary::Divide, x, y, kind);
+    Interval { nan, ..of_corners(a, b, |x, y| rounded(Binary::Divide, x, y, kind)) }
+}
+
+/// The numbers between the results of an operation on the bounds.
+fn of_corners(a: Interval, b: Interval, of: impl Fn(f64, f64) -> f64) -> Interval {
     let all = [of(a.low, b.low), of(a.low, b.high), of(a.high, b.low), of(a.high, b.high)];
     let (low, high) =
         all.iter().fold((all[0], all[0]), |(low, high), value| (low.smaller(*value), high.larger(*value)));
-    Interval { low, high, nan }
+    Interval { low, high, nan: false }
 }
 
 /// An operation on two numbers, rounded as the block rounds it.

@@ -2,11 +2,9 @@
 
 use super::effects::{Effect, Effects, of_part};
 use super::ipc::notes::{self as ipc_notes, cycle_time, note};
-use super::{BlockKind, Certified, Design, Figure, Summary, feedforward, ipc, position_control, spindle};
+use super::{BlockKind, Design, Figure, Summary, feedforward, ipc, position_control, spindle};
 use crate::axis::Location;
 use crate::{blocks::designed::Designed, number::digits};
-use compiler::pass::Defect;
-use compiler::program::Program;
 use portable::Extreme;
 use reference::axis::{Addition, Axis, Coeffs};
 use reference::call_rate;
@@ -100,11 +98,6 @@ impl BlockKind for Axis {
 
     fn limit(&self, designed: &Designed) -> Option<Figure> {
         ipc::limit(designed)
-    }
-
-    /// The limit of its v_add.
-    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }
 

@@ -5,12 +5,10 @@ mod design;
 mod notes;
 
 use super::effects::{Effect, Effects, of_part};
-use super::{BlockKind, Certified, Design, Drill, Figure, Summary};
+use super::{BlockKind, Design, Drill, Figure, Summary};
 use crate::axis::Axis;
 use crate::blocks::designed::Designed;
 use crate::design::rounding::literal;
-use compiler::pass::Defect;
-use compiler::program::Program;
 use portable::Literal;
 use reference::excitation::{Coeffs, Excitation};
 
@@ -80,10 +78,6 @@ impl BlockKind for Excitation {
         let value = literal(amplitude(designed), designed.axis.real);
         let doc = format!("largest |v_excite| [{}]", designed.axis.control.velocity_unit());
         Some(Figure { name: "V_EXCITE_LIMIT", doc, value })
-    }
-
-    fn certificate(&self, designed: &Designed, _: &Program) -> Result<Certified, Defect> {
-        Ok(Certified { figures: self.limit(designed).into_iter().collect(), ..Certified::default() })
     }
 }
 

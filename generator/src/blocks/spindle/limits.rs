@@ -31,19 +31,25 @@ pub(crate) fn half_a_revolution_at_most(e: &mut Effective<'_>, cycle_ns: u32, la
     if f64::from(velocity) * cycle < HALF_A_REVOLUTION * 1e9 {
         return;
     }
-    let end = HALF_A_REVOLUTION * 1e9 / cycle;
     let found = format!(
         "in position control the spindle turns with up to {} rpm: {} is {velocity}",
         rpm(f64::from(velocity)),
         e.title(largest)
     );
-    let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_of(largest), found).allowed(format!(
+    let said = Diagnostic::error(codes::HALF_A_REVOLUTION, e.place_of(largest), found)
+        .allowed(below_half_a_revolution(cycle_ns));
+    e.report.push(said.instead("a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000"));
+}
+
+/// The velocities that [`codes::HALF_A_REVOLUTION`] allows.
+fn below_half_a_revolution(cycle_ns: u32) -> String {
+    let end = HALF_A_REVOLUTION * 1e9 / f64::from(cycle_ns);
+    format!(
         "less than half a revolution in a cycle: below {} rpm, {} [0.001 deg/s], at a cycle time of {}",
         rpm(end),
         rounded(end),
         time_text(u64::from(cycle_ns))
-    ));
-    e.report.push(said.instead("a lower vb_max, a shorter cycle, or v_velocity_control_on: 200 rpm are 1200000"));
+    )
 }
 
 /// A drive that controls the position must turn by less than half a revolution per cycle.
@@ -51,13 +57,7 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
     let cycle = f64::from(cycle_ns);
     // In nanoseconds, where 15000 rpm and 2 ms make exactly half a revolution.
     let is_beyond = |velocity: f64| velocity * cycle >= HALF_A_REVOLUTION * 1e9;
-    let end = HALF_A_REVOLUTION * 1e9 / cycle;
-    let allowed = format!(
-        "less than half a revolution in a cycle: below {} rpm, {} [0.001 deg/s], at a cycle time of {}",
-        rpm(end),
-        rounded(end),
-        time_text(u64::from(cycle_ns))
-    );
+    let allowed = below_half_a_revolution(cycle_ns);
     let window = window(of.off.value, least_window);
     let taken_up = f64::from(of.off.value) + window;
     if is_beyond(taken_up) {

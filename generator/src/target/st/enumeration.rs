@@ -1,7 +1,7 @@
 //! Numbers of signals under their names, for callers: enumerations in TwinCAT and CODESYS, data blocks in SCL. The signals
 //! themselves are DINTs.
 
-use compiler::program::variant_name;
+use compiler::program::{snake_case, variant_name};
 use portable::{Portable, Ty};
 use reference::ipc;
 use reference::spindle::{Job, SpindleState};
@@ -57,17 +57,5 @@ fn of<E: Portable>(note: &'static str) -> Enumeration {
         let number = i32::try_from(index).unwrap_or(i32::MAX);
         values.push(Value { name, number, doc: variant.doc });
     }
-    Enumeration { signal: snake_case(def.name), note, values }
-}
-
-/// `SpindleState` as `spindle_state`.
-fn snake_case(name: &str) -> String {
-    let mut words = String::new();
-    for letter in name.chars() {
-        if letter.is_ascii_uppercase() && !words.is_empty() {
-            words.push('_');
-        }
-        words.push(letter.to_ascii_lowercase());
-    }
-    words
+    Enumeration { signal: snake_case(def.name.chars()), note, values }
 }

@@ -4,6 +4,7 @@
 //! are powers of two, so that dividing by them rounds nothing.
 
 use crate::design::rounding::literal;
+use compiler::arithmetic::wide;
 use compiler::interp::Machine;
 use compiler::program::{Program, Variable};
 use portable::Extreme;
@@ -115,10 +116,7 @@ impl<'p> Probe<'p> {
     }
 }
 
+/// A real; 0 for any other value.
 fn number(value: Literal) -> f64 {
-    match value {
-        Literal::F64(value) => value,
-        Literal::F32(value) => f64::from(value),
-        Literal::Bool(_) | Literal::I32(_) | Literal::U32(_) | Literal::Usize(_) | Literal::Variant(_) => 0.0,
-    }
+    wide(value).unwrap_or(0.0)
 }
