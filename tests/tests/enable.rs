@@ -101,7 +101,7 @@ fn vibrate(run: &mut Run<'_>, cycle: i32) {
 
 #[test]
 fn valid_and_busy_fall_with_the_last_value_to_add() {
-    let excited = read(&format!("{IPC}excitation = {{ amplitude = 5000, periods = 8 }}\n"));
+    let excited = read(&IPC.replace("tunable = 'weights'", "excitation = { amplitude = 5000, periods = 8 }"));
     for (designed, name, output) in [(&read(IPC), "ipc", "v_add"), (&excited, "excitation", "v_excite")] {
         in_each(designed, name, &mut |run| {
             let (mut faded, mut after) = (0, 0);
