@@ -54,6 +54,8 @@ typedef struct {
     bool preset;
     uint32_t fade; /* above 0 only while preset */
     hand_section bp0;
+    double lag; /* of the last cycle with a closed loop */
+    double v_held; /* the last command without v_add: goes on while a sample is missing */
 } axis_hand_c_spindle_axis_state;
 
 void axis_hand_c_spindle_axis_init(axis_hand_c_spindle_axis_state *state);

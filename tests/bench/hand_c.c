@@ -51,6 +51,8 @@ void axis_hand_c_spindle_axis_init(axis_state *state)
     init_spindle(&state->spindle);
     state->preset = false;
     state->fade = 0u;
+    state->lag = 0.0;
+    state->v_held = 0.0;
 }
 
 void axis_hand_c_spindle_axis_inputs_init(axis_inputs *inputs)
@@ -73,16 +75,28 @@ OFTEN double run_stage(axis_state *restrict state, double v_motor, bool *limited
     return fabs(v) <= rest ? 0.0 : v;
 }
 
-/* The output of the position controller: the lag goes the shortest way. */
-OFTEN double control(double x, double x_actual, double v_feedforward, bool *gives_up)
+/* The lag as an angle, on the side of the one before. */
+OFTEN double continued(double lag, double before)
+{
+    const double angle = fabs(lag) <= 180000.0 ? lag : shortest(lag);
+    if (!(fabs(before) <= 170000.0) || fabs(angle - before) <= 180000.0) {
+        return angle;
+    }
+    return angle < before ? angle + 360000.0 : angle - 360000.0;
+}
+
+/* The output of the position controller. A lag up to 60 deg is what it looks like. */
+OFTEN double control(axis_state *restrict state, double x, double x_actual, double v_feedforward, bool *gives_up)
 {
     double lag = x - x_actual;
     *gives_up = false;
-    if (!(fabs(lag) <= 170000.0)) {
-        lag = shortest(lag);
+    if (!(fabs(lag) <= 60000.0)) {
+        lag = continued(lag, state->lag);
         *gives_up = !(fabs(lag) <= 170000.0);
     }
-    return kv * (x - (x - lag)) + v_feedforward;
+    state->lag = lag;
+    state->v_held = kv * (x - (x - lag)) + v_feedforward;
+    return state->v_held;
 }
 
 /* The lag is near half a turn: the next cycle brakes, from what the drive gets if that is slower. */
@@ -152,11 +166,12 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
     double v_feedforward = 0.0;
     double v_add = 0.0;
     bool limited = false;
-    const bool follows = spindle->lasting_error == 0u && spindle->missing == 0u && inputs->drive_on
+    const bool in_loop = spindle->lasting_error == 0u && inputs->drive_on
         && (cycle.control == POSITION || cycle.control == TO_VELOCITY);
+    const bool follows = in_loop && spindle->missing == 0u;
     if (follows) {
         v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * spindle->v;
-        v_command = control(spindle->x, inputs->x_actual, v_feedforward, &gives_up);
+        v_command = control(state, spindle->x, inputs->x_actual, v_feedforward, &gives_up);
         const bool improves = cycle.loop_closed && !inputs->reset;
         const uint32_t error_id = improve(state, inputs, outputs, improves, &v_add, &limited);
         if (error_id != 0u) {
@@ -166,6 +181,12 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
         state->preset = false;
         state->fade = 0u;
         outputs->v_add_calculated = 0.0;
+        if (in_loop) {
+            v_command = state->v_held;
+        } else if (cycle.control == BRAKE || cycle.control == TO_POSITION) {
+            state->lag = 0.0;
+            state->v_held = v_command;
+        }
     }
     outputs->x_spindle = spindle->x;
     outputs->v_spindle = spindle->v;
@@ -240,7 +261,7 @@ OFTEN void run_in_position(
     const double x = wrap(inputs->x_command);
     const double v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * v;
     bool gives_up;
-    const double v_command = control(x, inputs->x_actual, v_feedforward, &gives_up);
+    const double v_command = control(state, x, inputs->x_actual, v_feedforward, &gives_up);
     bool limited;
     const double v_add = run_stage(state, inputs->v_motor, &limited);
     outputs->v_command = v_command;

@@ -198,10 +198,10 @@ table! {
         kind: above_0(1e12), unit: "0.001 deg/s^2", default: &["6000000"])
     /// spindle: how close the actual velocity must be to that of position control; at least 1 % of P-AXIS-00768, by default two steps of the encoder too
     SpindleWindow: AXIS_KEY("spindle.window", kind: above_0(2e9), unit: "0.001 deg/s", default: &["6000"])
-    /// spindle: largest step of the position command when the interpolator takes over
+    /// spindle: largest step of the position command when the interpolator takes over; by default at least 8 spindle.deceleration T^2
     SpindleTakeoverWindow: AXIS_KEY("spindle.takeover_window",
         kind: above_0(180_000.0), unit: "0.001 deg", default: &["1000"])
-    /// spindle: time in which the drive displays the new operation mode
+    /// spindle: time in which the drive displays the new operation mode; by default at least 10 cycles more than P-AXIS-00191
     SpindleModeTimeout: AXIS_KEY("spindle.mode_timeout",
         kind: Kind::Duration { from: 1, to: 1_000_000_000_000 }, unit: "ns", default: &["0.1s"])
     /// spindle: time in which it has braked; 0: twice the ramp from P-AXIS-00212 to P-AXIS-00768, and 0.5 s

@@ -14,12 +14,12 @@ mod signals;
 
 pub use signals::{Inputs, Outputs};
 
-use crate::angle::shortest;
+use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
-use crate::signal::{error_lag, error_none, error_unstable};
+use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, process_data, spindle};
-use portable::{Block, Enable, Real, copy, note, portable, within};
+use portable::{Block, Enable, Real, copy, in_range, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -39,6 +39,11 @@ pub struct State<R> {
     pub spindle: spindle::State<R>,
     /// feedforward, position control, improved position control
     pub axis: axis::State<R>,
+    /// position control in the CNC: the position lag of the last cycle with a closed loop, 0 after an open one [0.001 deg]
+    pub lag_before: R,
+    /// position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is missing
+    /// [0.001 deg/s]
+    pub v_held: R,
 }
 
 /// Before the first cycle.
@@ -46,6 +51,8 @@ pub struct State<R> {
 pub fn init<R: Real>(state: &mut State<R>) {
     spindle::init(&mut state.spindle);
     axis::init(&mut state.axis);
+    state.lag_before = R::ZERO;
+    state.v_held = R::ZERO;
 }
 
 /// Copies the inputs of the changeover.
@@ -69,6 +76,36 @@ pub fn follows_position<R: Real>(coeffs: &Coeffs<R>, control: SpindleState) -> b
 #[portable]
 pub fn lag_limit<R: Real>() -> R {
     R::lit(170_000.0)
+}
+
+/// Up to this lag the difference of the positions is the lag, whatever the previous one was: from `lag_limit` it would take
+/// more than 130 deg in a cycle to be here the other way round [0.001 deg]
+#[portable]
+pub fn certain_lag<R: Real>() -> R {
+    R::lit(60_000.0)
+}
+
+/// half a turn [0.001 deg]
+#[portable]
+pub fn half_turn<R: Real>() -> R {
+    R::lit(180_000.0)
+}
+
+/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back.
+#[portable]
+pub fn continued<R: Real>(difference: R, lag_before: R) -> R {
+    let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };
+    if in_range(lag_before, lag_limit()) {
+        let lag_step = lag - lag_before;
+        if lag_step > half_turn() {
+            lag = lag - full_turn();
+        } else if lag_step < -half_turn::<R>() {
+            lag = lag + full_turn();
+        }
+    } else {
+        note("reached only if the block's memory was corrupted");
+    }
+    lag
 }
 
 /// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes from the velocity of
@@ -96,12 +133,12 @@ pub fn act<R: Real>(
     axis_inputs.x_command = spindle_outputs.x_spindle;
     let mut gives_up = false;
     if coeffs.axis.position_control.location == Location::Cnc {
-        // On the same turn: the lag goes the shortest way.
         let mut lag = spindle_outputs.x_spindle - inputs.x_actual;
-        if !within(lag, lag_limit()) {
-            lag = shortest(lag);
+        if !within(lag, certain_lag()) {
+            lag = continued(lag, state.lag_before);
             gives_up = !within(lag, lag_limit());
         }
+        state.lag_before = lag;
         axis_inputs.following_error = lag;
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
     }
@@ -146,22 +183,23 @@ pub fn tell_trip<R: Real>(coeffs: &Coeffs<R>, axis_outputs: &axis::Outputs<R>, o
     }
 }
 
-/// The drive gets only the velocity.
+/// The drive gets only a velocity: that of the spindle, or while a sample is missing the last one.
 #[portable]
 pub fn open<R: Real>(
     state: &mut State<R>,
     coeffs: &Coeffs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
+    v_open: R,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
     axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
     if coeffs.axis.position_control.location == Location::Cnc {
-        axis_outputs.v_command = spindle_outputs.v_spindle;
+        axis_outputs.v_command = v_open;
         let mut open_datum = process_data::Datum::default();
-        let open_increments = coeffs.axis.position_control.manipulated_scale * spindle_outputs.v_spindle;
+        let open_increments = coeffs.axis.position_control.manipulated_scale * v_open;
         process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
         axis_outputs.manipulated_variable = open_datum.value;
         axis_outputs.limited = open_datum.limited;
@@ -183,6 +221,9 @@ pub fn close<R: Real>(
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
     let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs);
+    if coeffs.axis.position_control.location == Location::Cnc {
+        state.v_held = axis_outputs.v_command;
+    }
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     let mut error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     if gives_up {
@@ -198,6 +239,33 @@ pub fn close<R: Real>(
     tell_trip(coeffs, &axis_outputs, outputs);
 }
 
+/// The velocity for the drive in a cycle with an open loop. A position loop that misses a sample continues with its last
+/// command: the interpolator's velocity differs from it while the spindle accelerates. Every other way to a closed loop leads
+/// through BRAKE or TO_POSITION.
+#[portable]
+pub fn velocity_of_open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    is_position: bool,
+) -> R {
+    let mut v_open = spindle_outputs.v_spindle;
+    if coeffs.axis.position_control.location == Location::Cnc {
+        if is_position {
+            if in_range(state.v_held, sample_limit()) {
+                note("a sample is missing: the drive keeps its last command");
+                v_open = state.v_held;
+            }
+        } else if spindle_outputs.spindle_state == SpindleState::Brake
+            || spindle_outputs.spindle_state == SpindleState::ToPosition
+        {
+            state.lag_before = R::ZERO;
+            state.v_held = v_open;
+        }
+    }
+    v_open
+}
+
 /// Any cycle. Only the samples that the spindle uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(
@@ -210,12 +278,13 @@ pub fn any_cycle<R: Real>(
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
     // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only.
-    let is_led = state.spindle.lasting_error == error_none() && state.spindle.missing == 0u32 && inputs.drive_on;
-    let follows = is_led && follows_position(coeffs, spindle_outputs.spindle_state);
-    if follows {
+    let is_moved = state.spindle.lasting_error == error_none() && inputs.drive_on;
+    let is_position = is_moved && follows_position(coeffs, spindle_outputs.spindle_state);
+    if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs);
     } else {
-        open(state, coeffs, &spindle_outputs, outputs);
+        let v_open = velocity_of_open(state, coeffs, &spindle_outputs, is_position);
+        open(state, coeffs, &spindle_outputs, outputs, v_open);
     }
     put_out_changeover(&spindle_outputs, outputs);
 }
@@ -238,7 +307,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        open(state, coeffs, &spindle_outputs, outputs);
+        open(state, coeffs, &spindle_outputs, outputs, spindle_outputs.v_spindle);
         put_out_changeover(&spindle_outputs, outputs);
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");

@@ -79,8 +79,8 @@ pub struct Outputs<R> {
     pub job_speed: R,
     /// target of the job M19 [0.001 deg]
     pub job_position: R,
-    /// output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open; for
-    /// monitoring, the outputs to the drive contain v_add [0.001 deg/s]
+    /// output of the position controller with feedforward, before v_add is added, held while a sample is missing; v_spindle
+    /// where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s]
     pub v_command: R,
     /// conventional feedforward [0.001 deg/s]
     pub v_feedforward: R,

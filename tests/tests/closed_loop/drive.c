@@ -4,6 +4,10 @@
  *                    spindle turned backwards, the longest time to standstill, runs that did not arrive in POSITION
  *   drive lag RPM    M3 with a speed, no feedforward: prints the last error, the lowest command of the drive, the last speed,
  *                    and the largest lag of a cycle of the closed loop without an error [deg]
+ *   drive blocked RPM  the same, and the spindle is blocked within 4 to 12 ms, 41 times: prints the lowest command, and the runs
+ *                    without error 48
+ *   drive lost RPM   one, two or three samples of one signal are lost while the spindle accelerates to a speed: prints by how
+ *                    many increments the command changed in them at most, and in how many runs an error followed
  *
  * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position. Speeds are in rpm.
  */
@@ -53,6 +57,8 @@ static double began; /* highest speed at which position control began */
 static double backwards; /* highest speed against the first direction */
 static double lowest; /* lowest command of a drive in velocity control, times the direction */
 static double largest_lag;
+static double fastest; /* of a spindle that something blocks */
+static double *lost; /* the input that is lost */
 
 static double wrap(double x)
 {
@@ -120,7 +126,7 @@ static void obey(bool is_on, double direction)
     }
     obeyed = obeys;
     if (is_on) {
-        drive.v += (target - drive.v) * (1.0 - exp(-T / TAU));
+        drive.v = fmin(drive.v + (target - drive.v) * (1.0 - exp(-T / TAU)), fastest);
         if (target * direction < lowest) {
             lowest = target * direction;
         }
@@ -149,6 +155,9 @@ static void cycle(bool is_on, double direction)
     inputs.mode = 0;
 #endif
     interpolate();
+    if (lost != NULL) {
+        *lost = NAN;
+    }
     JOIN(AXIS, _spindle_axis_step)(&state, &inputs, &outputs);
     if (outputs.loop_closed && outputs.error_id == 0u) {
         largest_lag = fmax(largest_lag, fabs(remainder(outputs.x_spindle - inputs.x_actual, 360000.0)));
@@ -166,6 +175,8 @@ static void start(double v, bool is_on, int32_t mode)
         sent[i] = drive;
     }
     v_wanted = 0.0;
+    fastest = INFINITY;
+    lost = NULL;
 #ifdef IN_DRIVE
     asked = 0;
 #endif
@@ -222,10 +233,64 @@ static void turn(double speed)
     backwards = 0.0;
 }
 
+static void block_spindle(double speed)
+{
+    int missed = 0;
+    double lowest_of_all = INFINITY;
+    for (int phase = 0; phase <= 40; phase++) {
+        turn(speed);
+        lowest = 0.0;
+        for (int i = 1; i < 200; i++) {
+            fastest = fmax(speed * (1.0 - i * T / (0.004 + phase * 0.0002)), 0.0);
+            cycle(true, 1.0);
+        }
+        lowest_of_all = fmin(lowest_of_all, lowest);
+        missed += outputs.error_id != 48u;
+    }
+    printf("%.1f %d\n", lowest_of_all / RPM, missed);
+}
+
+#ifndef IN_DRIVE
+static void lose_samples(double speed)
+{
+    double *const samples[] = { &inputs.x_command, &inputs.v_interpolator, &inputs.x_actual };
+    int errors = 0;
+    double largest = 0.0;
+    for (int i = 0; i < 9; i++) {
+        start(0.0, true, 0);
+        for (int k = 0; k < 60; k++) {
+            inputs.s_word = speed;
+            inputs.m3 = k == 20;
+            cycle(true, 1.0);
+        }
+        const double before = outputs.manipulated_variable;
+        lost = samples[i / 3];
+        for (int k = 0; k <= i % 3; k++) {
+            cycle(true, 1.0);
+            largest = fmax(largest, fabs(outputs.manipulated_variable - before));
+        }
+        lost = NULL;
+        cycle(true, 1.0);
+        errors += outputs.error_id != 0u;
+    }
+    printf("%.0f %d\n", largest, errors);
+}
+#endif
+
 int main(int argc, char **argv)
 {
     if (argc > 2) {
         const double speed = atof(argv[2]) * RPM;
+        if (strcmp(argv[1], "blocked") == 0) {
+            block_spindle(speed);
+            return 0;
+        }
+#ifndef IN_DRIVE
+        if (strcmp(argv[1], "lost") == 0) {
+            lose_samples(speed);
+            return 0;
+        }
+#endif
         turn(speed);
         lowest = 0.0;
         for (int i = 0; i < 2000; i++) {

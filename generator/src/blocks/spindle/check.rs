@@ -78,7 +78,7 @@ pub(crate) fn check(
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let changing = velocities.as_ref().filter(|_| !is_alone);
     let window = window::settled(e, cycle_time, drive.gear, changing);
-    let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
+    let takeover_window = window::takeover(e, cycle_time, deceleration.filter(|_| changing.is_some()));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
         (Some(in_cnc(e, feedforward)), Some(0))
     } else {
@@ -87,12 +87,20 @@ pub(crate) fn check(
     if let (Some(changeover), Some(of), Some(kv), Some(window)) = (&changeover, changing, kv, window) {
         let gain = lag::Gain { key: (Name::Kv, [drive.gear, 0]), kv };
         lags(e, changeover, of, window, gain);
+        if let (Changeover::Cnc { .. }, Some(ns)) = (changeover, cycle_time) {
+            lag::seen(e, of, ns);
+        }
     }
     let is_in_drive = drive.location != Location::Cnc;
     if let (true, Some(ns), Some(velocities), Some(window)) = (is_in_drive, cycle_time, &velocities, window) {
         limits::half_a_revolution(e, ns, velocities, window);
     }
     let mode_timeout_ns = limits::mode_timeout(e, cycle_time, delay_cycles);
+    if let (true, Some(ns), Some(of), Some(a), Some(timeout)) =
+        (is_in_drive, cycle_time, changing, deceleration, mode_timeout_ns)
+    {
+        limits::accelerates_beyond(e, ns, of, a, timeout);
+    }
     let brake_timeout_ns = limits::brake_timeout(e, cycle_time, velocities.as_ref(), deceleration);
     let velocities = velocities?;
     Some(Spindle {

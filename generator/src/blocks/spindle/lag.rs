@@ -11,6 +11,9 @@ use portable::Extreme;
 /// The lag at which the block opens its loop [0.001 deg].
 const LARGEST: f64 = 170_000.0;
 
+/// The change of the lag in a cycle that the block is sure to follow [0.001 deg].
+const SEEN: f64 = 130_000.0;
+
 /// The gain of the position controller.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Gain {
@@ -66,6 +69,27 @@ pub(super) fn in_cnc(e: &mut Effective<'_>, of: &Velocities, gain: Gain, (weight
     let lower = (largest >= f64::from(of.off.value)).then(|| format!("v_velocity_control_on {largest} or less, or "));
     let said = said.allowed("a lag below 170 deg: (1 - w) v / Kv");
     e.report.push(said.instead(lower.unwrap_or_default() + &smallest));
+}
+
+/// Warns of a velocity at which the lag of a blocked spindle grows from below the limit of the loop in the CNC to a harmless
+/// angle within one cycle, so that the block does not notice it.
+pub(super) fn seen(e: &mut Effective<'_>, of: &Velocities, cycle_ns: u32) {
+    let slower = if of.on.value <= of.largest.value { of.on } else { of.largest };
+    let way = f64::from(slower.value) * f64::from(cycle_ns) / 1e9;
+    if way <= SEEN {
+        return;
+    }
+    let found = format!(
+        "{} is {}: in position control the spindle turns with up to {} rpm, {} deg in a cycle",
+        e.title(slower.key),
+        slower.value,
+        rpm(f64::from(slower.value)),
+        rounded(way / 1000.0)
+    );
+    let place = e.place_near(if e.given(slower.key).is_some() { slower.key } else { of.off.key }, asks);
+    let largest = (SEEN * 1e9 / f64::from(cycle_ns)).floor();
+    let said = Diagnostic::warning(codes::LAG_UNSEEN, place, found);
+    e.report.push(said.instead(format!("v_velocity_control_on {largest} or less, or a shorter cycle")));
 }
 
 /// Checks the lag with which a drive takes up position control: the position command is an angle, which the drive takes the

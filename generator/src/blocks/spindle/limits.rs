@@ -11,6 +11,8 @@ use portable::Extreme;
 const HALF_A_REVOLUTION: f64 = 180_000.0;
 /// The largest count that is exact in single precision.
 const MOST_CYCLES: u64 = 1 << 24;
+/// Cycles after the drive's answer in the default of the mode timeout.
+const MODE_RESERVE: u64 = 10;
 /// Added to twice the ramp in the default of the brake timeout [ns].
 const BRAKE_RESERVE: u64 = 500_000_000;
 
@@ -90,12 +92,47 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
     }
 }
 
-/// The time within which the drive displays the new mode [ns]: at least until its answer can arrive.
+/// Warns of a velocity of the changeover near half a revolution per cycle: until the drive displays velocity control, it is
+/// under position control, and the spindle accelerates.
+pub(super) fn accelerates_beyond(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, deceleration: f64, ns: u64) {
+    let end = HALF_A_REVOLUTION * 1e9 / f64::from(cycle_ns);
+    let on = f64::from(of.on.value);
+    let gained = deceleration * ns as f64 / 1e9;
+    let reached = (on + gained).smaller(f64::from(of.largest.value));
+    if on >= end || reached < end {
+        return;
+    }
+    let at = if e.given(of.on.key).is_some() { of.on.key } else { of.off.key };
+    let found = format!(
+        "{} is {}: with {} rpm/s (spindle.deceleration) the spindle turns with {} rpm when the time of the drive's answer, {}, \
+         is over, and from {} rpm it stops with error 44",
+        e.title(of.on.key),
+        of.on.value,
+        rpm(deceleration),
+        rpm(reached),
+        time_text(ns),
+        rpm(end)
+    );
+    let lower = (end - gained).ceil() - 1.0;
+    let lower = if lower >= f64::from(of.off.value) && lower > 0.0 {
+        format!("v_velocity_control_on {lower} or less, ")
+    } else {
+        String::new()
+    };
+    let said = Diagnostic::warning(codes::ACCELERATES_BEYOND, e.place_near(at, asks), found);
+    e.report.push(said.instead(lower + "a shorter cycle, or the time that the drive needs at spindle.mode_timeout"));
+}
+
+/// The time within which the drive displays the new mode [ns]: at least until its answer can arrive, and by default 10 cycles
+/// more.
 pub(super) fn mode_timeout(e: &mut Effective<'_>, cycle_time: Option<u32>, answer_cycles: Option<u32>) -> Option<u64> {
     let timeout_key = key(Name::SpindleModeTimeout);
-    let timeout = e.duration(timeout_key)?;
+    let mut timeout = e.duration(timeout_key)?;
     let Some(cycle) = cycle_time.map(u64::from) else { return Some(timeout) };
     let answer = u64::from(answer_cycles.unwrap_or(0)) * cycle;
+    if e.given(timeout_key).is_none() {
+        timeout = timeout.max(answer + MODE_RESERVE * cycle);
+    }
     if timeout < answer {
         let found = format!(
             "{} is {}, and the drive's answer takes {} (P-AXIS-00191)",

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   cb2d288e5672df6f87b20a147ecf00dc
- * checksum    c13cdcd1ee24e7ae2d6cf4678b3b3515
+ * structure   e95ca27da8bb481207a8256150be831e
+ * checksum    a24d778789800f7ebfea5e8a5989c267
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -137,13 +137,17 @@ static const uint32_t axis_s_spindle_axis_usual_position = 21845u;
 /* largest magnitude of a position in range: its number of turns fits in 32 bits */
 static const double axis_s_spindle_axis_position_limit = 700000000000000.0;
 static const double axis_s_spindle_axis_below_full_turn = 359999.99999999994; /* largest angle below a full turn [0.001 deg] */
-/* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
- * [0.001 deg] */
-static const double axis_s_spindle_axis_lag_limit = 170000.0;
+/* Up to this lag the difference of the positions is the lag, whatever the previous one was: from `lag_limit` it
+ * would take more than 130 deg in a cycle to be here the other way round [0.001 deg] */
+static const double axis_s_spindle_axis_certain_lag = 60000.0;
+static const double axis_s_spindle_axis_half_turn = 180000.0; /* half a turn [0.001 deg] */
 /* largest magnitude of an angle whose turns are counted: more than half a turn above the position limit */
 static const double axis_s_spindle_axis_counted_limit = 710000000000000.0;
 static const double axis_s_spindle_axis_per_turn = 2.777777777777778e-6; /* 1 / full_turn */
 static const double axis_s_spindle_axis_full_turn = 360000.0; /* a full turn [0.001 deg] */
+/* largest position lag of a loop in the CNC: above half a turn the loop would turn the spindle the other way
+ * [0.001 deg] */
+static const double axis_s_spindle_axis_lag_limit = 170000.0;
 /* added in every update of s2, so that a section at rest never decays into subnormal numbers */
 static const double axis_s_spindle_axis_anti_denormal = 1.0e-30;
 static const uint32_t axis_s_spindle_axis_usual_none = 0u; /* no usual cycle (fast path) is next */
@@ -200,6 +204,8 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fres
     state->axis_ipc_fade = 0u;
     state->axis_ipc_stage0_filter0_section0_s1 = 0.0;
     state->axis_ipc_stage0_filter0_section0_s2 = 0.0;
+    state->lag_before = 0.0;
+    state->v_held = 0.0;
 }
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
@@ -1133,31 +1139,47 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_usual = axis_s_spindle_axis_usual_none;
     }
     state->spindle_usual = spindle_usual;
-    const bool is_led =
-        state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && state->spindle_missing == 0u
-            && inputs->drive_on;
-    const bool follows =
-        is_led
+    const bool is_moved = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && inputs->drive_on;
+    const bool is_position =
+        is_moved
             && (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
                 || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
-    if (follows) {
-        const double lag_3 = spindle_x_spindle_2 - inputs->x_actual;
+    if (is_position && state->spindle_missing == 0u) {
+        const double lag_4 = spindle_x_spindle_2 - inputs->x_actual;
         bool gives_up_2;
-        double lag_4;
-        if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit) {
+        double lag_6;
+        if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_certain_lag) {
             gives_up_2 = false;
-            lag_4 = lag_3;
+            lag_6 = lag_4;
         } else {
-            if (axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_counted_limit) {
-                const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_3 * axis_s_spindle_axis_per_turn);
-                lag_4 = lag_3 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
+            const double lag_before_2 = state->lag_before;
+            double lag_5;
+            if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_half_turn) {
+                lag_5 = lag_4;
+            } else if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_counted_limit) {
+                const int32_t whole_turns_2 = axis_s_spindle_axis_nearest(lag_4 * axis_s_spindle_axis_per_turn);
+                lag_5 = lag_4 - (double)whole_turns_2 * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
-                lag_4 = 0.0;
+                lag_5 = 0.0;
             }
-            gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_lag_limit);
+            if (axis_s_spindle_axis_magnitude(lag_before_2) <= axis_s_spindle_axis_lag_limit) {
+                const double lag_step_2 = lag_5 - lag_before_2;
+                if (lag_step_2 > axis_s_spindle_axis_half_turn) {
+                    lag_6 = lag_5 - axis_s_spindle_axis_full_turn;
+                } else if (lag_step_2 < -axis_s_spindle_axis_half_turn) {
+                    lag_6 = lag_5 + axis_s_spindle_axis_full_turn;
+                } else {
+                    lag_6 = lag_5;
+                }
+            } else {
+                /* reached only if the block's memory was corrupted */
+                lag_6 = lag_5;
+            }
+            gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_6) <= axis_s_spindle_axis_lag_limit);
         }
-        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_4;
+        state->lag_before = lag_6;
+        const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_6;
         const bool improves = spindle_loop_closed && !inputs->reset;
         double axis_feedforward_v_feedforward_2;
         bool axis_feedforward_fault;
@@ -1196,6 +1218,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
         const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
         outputs->v_command = axis_v_controller_2;
+        state->v_held = axis_v_controller_2;
         bool axis_ipc_runs;
         uint32_t axis_ipc_reason;
         if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
@@ -1382,11 +1405,26 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         outputs->v_add_calculated = 0.0;
         outputs->v_add = 0.0;
         outputs->v_feedforward = 0.0;
-        outputs->v_command = spindle_v_spindle_3;
-        state->axis_ipc_preset = false;
         state->axis_ipc_fade = 0u;
-        const double open_increments_2 =
-            axis_s_spindle_axis_axis_position_control_manipulated_scale * spindle_v_spindle_3;
+        state->axis_ipc_preset = false;
+        double v_open;
+        if (is_position) {
+            if (axis_s_spindle_axis_magnitude(state->v_held) <= axis_s_spindle_axis_sample_limit) {
+                /* a sample is missing: the drive keeps its last command */
+                v_open = state->v_held;
+            } else {
+                v_open = spindle_v_spindle_3;
+            }
+        } else {
+            if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
+                    || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION) {
+                state->lag_before = 0.0;
+                state->v_held = spindle_v_spindle_3;
+            }
+            v_open = spindle_v_spindle_3;
+        }
+        outputs->v_command = v_open;
+        const double open_increments_2 = axis_s_spindle_axis_axis_position_control_manipulated_scale * v_open;
         if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
             outputs->limited = false;
@@ -1446,21 +1484,39 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         outputs->job_number = state->spindle_jobs;
         const double lag = spindle_x_spindle - inputs->x_actual;
         bool gives_up;
-        double lag_2;
-        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_lag_limit) {
+        double lag_3;
+        if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_certain_lag) {
             gives_up = false;
-            lag_2 = lag;
+            lag_3 = lag;
         } else {
-            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
+            const double lag_before = state->lag_before;
+            double lag_2;
+            if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_half_turn) {
+                lag_2 = lag;
+            } else if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_counted_limit) {
                 const int32_t whole_turns = axis_s_spindle_axis_nearest(lag * axis_s_spindle_axis_per_turn);
                 lag_2 = lag - (double)whole_turns * axis_s_spindle_axis_full_turn;
             } else {
                 /* reached only if the block's memory was corrupted */
                 lag_2 = 0.0;
             }
-            gives_up = !(axis_s_spindle_axis_magnitude(lag_2) <= axis_s_spindle_axis_lag_limit);
+            if (axis_s_spindle_axis_magnitude(lag_before) <= axis_s_spindle_axis_lag_limit) {
+                const double lag_step = lag_2 - lag_before;
+                if (lag_step > axis_s_spindle_axis_half_turn) {
+                    lag_3 = lag_2 - axis_s_spindle_axis_full_turn;
+                } else if (lag_step < -axis_s_spindle_axis_half_turn) {
+                    lag_3 = lag_2 + axis_s_spindle_axis_full_turn;
+                } else {
+                    lag_3 = lag_2;
+                }
+            } else {
+                /* reached only if the block's memory was corrupted */
+                lag_3 = lag_2;
+            }
+            gives_up = !(axis_s_spindle_axis_magnitude(lag_3) <= axis_s_spindle_axis_lag_limit);
         }
-        const double axis_inputs_x_actual = spindle_x_spindle - lag_2;
+        state->lag_before = lag_3;
+        const double axis_inputs_x_actual = spindle_x_spindle - lag_3;
         double axis_feedforward_gain_now;
         if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
             if (inputs->feedforward_percentage >= 100) {
@@ -1478,6 +1534,7 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
         const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
         outputs->v_command = axis_v_controller;
+        state->v_held = axis_v_controller;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   cb2d288e5672df6f87b20a147ecf00dc
- * checksum    4277697bd235e440751a82d988fa22a5
+ * structure   e95ca27da8bb481207a8256150be831e
+ * checksum    b292e4e3a902ee0e4516e4af09c406cc
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,14 +39,14 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xcb2d288eu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x5672df6fu
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x87b20a14u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x7ecf00dcu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xe95ca27du
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xa8bb4812u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x07a82561u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x50be831eu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
-#define AXIS_S_SPINDLE_AXIS_STATE_SIZE 256u
+#define AXIS_S_SPINDLE_AXIS_STATE_SIZE 272u
 
 /* The results and the layout of the structs depend on a double with 64 bits. Nothing else is asserted: the ABI defines the
  * alignment of members. */
@@ -147,8 +147,8 @@ typedef struct {
     double v_spindle; /* command velocity of the spindle [0.001 deg/s] */
     double job_speed; /* speed of the job, below 0 for M4 [0.001 deg/s] */
     double job_position; /* target of the job M19 [0.001 deg] */
-    /* output of the position controller with feedforward, before v_add is added; v_spindle where the loop is open;
-     * for monitoring, the outputs to the drive contain v_add [0.001 deg/s] */
+    /* output of the position controller with feedforward, before v_add is added, held while a sample is missing;
+     * v_spindle where the loop is open; for monitoring, the outputs to the drive contain v_add [0.001 deg/s] */
     double v_command;
     double v_feedforward; /* conventional feedforward [0.001 deg/s] */
     double v_add; /* additive velocity of improved position control [0.001 deg/s] */
@@ -229,6 +229,12 @@ typedef struct {
     uint32_t axis_ipc_fade;
     double axis_ipc_stage0_filter0_section0_s1; /* filter state s1: part of the next output */
     double axis_ipc_stage0_filter0_section0_s2; /* filter state s2: part of the next s1 */
+    /* position control in the CNC: the position lag of the last cycle with a closed loop, 0 after an open one [0.001
+     * deg] */
+    double lag_before;
+    /* position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is
+     * missing [0.001 deg/s] */
+    double v_held;
 } axis_s_spindle_axis_state;
 
 /* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
