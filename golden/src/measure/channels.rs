@@ -169,7 +169,7 @@ fn timing(times: &Instants<'_>) -> Timing {
     let drift = times.drift().map(|(drift, line)| (rounded(drift * usual), line));
     let worst = all.chain(drift).reduce(|worst, other| if other.0 > worst.0 { other } else { worst });
     let (jitter, uneven) = worst.map_or((0.0, None), |(jitter, line)| (jitter, Some(line)));
-    let first_gap = cycles.iter().position(|cycles| is_gap(cycles)).and_then(|at| times.lines().get(at + 1).copied());
+    let first_gap = cycles.iter().position(is_gap).and_then(|at| times.lines().get(at + 1).copied());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
     let missing = cycles.iter().filter(|cycles| is_gap(cycles)).map(|cycles| cycles - 1.0).sum::<f64>() as usize;
     Timing {
