@@ -151,9 +151,10 @@ impl<'t> Instants<'t> {
         let time = move |at: usize| self.since[at] as f64 / usual;
         (1..self.since.len()).map(move |at| {
             let step = time(at) - time(at - 1);
-            let around = AROUND.min(at).min(self.since.len() - at);
-            let shift = || (0..around).map(|k| time(at + k) - time(at - around + k)).sum::<f64>() / around as f64;
-            let is_one = (0.5..1.5).contains(&step) || libm::fabs(shift() - around as f64) < 0.5;
+            let [before, after] = [at.min(AROUND), (self.since.len() - at).min(AROUND)];
+            let mean = |from: usize, count: usize| (from..from + count).map(time).sum::<f64>() / count as f64;
+            let apart = || mean(at, after) - mean(at - before, before) - (before + after) as f64 / 2.0;
+            let is_one = (0.5..1.5).contains(&step) || libm::fabs(apart()) < 0.5;
             if is_one { 1.0 } else { libm::round(step) }
         })
     }

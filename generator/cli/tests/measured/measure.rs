@@ -207,7 +207,7 @@ fn moves_with_a_defect() {
     let uneven = |n: usize| format!("{:.4}", n as f64 + 0.4 * (n % 2) as f64);
     let said = assert_said("uneven", &timed("t [ms]", &uneven), &[], "AX501", 1);
     assert!(said.err.contains(" ms, unevenly at line 4, "), "{}", said.err);
-    let jitters = |n: usize| format!("{:.1}", n as f64 + 0.6 * f64::from(u8::from(n % 7 == 2)));
+    let jitters = |n: usize| format!("{:.1}", n as f64 + 0.6 * f64::from(u8::from(n % 7 == 4)));
     let said = assert_said("jitter", &timed("t [ms]", &jitters), &[], "AX501", 1);
     assert!(said.err.contains("if only the time stamps jitter, leave them out"), "{}", said.err);
     let clock = |n: usize| format!("00:00:{:06.3}", n as f64 * CYCLE);
