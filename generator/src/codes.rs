@@ -795,6 +795,10 @@ codes! {
         "A stage also acts after a stop: the following error that it causes is made up for slowly, and a narrow stage rings on. \
          If the load moves more than 1.1 times as much then as without stages, the stages are not proposed. Choose smaller \
          weights or a smaller Q, or a smaller jerk of the ramps, so that a stop excites less.";
+    UNUSABLE_TIMES = "AX530", "a recording whose rows do not show when its samples were taken",
+        "Some times run backwards, as those of a counter that wraps, or have different samples, as times with too few digits. Or a \
+         scope without columns of times filled the rows of its slower channels with their previous value. Each frequency would be \
+         wrong by a factor. Export the times with all digits; rows that repeat a sample together with its time are skipped.";
     ACCELERATES_BEYOND = "AX535", "a changeover that ends near half a revolution in a cycle",
         "Above P-AXIS-00767 the drive gets the command to change to velocity control, and stays in position control until it has \
          done so. The spindle accelerates meanwhile. If it reaches 180 deg in a cycle before the drive displays velocity \

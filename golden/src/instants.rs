@@ -15,14 +15,18 @@ pub(crate) struct Instants<'t> {
     since: Vec<i64>,
     /// the line of each
     lines: Vec<usize>,
-    /// whether a cell was not a number: then the times are unknown
-    is_text: bool,
+    /// a cell that is not a number, and its line: then the times are unknown
+    text: Option<(String, usize)>,
+    /// whether the row that was read last has the time of the row before it
+    pub repeats: bool,
 }
 
 /// The unit of time stamps [ns], and their values of the years 1917 to 2234. Milliseconds are smaller; nanoseconds since 1970
 /// are larger.
 const FILE_TIME: i64 = 100;
 const FILE_TIMES: Range<i128> = 100_000_000_000_000_000..200_000_000_000_000_000;
+/// Steps on both sides of a long or a short one that show whether samples are missing there, or the times jitter.
+const AROUND: usize = 5;
 /// The cycle of a controller [ns].
 const CYCLES: RangeInclusive<f64> = 31e3..=30e6;
 /// Possible units of a time without a unit in its name.
@@ -30,21 +34,63 @@ const UNSAID: [(i64, &str); 4] = [(1_000_000_000, "s"), (1_000_000, "ms"), (1_00
 
 impl<'t> Instants<'t> {
     pub(crate) fn of(column: TimeColumn<'t>) -> Self {
-        Self { column, first: None, since: Vec::new(), lines: Vec::new(), is_text: false }
+        Self { column, first: None, since: Vec::new(), lines: Vec::new(), text: None, repeats: false }
     }
 
-    /// Reads one cell of the column; an empty one is not a time.
+    /// Reads one cell of the column; an empty one is not a time, and a repeated one is not another time.
     pub(crate) fn read(&mut self, cell: &str, line: usize) {
-        if cell.is_empty() || self.is_text {
+        self.repeats = false;
+        if cell.is_empty() || self.text.is_some() {
             return;
         }
-        match billionths(cell) {
-            Some(time) => {
-                let first = *self.first.get_or_insert(time);
-                self.since.push(i64::try_from(time - first).unwrap_or(i64::MAX));
-                self.lines.push(line);
+        let Some(time) = billionths(cell) else { return self.text = Some((cell.escape_default().to_string(), line)) };
+        let first = *self.first.get_or_insert(time);
+        let since = i64::try_from(time - first).unwrap_or(i64::MAX);
+        self.repeats = self.since.last() == Some(&since);
+        if !self.repeats {
+            self.since.push(since);
+            self.lines.push(line);
+        }
+    }
+
+    /// Times that run backwards.
+    pub(crate) fn backwards(&self) -> Option<Mistake> {
+        let at = self.since.windows(2).position(|pair| pair[1] < pair[0]).filter(|_| self.text.is_none())?;
+        let found = format!("the time{} runs backwards: it is smaller than in line {}", self.called(), self.lines[at]);
+        let mistake = Mistake::new([self.lines[at + 1], 1], found, "times that rise").coded(codes::UNUSABLE_TIMES);
+        Some(mistake.instead(format!("cut the file before this line{}", self.without())))
+    }
+
+    /// Samples that differ, of these columns, although they have one time; the place is that of the first one.
+    pub(crate) fn several(&self, place: [usize; 2], columns: &str, count: usize) -> Mistake {
+        let found =
+            format!("other values of {columns} at the time{} of the row before: in {count} rows", self.called());
+        let mistake = Mistake::new(place, found, "one sample at a time, which may be repeated");
+        let remedy = format!("export the times with more digits{}", self.without());
+        mistake.coded(codes::UNUSABLE_TIMES).instead(remedy)
+    }
+
+    /// Its name after `the time`: none in an export.
+    fn called(&self) -> String {
+        let name = self.column.name.escape_default();
+        if self.column.name.is_empty() { String::new() } else { format!(" `{name}`") }
+    }
+
+    /// The remedy that leaves the times out, if that is possible.
+    fn without(&self) -> String {
+        let name = self.column.name;
+        if name.is_empty() { String::new() } else { format!(", or leave the times out:{}", option(name)) }
+    }
+
+    /// Why the times show no sampling interval.
+    pub(crate) fn unusable(&self) -> Option<String> {
+        match (&self.text, self.step()) {
+            (Some((cell, line)), _) => Some(format!("the time `{cell}` in line {line} is not a number")),
+            (None, None) => Some(format!("the time{} does not go on", self.called())),
+            (None, Some(_)) if self.stated_unit().or(self.plausible_unit().map(|(unit, _)| unit)).is_none() => {
+                Some(format!("the time{} has no unit, and no usual one fits its steps", self.called()))
             }
-            None => self.is_text = true,
+            (None, Some(_)) => None,
         }
     }
 
@@ -75,12 +121,13 @@ impl<'t> Instants<'t> {
         (!steps.is_empty()).then(|| *steps.select_nth_unstable(middle).1)
     }
 
-    /// The times since the first one [s]. A missing unit is the one in which the usual step is the cycle of a controller; `None`
-    /// if there are no times, or no such unit.
-    pub(crate) fn seconds(&self) -> Option<Vec<f64>> {
-        self.step().filter(|_| !self.is_text)?;
+    /// The times since the first one, and the usual step [s]. A missing unit is the one in which the usual step is the cycle of
+    /// a controller; `None` if there are no times, or no such unit.
+    pub(crate) fn seconds(&self) -> Option<(Vec<f64>, f64)> {
+        let step = self.step().filter(|_| self.text.is_none())?;
         let unit = self.stated_unit().or_else(|| Some(self.plausible_unit()?.0))?;
-        Some(self.since.iter().map(|time| nanoseconds(*time, unit) / 1e9).collect())
+        let seconds = |time| nanoseconds(time, unit) / 1e9;
+        Some((self.since.iter().copied().map(seconds).collect(), seconds(step)))
     }
 
     fn plausible_unit(&self) -> Option<(i64, &'static str)> {
@@ -90,22 +137,43 @@ impl<'t> Instants<'t> {
 
     /// What is assumed for times without a unit, if 100 ns are plausible too.
     pub(crate) fn doubt(&self) -> Option<String> {
-        let step = self.step().filter(|step| !self.is_text && CYCLES.contains(&nanoseconds(*step, FILE_TIME)))?;
+        let step = self.step().filter(|step| self.text.is_none() && CYCLES.contains(&nanoseconds(*step, FILE_TIME)))?;
         let (unit, name) = self.plausible_unit().filter(|_| self.stated_unit().is_none())?;
         let interval = nanoseconds(step, unit) / 1e6;
         let of = self.column.name.escape_default();
         Some(format!("`{of}` has no unit: {name} are assumed, a sample every {interval} ms; 100 ns are possible too"))
     }
 
+    /// The number of cycles of each step: 1, or 0 and more where samples are repeated or missing. Times that jitter return to
+    /// even sampling: around such a step, the means of the times are as far apart as in other places.
+    #[expect(clippy::cast_precision_loss, reason = "a part of a step")]
+    fn cycles(&self, usual: f64) -> impl Iterator<Item = f64> {
+        let time = move |at: usize| self.since[at] as f64 / usual;
+        (1..self.since.len()).map(move |at| {
+            let step = time(at) - time(at - 1);
+            let [before, after] = [at.min(AROUND), (self.since.len() - at).min(AROUND)];
+            let mean = |from: usize, count: usize| (from..from + count).map(time).sum::<f64>() / count as f64;
+            let apart = || mean(at, after) - mean(at - before, before) - (before + after) as f64 / 2.0;
+            let is_one = (0.5..1.5).contains(&step) || libm::fabs(apart()) < 0.5;
+            if is_one { 1.0 } else { libm::round(step) }
+        })
+    }
+
+    /// The number of usual steps in each step, at least 1.
+    #[expect(clippy::cast_precision_loss, reason = "a part of a step")]
+    pub(crate) fn usual_cycles(&self) -> Vec<f64> {
+        self.step().map_or(Vec::new(), |step| self.cycles(step as f64).map(|cycles| cycles.larger(1.0)).collect())
+    }
+
     /// The largest distance of a time from even sampling, as a part of the usual step, and its line. A gap counts whole steps.
     #[expect(clippy::cast_precision_loss, reason = "a part of a step")]
     pub(crate) fn drift(&self) -> Option<(f64, usize)> {
-        let step = self.step().filter(|_| !self.is_text)? as f64;
-        let count = |count: &mut f64, pair: &[i64]| {
-            *count += libm::round(pair[1].saturating_sub(pair[0]) as f64 / step).larger(1.0);
+        let step = self.step().filter(|_| self.text.is_none())? as f64;
+        let count = |count: &mut f64, cycles: f64| {
+            *count += cycles;
             Some(*count)
         };
-        let counts: Vec<f64> = self.since.windows(2).scan(0.0, count).collect();
+        let counts: Vec<f64> = self.usual_cycles().into_iter().scan(0.0, count).collect();
         let mean = *self.since.last()? as f64 / counts.last()?;
         let of =
             |((count, time), line): ((&f64, &i64), &usize)| (libm::fabs(*time as f64 - count * mean) / step, *line);
@@ -120,7 +188,7 @@ impl<'t> Instants<'t> {
 
     /// The time in a line [ns].
     pub(crate) fn at(&self, line: usize) -> Option<i128> {
-        let unit = self.stated_unit().filter(|_| !self.is_text)?;
+        let unit = self.stated_unit().filter(|_| self.text.is_none())?;
         let since = self.since[self.lines.binary_search(&line).ok()?];
         Some((self.first? + i128::from(since)) * i128::from(unit) / 1_000_000_000)
     }
@@ -173,7 +241,7 @@ pub(crate) fn mistakes(columns: &[&Column<'_>], times: &[Instants<'_>], cycle_ti
 
 /// The interval of a column of times, if it is not the cycle.
 fn wrong_interval(times: &Instants<'_>, cycle_time_ns: u32) -> Option<String> {
-    let step = times.step().filter(|_| !times.is_text)?;
+    let step = times.step().filter(|_| times.text.is_none())?;
     let Some(unit) = times.unit(cycle_time_ns) else {
         #[expect(clippy::cast_precision_loss, reason = "for a message")]
         let step = step as f64 / 1e9;
@@ -220,15 +288,14 @@ fn option(name: &str) -> String {
 /// The places where a column of times does not increase by one cycle.
 fn gaps(times: &Instants<'_>, cycle_time_ns: u32) -> Option<Mistake> {
     const MOST: usize = 5;
-    let unit = times.unit(cycle_time_ns).filter(|_| !times.is_text)?;
-    let cycles = |step: i64| nanoseconds(step, unit) / f64::from(cycle_time_ns);
+    let unit = times.unit(cycle_time_ns).filter(|_| times.text.is_none())?;
+    let cycle = f64::from(cycle_time_ns) * 1e9 / nanoseconds(1_000_000_000, unit);
     let (mut lost, mut places, mut repeated) = (0.0, Vec::new(), 0);
-    for (pair, line) in times.since.windows(2).zip(&times.lines[1..]) {
-        let step = cycles(pair[1].saturating_sub(pair[0]));
-        if step >= 1.5 {
-            lost += libm::round(step) - 1.0;
+    for (cycles, line) in times.cycles(cycle).zip(&times.lines[1..]) {
+        if cycles > 1.0 {
+            lost += cycles - 1.0;
             places.push(*line);
-        } else if step < 0.5 {
+        } else if cycles < 1.0 {
             repeated += 1;
             places.push(*line);
         }

@@ -4,10 +4,14 @@
 use crate::instants::{self, Instants};
 use crate::mistake::Mistake;
 use crate::samples::{Samples, Shape};
-use crate::table::{Column, Row, Table};
+use crate::table::{Column, Row, Table, listed};
 use crate::value::{allowed, instead, parse};
 use crate::written::Precision;
-use portable::Literal;
+use generator::codes;
+use portable::{Extreme, Literal};
+
+/// Rows that are that much longer than the recording repeat samples.
+const LONGER: f64 = 1.2;
 
 /// The values of a table's columns.
 pub(crate) struct Columns {
@@ -30,6 +34,10 @@ pub(crate) struct Series<'t> {
     pub begins: Option<i128>,
     lines: Vec<usize>,
     written: Precision,
+    /// the cell of the last value
+    last: &'t str,
+    /// values that differ from the previous one at the same time: place of the first one, and their number
+    differs: Option<([usize; 2], usize)>,
     wrong: Wrong,
     /// cells without a value since the last value: place of the first one, and their number
     blank: Option<([usize; 2], usize)>,
@@ -105,6 +113,13 @@ pub(crate) fn columns<'t>(
         }
     }
     let mut mistakes: Vec<Mistake> = read_rows(table, &mut series, &mut times, is_allowed);
+    for times in &times {
+        let at_one_time = || series.iter().filter(|of| of.column.time == Some(times.column) && of.differs.is_some());
+        let names = listed(at_one_time().map(|of| of.column.called()));
+        let first = at_one_time().filter_map(|of| of.differs).min();
+        mistakes.extend(first.map(|(place, count)| times.several(place, &names, count)).or_else(|| times.backwards()));
+    }
+    mistakes.extend(repeated_rows(table, &series));
     for series in &mut series {
         let times = times.iter().find(|times| Some(times.column) == series.column.time);
         series.begins = times.zip(series.lines.first()).and_then(|(times, line)| times.at(*line));
@@ -142,10 +157,30 @@ fn read_rows<'t>(
         }
         for series in &mut *series {
             marks.read(table, row, cells.get(series.column.cell).copied().unwrap_or_default());
-            series.read(table, row, &cells, is_allowed);
+            let repeats = times.iter().any(|times| times.repeats && Some(times.column) == series.column.time);
+            series.read(table, row, &cells, repeats, is_allowed);
         }
     }
     rows.said("rows").into_iter().chain(marks.both).collect()
+}
+
+/// Channels without times that have a value in each row of an export although they were sampled less often: a scope fills
+/// rows with the previous value. The rows of such an export are those of its fastest channel; if the head states its length,
+/// it shows that too.
+fn repeated_rows(table: &Table<'_>, series: &[Series<'_>]) -> Option<Mistake> {
+    let fastest = table.columns.iter().filter_map(Column::interval_ms).reduce(f64::smaller)?;
+    let is_repeated = |of: &&Series<'_>| {
+        let longest = table.duration_ms.unwrap_or(f64::INFINITY).smaller(table.rows.len() as f64 * fastest);
+        let recorded = of.column.interval_ms().map(|interval| (of.values.len().saturating_sub(1)) as f64 * interval);
+        of.column.time.is_none() && recorded.is_some_and(|recorded| recorded > LONGER * longest)
+    };
+    let repeated: Vec<&Series<'_>> = series.iter().filter(is_repeated).collect();
+    let names = listed(repeated.iter().map(|of| of.column.called()));
+    let interval = repeated.first()?.column.interval_ms()?;
+    let found = format!("more rows than samples, one every {interval} ms, of {names}: their samples are repeated");
+    let mistake = Mistake::new(repeated[0].column.place, found, "one row for each sample");
+    let remedy = "export with columns of times, or only channels that have one sampling time";
+    Some(mistake.coded(codes::UNUSABLE_TIMES).instead(remedy))
 }
 
 /// The decimal marks of a table: with two of them, one separates thousands.
@@ -202,6 +237,8 @@ impl<'t> Series<'t> {
             column,
             values,
             lines: Vec::new(),
+            last: "",
+            differs: None,
             written,
             wrong,
             begins: None,
@@ -211,9 +248,23 @@ impl<'t> Series<'t> {
         }
     }
 
-    /// Reads its cell in a row. In an export the cell is missing if the channel has no sample.
-    fn read(&mut self, table: &Table<'t>, row: &Row<'t>, cells: &[&'t str], is_allowed: fn(&Literal) -> bool) {
+    /// Reads its cell in a row. In an export the cell is missing if the channel has no sample, or it repeats the sample together
+    /// with its time.
+    fn read(
+        &mut self,
+        table: &Table<'t>,
+        row: &Row<'t>,
+        cells: &[&'t str],
+        repeats: bool,
+        is_allowed: fn(&Literal) -> bool,
+    ) {
         let cell = cells.get(self.column.cell).copied().unwrap_or_default();
+        if repeats {
+            if cell != self.last && !cell.is_empty() {
+                self.differs.get_or_insert((row.place(cell), 0)).1 += 1;
+            }
+            return;
+        }
         let has_time = self.column.time.is_none_or(|time| cells.get(time.cell).is_some_and(|time| !time.is_empty()));
         if cell.is_empty() && table.is_export {
             if has_time {
@@ -238,6 +289,7 @@ impl<'t> Series<'t> {
             });
             return;
         };
+        self.last = cell;
         self.written.add(&content, value);
         self.values.push(&[value]);
         self.lines.push(row.line);

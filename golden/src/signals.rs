@@ -23,6 +23,9 @@ pub(crate) fn of_columns(
     other: &[&str],
     map: &Map,
 ) -> Result<Vec<Option<usize>>, Vec<Mistake>> {
+    if table.is_empty() {
+        return Err(vec![Mistake::new([1, 1], "an empty file", "a line of names, and a line for each sample")]);
+    }
     if table.has_blanks() {
         return Err(vec![Mistake::new([1, 1], "blanks between the cells", "semicolons, tabs or commas")]);
     }

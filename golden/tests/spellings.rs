@@ -324,6 +324,43 @@ fn a_last_channel_without_samples() {
     }
 }
 
+/// A scope fills the rows of slower channels with their last samples. With their times they are read once; without, a row does
+/// not show when it was sampled.
+#[test]
+fn samples_that_a_scope_repeats() {
+    let text = written(FORM);
+    let (head, rows) = text.split_at(text.find("\n\n0\t").unwrap() + 2);
+    let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split('\t').collect()).collect();
+    let row = |n: usize| [&rows[n][..2], &rows[n / 5][2..7]].concat().join("\t") + "\n";
+    let repeated = head.to_owned() + &(0..rows.len()).map(row).collect::<String>();
+    assert_eq!(read(&repeated, &MAP).unwrap().outputs, read(&text, &MAP).unwrap().outputs);
+    assert_eq!(measured(&repeated).unwrap()[1].timing.interval, Some(1e-3));
+    let form = Form { times: Times::None, ..FORM };
+    let ends = written(form).replace("\n\n\n", "\nEndtime of export\t133000000000400000\n\n\n");
+    assert_eq!(read(&ends, &MAP).unwrap().outputs.len(), 40);
+    let twice: String =
+        ends.lines().map(|line| [line, "\n"].concat().repeat(if line.ends_with("\t1") { 2 } else { 1 })).collect();
+    let faster = written(form).replace("SampleTime[ms]\t1\t", "SampleTime[ms]\t0,5\t");
+    for (text, names) in [(twice, "Motor speed, Motor speed (1), "), (faster, "Motor speed (1), ")] {
+        for mistakes in [read(&text, &MAP).unwrap_err(), measured(&text).unwrap_err()] {
+            let said = format!("more rows than samples, one every 1 ms, of {names}");
+            assert!(mistakes[0].code == "AX530" && mistakes[0].found.starts_with(&said), "{mistakes:?}");
+        }
+    }
+}
+
+/// Separators at the end of the row of units, and a row that does not fit.
+#[test]
+fn units_of_a_row_that_is_longer() {
+    let unit = |more: &str| {
+        let text = written(FORM).replace("\nUnit Offset", &format!("{more}\nUnit Offset"));
+        let command = measured(&text).unwrap().remove(0);
+        (command.unit.map(|unit| unit.name), command.other_unit)
+    };
+    assert_eq!([unit(""), unit("\t"), unit("\t\t\t")], [const { (Some("mm/s"), None) }; 3]);
+    assert_eq!(unit("\tmm"), (None, Some("row Unit does not fit the channels".to_owned())));
+}
+
 /// Names with blanks between blanks, which neither the user nor a second channel of the name reports apart.
 #[test]
 fn names_that_are_not_told_apart_are_replaced_by_symbols() {

@@ -34,7 +34,7 @@ pub(super) struct Meaning {
     pub unknown: Option<String>,
 }
 
-/// The words of each quantity, in lower case. The first known word of a name decides.
+/// The words of each quantity, in lower case.
 const WORDS: [(Quantity, &[&str]); 8] = [
     (
         Quantity::Frequency,
@@ -108,7 +108,12 @@ pub(super) fn meaning(name: &str, below: Option<&str>) -> Option<Meaning> {
     let quantity = match bare {
         bare if bare.contains('|') => Quantity::Magnitude,
         bare if bare.contains('∠') => Quantity::Phase,
-        bare => words.iter().find_map(|word| of_word(word)).or_else(|| of_word(bare.trim()))?,
+        bare => decisive(words.iter().filter_map(|word| of_word(word))).or_else(|| of_word(bare.trim()))?,
+    };
+    let quantity = match (quantity, named) {
+        (Quantity::Frequency | Quantity::Magnitude, Some(Unit::Degrees)) => Quantity::Phase,
+        (Quantity::Frequency, Some(Unit::Decibel)) => Quantity::Magnitude,
+        (quantity, _) => quantity,
     };
     let is_angular = || words.iter().any(|word| ANGULAR.contains(word) || *word == "angular");
     let alone = match (quantity, words.as_slice()) {
@@ -120,6 +125,17 @@ pub(super) fn meaning(name: &str, below: Option<&str>) -> Option<Meaning> {
     };
     let unknown = bracket.or(below).filter(|text| named.is_none() && !text.trim().is_empty()).map(str::to_owned);
     Some(Meaning { quantity, unit: named.or(alone), unknown })
+}
+
+/// The quantity of a name with several words: `Gain: Phase` is a phase, and `Frequency response magnitude` a magnitude. Among
+/// words of one rank the first one decides.
+fn decisive(words: impl Iterator<Item = Quantity>) -> Option<Quantity> {
+    let rank = |quantity: &Quantity| match quantity {
+        Quantity::Phase | Quantity::Coherence => 0,
+        Quantity::Real | Quantity::Imaginary | Quantity::Magnitude | Quantity::StandardError | Quantity::Averages => 1,
+        Quantity::Frequency => 2,
+    };
+    words.min_by_key(rank)
 }
 
 /// A name without its unit in brackets, or after `/` or `in`. Round brackets that contain no unit belong to the name:

@@ -17,6 +17,13 @@ fn polar(names: &str, of: impl Fn(f64) -> [f64; 2]) -> String {
     table(names, &lines(), |hz| format!("{:.9};{:.9}", of(hz)[0], of(hz)[1]))
 }
 
+/// Magnitude [dB] and phase [deg].
+fn db(hz: f64) -> [f64; 2] {
+    [decibels(velocity_loop(hz)), degrees(velocity_loop(hz))]
+}
+
+const DB: &str = "f [Hz];magnitude [dB];phase [deg]";
+
 /// The response with another line in the place of one.
 fn with_line(line: usize, text: &str) -> String {
     let whole = parts(&lines(), velocity_loop);
@@ -24,13 +31,14 @@ fn with_line(line: usize, text: &str) -> String {
     changed.collect::<Vec<_>>().join("\n")
 }
 
+fn with_column(name: &str, of: impl Fn(f64) -> f64) -> String {
+    let p = velocity_loop;
+    table(&format!("f [Hz];re;im;{name}"), &lines(), |hz| format!("{:.9};{:.9};{}", p(hz).re, p(hz).im, of(hz)))
+}
+
 /// With a coherence and 20 averages.
 fn with_coherence(of: impl Fn(f64) -> f64) -> String {
-    let lines = table("f [Hz];re;im;coherence", &lines(), |hz| {
-        let p = velocity_loop(hz);
-        format!("{:.9};{:.9};{}", p.re, p.im, of(hz))
-    });
-    format!("# averages: 20\n{lines}")
+    format!("# averages: 20\n{}", with_column("coherence", of))
 }
 
 fn only(is_kept: impl Fn(f64) -> bool) -> String {
@@ -40,35 +48,24 @@ fn only(is_kept: impl Fn(f64) -> bool) -> String {
 
 fn of_the_table() -> Vec<(&'static str, String)> {
     let p = velocity_loop;
+    let number = |hz: f64| format!("{:.6};{:.6}", p(hz).re, p(hz).im);
+    let half = |hz: f64, from: f64| if hz < from { "---;---".to_owned() } else { number(hz) };
     vec![
         ("nothing", String::new()),
         ("a binary file", "\0\u{1}PK".to_owned()),
         ("no names", only(|_| true).lines().skip(1).collect::<Vec<_>>().join("\n")),
-        (
-            "half of the lines without numbers",
-            table("f [Hz];re;im", &lines(), |hz| {
-                if hz < 130.0 { "---;---".to_owned() } else { format!("{:.6};{:.6}", p(hz).re, p(hz).im) }
-            }),
-        ),
+        ("half of the lines without numbers", table("f [Hz];re;im", &lines(), |hz| half(hz, 130.0))),
         ("no phase", table("f [Hz];magnitude [dB];coherence", &lines(), |hz| format!("{:.6};1", decibels(p(hz))))),
-        ("no frequency", table("time [s];re;im", &lines(), |hz| format!("{:.6};{:.6}", p(hz).re, p(hz).im))),
+        ("no frequency", table("time [s];re;im", &lines(), number)),
         ("two magnitudes", table("f [Hz];Amplitude Ch1;Amplitude Ch2;phase [deg]", &lines(), |_| "1;1;1".to_owned())),
         ("decimal commas between commas", "f,re,im\n1,5,0,99,-0,1\n2,5,0,98,-0,1\n3,5,0,97,-0,1\n".to_owned()),
-        (
-            "a unit that no frequency has",
-            polar("f [rpm];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), degrees(p(hz))]),
-        ),
+        ("a unit that no frequency has", polar("f [rpm];magnitude [dB];phase [deg]", db)),
         ("NaN", with_line(5, "1;NaN;-0.1")),
         ("an empty cell", with_line(5, "1;;-0.1")),
         ("a magnitude of 0", with_line(5, "1;0;0")),
         ("coherence above 1", with_coherence(|hz| if hz > 249.9 { 1.2 } else { 0.99 })),
         ("negative coherence", with_coherence(|hz| if hz > 249.9 { -0.1 } else { 0.99 })),
-        (
-            "negative standard error",
-            table("f [Hz];re;im;se", &lines(), |hz| {
-                format!("{:.6};{:.6};{}", p(hz).re, p(hz).im, if hz > 249.9 { -1.0 } else { 0.0 })
-            }),
-        ),
+        ("negative standard error", with_column("se", |hz| if hz > 249.9 { -1.0 } else { 0.0 })),
     ]
 }
 
@@ -76,6 +73,7 @@ fn of_the_lines() -> Vec<(&'static str, String)> {
     let mut falling = lines();
     falling.reverse();
     let twice = [lines(), lines()].concat();
+    let coarse: Vec<f64> = (1..=40).map(|line| 6.25 * f64::from(line)).collect();
     vec![
         ("falling", parts(&falling, velocity_loop)),
         ("two measurements in one file", parts(&twice, velocity_loop)),
@@ -85,36 +83,24 @@ fn of_the_lines() -> Vec<(&'static str, String)> {
         ("too few lines", only(|hz| hz % 50.0 < 0.1 && hz > 1.0 || (hz - 1.0).abs() < 0.1)),
         ("too short above", only(|hz| hz < 40.0)),
         ("too short below", only(|hz| hz > 20.0)),
-        (
-            "coarser than a stage",
-            parts(&(1..=40).map(|line| 6.25 * f64::from(line)).collect::<Vec<_>>(), velocity_loop),
-        ),
+        ("coarser than a stage", parts(&coarse, velocity_loop)),
         ("coherence low at f0", with_coherence(|hz| if (52.0..54.0).contains(&hz) { 0.2 } else { 0.99 })),
     ]
 }
 
 fn of_the_meaning() -> Vec<(&'static str, String)> {
     let p = velocity_loop;
+    let short =
+        table("f [Hz];magnitude [dB];phase", &lines()[..150], |hz| db(hz).map(|of| format!("{of:.6}")).join(";"));
     let turned = |by: f64| move |hz: f64| p(hz) * complex(by, 0.0);
     vec![
-        ("dB given as a factor", polar("f [Hz];magnitude [1];phase [deg]", |hz| [decibels(p(hz)), degrees(p(hz))])),
-        ("a factor given as dB", polar("f [Hz];magnitude [dB];phase [deg]", |hz| [p(hz).norm(), degrees(p(hz))])),
-        ("radians given as degrees", polar("f [Hz];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), p(hz).arg()])),
-        (
-            "degrees given as radians",
-            polar("f [Hz];magnitude [dB];phase [rad]", |hz| [decibels(p(hz)), degrees(p(hz))]),
-        ),
-        (
-            "a lag counted as positive",
-            polar("f [Hz];magnitude [dB];phase [deg]", |hz| [decibels(p(hz)), -degrees(p(hz))]),
-        ),
+        ("dB given as a factor", polar("f [Hz];magnitude [1];phase [deg]", db)),
+        ("a factor given as dB", polar(DB, |hz| [p(hz).norm(), degrees(p(hz))])),
+        ("radians given as degrees", polar(DB, |hz| [decibels(p(hz)), p(hz).arg()])),
+        ("degrees given as radians", polar("f [Hz];magnitude [dB];phase [rad]", db)),
+        ("a lag counted as positive", polar(DB, |hz| [db(hz)[0], -db(hz)[1]])),
         ("the imaginary part with the other sign", parts(&lines(), |hz| p(hz).conj())),
-        (
-            "no unit, and a range too short to show it",
-            table("f [Hz];magnitude [dB];phase", &lines()[..150], |hz| {
-                format!("{:.6};{:.6}", decibels(p(hz)), degrees(p(hz)))
-            }),
-        ),
+        ("no unit, and a range too short to show it", short),
         ("a position", parts(&lines(), |hz| p(hz) / complex(0.0, TAU * hz))),
         ("the open plant without Kp and Tn", parts(&lines(), open_plant)),
         ("a control deviation", parts(&lines(), |hz| complex(1.0, 0.0) - p(hz))),

@@ -18,6 +18,7 @@ fn files() -> Vec<(&'static str, From, String)> {
     let from_zero = [vec![0.0], lines()].concat();
     let beyond = (1..=2000).map(|line| 0.5 * f64::from(line)).collect::<Vec<_>>();
     let slow = |hz: f64| delay(hz, 2e-3) / complex(1.0, TAU * hz / 20.0);
+    let slow = table("f;re;im;se", &lines(), |hz| format!("{:.9};{:.9};0.001", slow(hz).re, slow(hz).im));
     let plant = table("f [Hz];re;im;se", &lines(), |hz| {
         let late = open_plant(hz) * delay(hz, 2e-3);
         format!("{:e};{:e};1e-5", late.re, late.im)
@@ -42,11 +43,7 @@ fn files() -> Vec<(&'static str, From, String)> {
             COMMAND,
             table("f;gain;phase;se [dB]", &lines(), |hz| format!("{:.9};{:.9};0.01", decibels(p(hz)), degrees(p(hz)))),
         ),
-        (
-            "as slow as a position loop",
-            COMMAND,
-            table("f;re;im;se", &lines(), |hz| format!("{:.9};{:.9};0.001", slow(hz).re, slow(hz).im)),
-        ),
+        ("as slow as a position loop", COMMAND, slow),
         ("a speed loop near -1", From::Current { kp: 3.8, tn: 0.02, delay: 2e-3 }, plant),
     ]
 }

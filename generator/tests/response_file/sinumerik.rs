@@ -13,12 +13,10 @@ const WIDTH: usize = 200;
 
 fn base_85(numbers: &[f64]) -> String {
     let words = numbers.iter().flat_map(|number| [number.to_bits() >> 32, number.to_bits() & 0xffff_ffff]);
+    let digit = |of: u64| char::from(DIGITS[usize::try_from(of).unwrap()]);
     let digits = |word: u64| match word {
         0 => ".".to_owned(),
-        _ => (0..5)
-            .rev()
-            .map(|place| char::from(DIGITS[usize::try_from(word / 85_u64.pow(place) % 85).unwrap()]))
-            .collect(),
+        _ => (0..5).rev().map(|place| digit(word / 85_u64.pow(place) % 85)).collect(),
     };
     words.map(digits).collect()
 }
@@ -149,12 +147,8 @@ fn a_measurement_is_the_demonstration_plant() {
         assert!(error < 2e-3, "{hz} Hz: {error}");
     }
     // Bytes of ISO 8859-1, ends of lines of Windows.
-    let bytes: Vec<u8> = text
-        .replace("4.7.6.0.3 -->", "Gerät -->")
-        .replace('\n', "\r\n")
-        .chars()
-        .map(|letter| u8::try_from(letter).unwrap())
-        .collect();
+    let windows = text.replace("4.7.6.0.3 -->", "Gerät -->").replace('\n', "\r\n");
+    let bytes: Vec<u8> = windows.chars().map(|letter| u8::try_from(letter).unwrap()).collect();
     let again = read("p.xml", &bytes, COMMAND, CYCLE_TIME, &BANDS).unwrap_or_else(|report| panic!("{report}"));
     assert!(lines().into_iter().all(|hz| again.response.value(hz) == measured.response.value(hz)));
 }
@@ -242,13 +236,10 @@ fn each_defect_gets_its_verdict() {
                 .replacen("OutputSigNodeUniqueInstanceID\">0", "OutputSigNodeUniqueInstanceID\">1", 1)
                 .replacen("InputSigNodeUniqueInstanceID\">2", "InputSigNodeUniqueInstanceID\">0", 1)
         }),
-        (
-            "rpm over rad/s",
-            of(&|of| {
-                of.yu.iter_mut().for_each(|yu| *yu *= 9.549);
-                of.yy.iter_mut().for_each(|yy| *yy *= 9.549 * 9.549);
-            }),
-        ),
+        ("rpm over rad/s", {
+            let scaled = |values: &mut Vec<Complex64>, by: f64| values.iter_mut().for_each(|value| *value *= by);
+            of(&|of| [(&mut of.yu, 9.549), (&mut of.yy, 9.549 * 9.549)].into_iter().for_each(|(v, by)| scaled(v, by)))
+        }),
     ];
     let all: Vec<(&str, String)> = files.into_iter().map(|(name, text)| (name, said(&text, COMMAND))).collect();
     let found: String = all.iter().map(|(name, said)| format!("> {name}\n{said}\n")).collect();

@@ -30,6 +30,13 @@ fn narrow(bytes: &[u8]) -> Vec<u8> {
 fn spellings(p: &[Complex64]) -> Vec<(&'static str, Vec<u8>)> {
     let turns = unwrapped(p);
     let turn = |index: usize| turns[index];
+    // Frequency, magnitude and phase, with the separator of the head; the third argument is the unwrapped phase.
+    let polar = |head: &str, of: fn(f64, Complex64, f64) -> [f64; 3]| {
+        let separator = [", ", ";", "\t"].into_iter().find(|separator| head.contains(separator)).unwrap();
+        written(p, head, "\n", |index, hz, p| {
+            of(hz, p, turn(index)).map(|value| format!("{value:.12}")).join(separator)
+        })
+    };
     macro_rules! file {
         ($($argument:expr),*) => { written(p, $($argument),*) };
     }
@@ -41,24 +48,10 @@ fn spellings(p: &[Complex64]) -> Vec<(&'static str, Vec<u8>)> {
         ("BOM, CRLF", file!("\u{feff}frequency,real,imag", "\r\n", |_, hz, p| format!("{hz:e},{:e},{:e}", p.re, p.im))),
         ("German, ISO 8859-1", narrow(&german)),
         ("German, UTF-16", wide(&german)),
-        (
-            "dB and degrees, wrapped",
-            file!("Freq\tMag (dB)\tPhase (deg)", "\n", |_, hz, p| {
-                format!("{hz}\t{:.9}\t{:.9}", decibels(p), degrees(p))
-            }),
-        ),
-        (
-            "degrees, unwrapped",
-            file!("f [Hz];gain [dB];phase [deg]", "\n", |index, hz, p| {
-                format!("{hz};{:.9};{:.9}", decibels(p), turn(index).to_degrees())
-            }),
-        ),
-        (
-            "radians, unwrapped, factor",
-            file!("\"f / Hz\", \"|P|\", \"phase / rad\"", "\n", |index, hz, p| {
-                format!("{hz}, {:.12}, {:.12}", p.norm(), turn(index))
-            }),
-        ),
+        ("dB and degrees, wrapped", polar("Freq\tMag (dB)\tPhase (deg)", |hz, p, _| [hz, decibels(p), degrees(p)])),
+        ("degrees, unwrapped", polar("f [Hz];gain [dB];phase [deg]", |hz, p, t| [hz, decibels(p), t.to_degrees()])),
+        ("radians, unwrapped, factor", polar("\"f / Hz\", \"|P|\", \"phase / rad\"", |hz, p, t| [hz, p.norm(), t])),
+        ("units not stated", polar("w_rad_s;gain;phase", |hz, p, _| [TAU * hz, decibels(p), degrees(p)])),
         (
             "rad/s, blanks",
             file!("omega [rad/s]  magnitude  phase [rad]", "\n", |_, hz, p| {
@@ -87,18 +80,7 @@ fn spellings(p: &[Complex64]) -> Vec<(&'static str, Vec<u8>)> {
             "quoted decimal commas, comments between",
             file!("// f, re, im\nf,re,im\n; lines", "\n", |index, hz, p| {
                 let comment = if index == 5 { "# weak\n\n" } else { "" };
-                comment.to_owned()
-                    + &comma(format!("{hz}#{:.12}#{:.12}", p.re, p.im))
-                        .split('#')
-                        .map(|cell| format!("\"{cell}\""))
-                        .collect::<Vec<_>>()
-                        .join(",")
-            }),
-        ),
-        (
-            "units without brackets, units not stated",
-            file!("w_rad_s;gain;phase", "\n", |_, hz, p| {
-                format!("{:.12};{:.9};{:.9}", TAU * hz, decibels(p), degrees(p))
+                comment.to_owned() + &comma(format!("\"{hz}\",\"{:.12}\",\"{:.12}\"", p.re, p.im))
             }),
         ),
     ]

@@ -27,8 +27,6 @@ pub const SIGNALS: [(&str, Quantity); 11] = [
 /// Signals of blocks that a recording may have too.
 const OTHERS: [&str; 8] =
     ["mode", "position_controlled", "reset", "task_cycle_ns", "limited", "fault", "error_id", "x_drive"];
-/// A step of that many intervals is a gap.
-const GAP: f64 = 1.5;
 
 /// One channel.
 #[derive(Clone, Debug)]
@@ -42,6 +40,8 @@ pub struct Channel {
     pub is_stated: bool,
     /// what it states instead, if that is no unit of the quantity
     pub other_unit: Option<String>,
+    /// factor and offset by which a scope scales the values, if it states them and the values do not show that it did
+    pub scaling: Option<String>,
     pub values: Vec<f64>,
     pub timing: Timing,
 }
@@ -65,6 +65,8 @@ pub struct Timing {
     pub uneven: Option<usize>,
     /// an assumed unit of the times, if another one is as plausible
     pub doubt: Option<String>,
+    /// why the times show no interval, if there are times
+    pub unusable: Option<String>,
     /// number of missing samples, and the line before which the first ones are missing
     pub missing: usize,
     pub first_gap: Option<usize>,
@@ -87,10 +89,10 @@ pub fn read(table: &Table<'_>, map: &Map) -> Result<Vec<Channel>, Vec<Mistake>> 
         let of = |time| times.iter().position(|known| known.column == time);
         let timing = column.time.and_then(of).map_or_else(|| stated_timing(column), |at| timings[at].clone());
         let (signal, quantity) = SIGNALS[signal];
-        let values = values.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+        let values: Vec<f64> = values.bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
         let (unit, other_unit) = unit.map_or((None, None), |unit| (unit.as_ref().ok().copied(), unit.err()));
-        let timing = Timing { begins, ..timing };
-        Channel { signal, quantity, unit, is_stated: unit.is_some(), other_unit, values, timing }
+        let (timing, scaling) = (Timing { begins, ..timing }, scaling(column, &values));
+        Channel { signal, quantity, unit, is_stated: unit.is_some(), other_unit, scaling, values, timing }
     };
     let mut channels: Vec<Channel> = series.into_iter().zip(units).map(channel).collect();
     channels.sort_by_key(|channel| SIGNALS.iter().position(|(name, _)| *name == channel.signal));
@@ -141,38 +143,48 @@ fn with_units(table: &Table<'_>, map: &Map) -> Vec<(String, String)> {
     map.iter().cloned().chain(table.columns.iter().filter_map(of)).collect()
 }
 
+/// The scaling that the head of an export states for a column; `None` if there is none, or if integers are no longer whole. The
+/// head states it also if the values are exported without it.
+fn scaling(column: &Column<'_>, values: &[f64]) -> Option<String> {
+    let [factor, offset] = column.scaling.map(|text| text.replace(',', ".").parse::<f64>().ok());
+    let (factor, offset) = (factor.unwrap_or(1.0), offset.unwrap_or(0.0));
+    let is_scaled = column.is_integer && values.iter().any(|value| value.fract() != 0.0);
+    let is_plain = factor.to_bits() == 1f64.to_bits() && offset == 0.0;
+    (!is_plain && !is_scaled).then(|| format!("ScaleFactor {factor}, Offset {offset}"))
+}
+
 /// The timing of a column of times.
 fn timing(times: &Instants<'_>) -> Timing {
-    let Some(seconds) = times.seconds() else { return Timing::default() };
+    let unusable = times.unusable();
+    let Some((seconds, usual)) = times.seconds() else { return Timing { unusable, ..Timing::default() } };
     let steps = || seconds.windows(2).map(|pair| pair[1] - pair[0]);
-    let mut sorted: Vec<f64> = steps().collect();
-    sorted.sort_by(f64::total_cmp);
-    let Some(usual) = sorted.get(sorted.len() / 2).copied().filter(|usual| *usual > 0.0) else {
-        return Timing::default();
-    };
-    let is_gap = |step: &f64| *step >= GAP * usual;
-    let (mut sum, mut count, mut missing) = (0.0, 0.0, 0.0);
-    for step in steps() {
-        let cycles = if is_gap(&step) { libm::round(step / usual) } else { 1.0 };
-        (sum, count, missing) = (sum + step, count + cycles, missing + cycles - 1.0);
-    }
+    let cycles = times.usual_cycles();
+    let (sum, count): (f64, f64) = (steps().sum(), cycles.iter().sum());
     // Times are written with few digits: their mean step is more precise than any of them.
     let interval = libm::round(sum / count * 1e9) / 1e9;
     let rounded = |apart: f64| libm::round(libm::fabs(apart) * 1e9) / 1e9;
-    let step = |(k, step): (usize, f64)| (rounded(step - interval), times.lines()[k + 1]);
-    let all = steps().enumerate().filter(|(_, step)| !is_gap(step)).map(step);
+    let is_gap = |cycles: &f64| *cycles > 1.0;
+    let step = |(k, (step, _)): (usize, (f64, &f64))| (rounded(step - interval), times.lines()[k + 1]);
+    let all = steps().zip(&cycles).enumerate().filter(|(_, (_, cycles))| !is_gap(cycles)).map(step);
     let drift = times.drift().map(|(drift, line)| (rounded(drift * usual), line));
     let worst = all.chain(drift).reduce(|worst, other| if other.0 > worst.0 { other } else { worst });
     let (jitter, uneven) = worst.map_or((0.0, None), |(jitter, line)| (jitter, Some(line)));
-    let first_gap = steps().position(|step| is_gap(&step)).and_then(|at| times.lines().get(at + 1).copied());
+    let first_gap = cycles.iter().position(is_gap).and_then(|at| times.lines().get(at + 1).copied());
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "not negative, saturates")]
-    let missing = missing as usize;
-    Timing { interval: Some(interval), jitter, uneven, doubt: times.doubt(), missing, first_gap, begins: None }
+    let missing = cycles.iter().filter(|cycles| is_gap(cycles)).map(|cycles| cycles - 1.0).sum::<f64>() as usize;
+    Timing {
+        interval: Some(interval),
+        jitter,
+        uneven,
+        doubt: times.doubt(),
+        unusable,
+        missing,
+        first_gap,
+        begins: None,
+    }
 }
 
 /// The timing of a column without times: from the head of an export.
 fn stated_timing(column: &Column<'_>) -> Timing {
-    let stated = column.sample_time.and_then(|(text, _)| text.replace(',', ".").parse::<f64>().ok());
-    let interval = stated.filter(|ms| ms.is_finite() && *ms > 0.0).map(|ms| ms / 1e3);
-    Timing { interval, ..Timing::default() }
+    Timing { interval: column.interval_ms().map(|ms| ms / 1e3), ..Timing::default() }
 }

@@ -27,6 +27,7 @@ pub use excited::Excited;
 pub use record::Record;
 pub use record::is_same as is_same_interval;
 pub use relations::Offset;
+pub(crate) use relations::find_error_unit;
 pub use unit::{Quantity, Unit};
 pub use verdict::Verdict;
 pub use vibrations::{Vibration, When, Windows};
@@ -118,7 +119,8 @@ pub fn measure(
         verdicts.push(Verdict::refusal(codes::MEASURED_TOO_SHORT, "no sample that all channels have", instead));
         return measured;
     };
-    let fits = record.find_units(verdicts);
+    let fits = record.find_units(verdicts) & relations::positions_fit(&record, verdicts);
+    find_error_unit(&record, None, verdicts);
     record.find_clipping(verdicts);
     record.find_outliers(verdicts);
     for channel in &mut measured.channels {
@@ -148,10 +150,16 @@ pub fn measure(
 fn is_sampled(channels: &[Channel], verdicts: &mut Vec<Verdict>) -> bool {
     let list =
         |of: &dyn Fn(&&Channel) -> bool| channels.iter().filter(of).map(|c| c.signal).collect::<Vec<_>>().join(", ");
-    let without = list(&|channel| channel.timing.interval.is_none());
+    let without = list(&|channel| channel.timing.interval.is_none() && !channel.values.is_empty());
     if !without.is_empty() {
-        let instead = "record the time too, or give --cycle-time";
-        verdicts.push(Verdict::refusal(codes::NO_INTERVAL, format!("no sampling interval: {without}"), instead));
+        let unusable = channels.iter().find_map(|channel| channel.timing.unusable.as_ref());
+        let (why, instead) = match unusable {
+            Some(why) => {
+                (format!("; {why}"), "write the times as numbers with their unit, `time [s]`, or give --cycle-time")
+            }
+            None => (String::new(), "record the time too, or give --cycle-time"),
+        };
+        verdicts.push(Verdict::refusal(codes::NO_INTERVAL, format!("no sampling interval: {without}{why}"), instead));
     }
     let lost = channels.iter().filter(|channel| channel.timing.missing > 0);
     if let Some(first) = lost.clone().next() {

@@ -12,7 +12,7 @@ const SENSORS: [&str; 3] = ["v_motor", "v_direct", "a_load"];
 /// Times over which the command is smoothed twice [s]: for a planned position because of its digits, for a controller's
 /// output because of the vibration that it feeds back.
 const OF_POSITION: f64 = 0.01;
-const OF_VELOCITY: f64 = 0.1;
+pub(super) const OF_VELOCITY: f64 = 0.1;
 /// Tolerances: for equal intervals, relative; for simultaneous samples and for jitter, relative to an interval.
 const SAME_INTERVAL: f64 = 1e-3;
 const TOGETHER: f64 = 0.25;
@@ -44,6 +44,7 @@ impl Record {
         let cycle = of(&["v_motor"]).or(channels.first())?.timing.interval?;
         let is_as_often = |timing: &Timing| timing.interval.is_some_and(|interval| is_same(interval, cycle));
         let (latest, mut apart) = (channels.iter().filter_map(|channel| channel.timing.begins).max(), Vec::new());
+        let jitters = channels.iter().any(|channel| channel.timing.jitter > TOGETHER * cycle);
         for channel in &mut channels {
             let begins = channel.timing.begins.or(latest);
             #[expect(clippy::cast_precision_loss, reason = "the time between two channels of one file")]
@@ -63,7 +64,13 @@ impl Record {
         if !apart.is_empty() {
             let found =
                 format!("not sampled evenly, together and every {} ms: {}", shown(Some(cycle)), apart.join(", "));
-            let instead = "record all channels in one task, or leave these out with --map NAME=-";
+            let instead = match jitters {
+                true => {
+                    "record all channels in one task; if only the time stamps jitter, leave them out with --map TIME=- and \
+                     give --cycle-time"
+                }
+                false => "record all channels in one task, or leave these out with --map NAME=-",
+            };
             verdicts.push(Verdict::refusal(codes::TWO_RATES, found, instead));
         }
         channels.retain(|channel| !channel.values.is_empty());
@@ -188,6 +195,12 @@ impl Record {
             if is_rotary && channel.quantity != Quantity::Acceleration {
                 channel.unit = channel.unit.map(|unit| unit.rotary().unwrap_or(unit));
             }
+        }
+        for Channel { signal, unit, scaling, .. } in self.channels.iter().filter(|channel| channel.is_stated) {
+            let Some((scaling, unit)) = scaling.as_ref().zip(*unit) else { continue };
+            let found = format!("{signal} has {scaling}: its values are taken as scaled, in {}", unit.name);
+            let instead = "check that the export scales the values; if not, export them again, scaled";
+            verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
         }
         for channel in &self.channels {
             let Some(stated) = &channel.other_unit else { continue };
@@ -332,7 +345,7 @@ fn slope(x: &[f64], y: &[f64]) -> Option<f64> {
 }
 
 /// Moving averages over this number of samples, centred.
-fn smoothed(values: &[f64], samples: f64) -> Vec<f64> {
+pub(super) fn smoothed(values: &[f64], samples: f64) -> Vec<f64> {
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some hundred samples")]
     let half = (libm::round(samples / 2.0)) as usize;
     let mut sums = vec![0.0];

@@ -1,11 +1,12 @@
-//! Results from channels with a known relation: the delay of one of them, and the gain of the position controller. No
-//! response.
+//! Results from channels with a known relation: the delay of one of them, units that contradict it, and the gain of the
+//! position controller. No response.
 
-use super::record::{Record, rate};
+use super::record::{OF_VELOCITY, Record, rate, smoothed};
+use super::unit::is_near;
 use super::verdict::Verdict;
 use generator::codes;
 use identification::offset::{self, Time};
-use portable::Extreme;
+use portable::{Extreme, peak};
 use stability::Complex64;
 use std::f64::consts::TAU;
 
@@ -18,6 +19,10 @@ const WITHIN: f64 = 0.25;
 /// Limits of Kv [1/s], and of its residual of `v_command`, as a part.
 const KV: [f64; 2] = [1.0, 500.0];
 const LEFT: f64 = 0.05;
+/// A smaller gain is unusual.
+const LOW_KV: f64 = 4.0;
+/// A velocity fits the change of a position within that factor.
+const FITS: f64 = 1.2;
 
 /// The delay of one channel relative to another one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,6 +64,49 @@ pub(super) fn offsets(record: &Record, verdicts: &mut Vec<Verdict>) -> Vec<Offse
         }
     }
     found
+}
+
+/// Whether the stated velocity of the motor is the change of a stated position, where it is fast and their ratio is steady.
+pub(super) fn positions_fit(record: &Record, verdicts: &mut Vec<Verdict>) -> bool {
+    let stated = |name: &str| record.channel(name).filter(|channel| channel.is_stated && channel.unit.is_some());
+    let position = ["x_actual", "x_command"].into_iter().find_map(stated);
+    let Some((x, motor)) = position.zip(stated("v_motor")) else { return true };
+    let smooth = |values: &[f64]| smoothed(values, OF_VELOCITY / record.cycle);
+    let (change, speed) = (smooth(&rate(&x.values, record.cycle)), smooth(&motor.values));
+    let (ratio_of_units, least) = (motor.ratio_to(x), peak(&speed) / 2.0);
+    let fast = speed.iter().zip(&change).filter(|(speed, _)| libm::fabs(**speed) > least);
+    let mut ratios: Vec<f64> = fast.map(|(speed, change)| ratio_of_units * libm::fabs(speed / change)).collect();
+    ratios.sort_by(f64::total_cmp);
+    let part = |quarters: usize| ratios.get(ratios.len() * quarters / 4).copied();
+    let (Some(low), Some(ratio), Some(high)) = (part(1), part(2), part(3)) else { return true };
+    if high > FITS * low || (1.0 / FITS..FITS).contains(&ratio) {
+        return true;
+    }
+    let found =
+        format!("v_motor is {ratio:.3} times as large as the change of {}, in the units that are stated", x.signal);
+    verdicts.push(Verdict::refusal(codes::UNITS_DIFFER, found, "export scaled values, or correct the units"));
+    false
+}
+
+/// Reports an assumed unit of the following error with which the gain of the position controller is a tenth of the known one,
+/// or unusual if none is known: the CNC counts positions in 0.1 um.
+pub(crate) fn find_error_unit(record: &Record, known: Option<f64>, verdicts: &mut Vec<Verdict>) {
+    let assumed = record.channel("following_error").filter(|error| !error.is_stated).and_then(|error| error.unit);
+    let is_wrong = |kv: &f64| known.map_or(*kv < LOW_KV, |known| *kv >= LOW_KV && is_near(10.0 * kv / known));
+    let kv = position_gain(record).or_else(|| gain_alone(record)).filter(is_wrong);
+    let Some((unit, kv)) = assumed.zip(kv) else { return };
+    let found = format!("following_error has no unit: {} are assumed, with which Kv is {kv:.2}/s", unit.name);
+    let instead = "state its unit, as in `following_error [0.1 um]`";
+    verdicts.push(Verdict::note(codes::ASSUMED_UNIT, found, instead));
+}
+
+/// Kv [1/s] from `v_command = Kv e`, as [`position_gain`].
+fn gain_alone(record: &Record) -> Option<f64> {
+    let (command, error) = record.channel("v_command").zip(record.channel("following_error"))?;
+    let units = command.unit?.size / error.unit?.size;
+    let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let [yy, ye, ee] = [(command, command), (command, error), (error, error)].map(|(a, b)| sum(&a.values, &b.values));
+    (ee > 0.0 && yy - ye * ye / ee < LEFT * LEFT * yy).then(|| units * ye / ee)
 }
 
 /// Kv [1/s] from `v_command = Kv e + k v_planned`, least squares; `None` if channels or units are unknown, or if the

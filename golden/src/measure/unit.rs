@@ -38,8 +38,15 @@ impl Quantity {
             unit("1/min", 6e-3),
             unit("rpm", 6e-3),
         ];
-        const POSITION: [Unit; 5] =
-            [unit("um", 1e-6), unit("mm", 1e-3), unit("m", 1.0), unit("0.001 deg", 1e-6), unit("deg", 1e-3)];
+        const POSITION: [Unit; 7] = [
+            unit("um", 1e-6),
+            unit("mm", 1e-3),
+            unit("m", 1.0),
+            unit("0.001 deg", 1e-6),
+            unit("deg", 1e-3),
+            unit("0.1 um", 1e-7),
+            unit("0.0001 deg", 1e-7),
+        ];
         const ACCELERATION: [Unit; 4] =
             [unit("mm/s^2", 1e-3), unit("m/s^2", 1.0), unit("g", 9.80665), unit("deg/s^2", 1e-3)];
         match self {
@@ -59,7 +66,7 @@ impl Quantity {
         self.units()
             .iter()
             .copied()
-            .filter(|unit| !unit.name.ends_with("/min") && unit.name != "g" && !unit.is_rotary())
+            .filter(|unit| !unit.name.ends_with("/min") && !["g", "0.1 um"].contains(&unit.name) && !unit.is_rotary())
     }
 }
 
@@ -70,12 +77,25 @@ const fn unit(name: &'static str, size: f64) -> Unit {
 impl Unit {
     /// The unit in a name.
     pub(super) fn named(quantity: Quantity, name: &str) -> Option<Self> {
-        let plain = name
-            .replace(['\u{b5}', '\u{3bc}'], "u")
-            .replace('\u{b2}', "^2")
-            .replace("s2", "s^2")
-            .replace('\u{b0}', "deg");
-        quantity.units().iter().find(|unit| unit.name == plain).copied()
+        const SPELLINGS: [(&str, &str); 15] = [
+            (" ", ""),
+            (",", "."),
+            ("\u{b5}", "u"),
+            ("\u{3bc}", "u"),
+            ("\u{b2}", "^2"),
+            ("s2", "s^2"),
+            ("\u{b0}", "deg"),
+            ("degrees", "deg"),
+            ("degree", "deg"),
+            ("10^-", "10-"),
+            ("1e-", "10-"),
+            ("1E-", "10-"),
+            ("10-4", "0.0001"),
+            ("10-3", "0.001"),
+            ("10-1", "0.1"),
+        ];
+        let plain = SPELLINGS.iter().fold(name.to_owned(), |name, (is, stands_for)| name.replace(is, stands_for));
+        quantity.units().iter().find(|unit| unit.name.replace(' ', "") == plain).copied()
     }
 
     pub(super) fn is_rotary(self) -> bool {
@@ -88,6 +108,7 @@ impl Unit {
             "um/s" => "0.001 deg/s",
             "mm/s" => "deg/s",
             "um" => "0.001 deg",
+            "0.1 um" => "0.0001 deg",
             "mm" => "deg",
             "mm/s^2" => "deg/s^2",
             _ => return None,

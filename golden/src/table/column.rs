@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 /// A column that is not a time.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Column<'t> {
     /// its name, in an export the channel's; may be empty
     pub name: &'t str,
@@ -15,6 +15,10 @@ pub struct Column<'t> {
     pub sample_time: Option<(&'t str, [usize; 2])>,
     /// in an export, its unit; empty if there is none
     pub unit: &'t str,
+    /// in an export, factor and offset of its scaling
+    pub(crate) scaling: [&'t str; 2],
+    /// in an export, whether its values are integers before they are scaled
+    pub(crate) is_integer: bool,
     /// index of its cell in a row
     pub(crate) cell: usize,
     /// its column of times
@@ -46,6 +50,12 @@ impl<'t> Column<'t> {
     #[must_use]
     pub fn called(&self) -> &'t str {
         if self.name.is_empty() { self.symbol } else { self.name }
+    }
+
+    /// In an export, the time between two samples [ms].
+    pub(crate) fn interval_ms(&self) -> Option<f64> {
+        let interval = self.sample_time.and_then(|(text, _)| text.replace(',', ".").parse::<f64>().ok());
+        interval.filter(|ms| ms.is_finite() && *ms > 0.0)
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Table<'t> {
     pub is_export: bool,
     /// the columns of times of a plain table
     pub(crate) times: Vec<TimeColumn<'t>>,
+    /// in an export, the time from its start to its end [ms]
+    pub(crate) duration_ms: Option<f64>,
     separator: char,
     cells: usize,
 }
@@ -80,6 +82,11 @@ impl<'t> Table<'t> {
         self.separator == ','
     }
 
+    /// Whether a plain table has not even a name.
+    pub(crate) fn is_empty(&self) -> bool {
+        !self.is_export && self.rows.is_empty() && self.columns.iter().all(|column| column.name.is_empty())
+    }
+
     /// Whether a plain table has blanks between its cells, which separate the words of a name too.
     pub(crate) fn has_blanks(&self) -> bool {
         let mut words = self.rows.first().map_or("", |row| row.text).split_whitespace();
@@ -118,22 +125,25 @@ fn plain<'t>(lines: &[&'t str]) -> Table<'t> {
                 }
                 times.push(TimeColumn { name, cell, unit, place });
             }
-            None => columns.push(Column { name, symbol: "", place, sample_time: None, unit: "", cell, time: current }),
+            None => columns.push(Column { name, place, cell, time: current, ..Column::default() }),
         }
     }
     for column in &mut columns {
         column.time = column.time.or(times.first().copied());
     }
-    let rows = rows(lines, 1).collect();
-    Table { columns, rows, is_export: false, times, separator, cells: header.len() }
+    let is_blank = |line: &&str| line.chars().all(|letter| letter == separator || letter.is_whitespace());
+    let end = lines.iter().rposition(|line| !is_blank(line)).map_or(0, |last| last + 1);
+    let rows = rows(&lines[..end], 1).collect();
+    Table { columns, rows, is_export: false, times, duration_ms: None, separator, cells: header.len() }
 }
 
 /// A head, then samples up to a line `EOF` or the end of the file.
 fn export<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> Table<'t> {
-    let scope::Head { columns, cells, start } = scope::head(lines, separator, wanted);
+    let scope::Head { columns, cells, start, duration_ms } = scope::head(lines, separator, wanted);
     let is_end = |row: &Row<'_>| row.text.trim_matches(|letter| letter == '"' || letter == separator).trim() == "EOF";
     let rows = rows(lines, start).take_while(|row| !is_end(row)).filter(|row| !row.text.trim().is_empty());
-    Table { columns, rows: rows.collect(), is_export: true, times: Vec::new(), separator, cells }
+    let (rows, times) = (rows.collect(), Vec::new());
+    Table { columns, rows, is_export: true, times, duration_ms, separator, cells }
 }
 
 /// The lines from that index on.

@@ -20,6 +20,11 @@ const SYMBOL: &str = "SymbolName";
 const DATA_TYPE: &str = "Data-Type";
 const SAMPLE_TIME: &str = "SampleTime[ms]";
 const UNIT: &str = "Unit";
+/// The unit of each channel if the row of units has another number of cells.
+const FOREIGN: &str = "row Unit does not fit the channels";
+const SCALING: [&str; 2] = ["ScaleFactor", "Offset"];
+/// Lines about the recording: its start and its end, in 100 ns.
+const ENDS: [&str; 2] = ["Starttime of export", "Endtime of export"];
 const SEPARATORS: [char; 5] = ['\t', ';', ' ', ':', ','];
 
 /// The contents above the samples.
@@ -29,6 +34,8 @@ pub(super) struct Head<'t> {
     pub cells: usize,
     /// the index of the first line of samples
     pub start: usize,
+    /// the time from the start to the end [ms]
+    pub duration_ms: Option<f64>,
 }
 
 /// The separator of the cells, if the file is an export.
@@ -50,6 +57,7 @@ struct Rows<'t> {
     symbols: Option<Row<'t>>,
     types: Option<Row<'t>>,
     sample_times: Option<Row<'t>>,
+    scaling: [Option<Row<'t>>; 2],
     /// the unit of each channel
     units: Vec<&'t str>,
 }
@@ -75,8 +83,12 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
         symbols: row(SYMBOL),
         types: row(DATA_TYPE),
         sample_times: row(SAMPLE_TIME),
+        scaling: SCALING.map(row),
         units: units(&lines[..start], separator),
     };
+    let [from, to] = ENDS.map(|key| row(key)?.cells.get(1)?.parse::<i64>().ok());
+    #[expect(clippy::cast_precision_loss, reason = "compared with a tolerance")]
+    let duration_ms = from.zip(to).map(|(from, to)| to.saturating_sub(from) as f64 / 1e4).filter(|ms| *ms > 0.0);
     let samples = lines.get(start).map(|line| {
         cells::split_samples(line, separator, &mut cells);
         cells.iter().rposition(|cell| !cell.is_empty()).map_or(0, |last| last + 1)
@@ -85,14 +97,10 @@ pub(super) fn head<'t>(lines: &[&'t str], separator: char, wanted: &[&str]) -> H
         cells::split_samples(line, separator, &mut cells);
         cells::number(cells[0], separator).parse().ok()
     });
-    match rows.layout(samples, first_cells) {
-        Some(layout) => Head {
-            columns: rows.columns(&layout, wanted),
-            cells: layout.row.cells.len() - usize::from(!layout.has_times),
-            start,
-        },
-        None => Head { columns: Vec::new(), cells: 0, start },
-    }
+    let (columns, cells) = rows.layout(samples, first_cells).map_or((Vec::new(), 0), |layout| {
+        (rows.columns(&layout, wanted), layout.row.cells.len() - usize::from(!layout.has_times))
+    });
+    Head { columns, cells, start, duration_ms }
 }
 
 impl<'t> Rows<'t> {
@@ -144,12 +152,16 @@ impl<'t> Rows<'t> {
                 place: name.or(symbol).map_or([*line, 1], |(_, place)| place),
                 sample_time: same(&self.sample_times, cell),
                 unit: "",
+                scaling: self.scaling.each_ref().map(|row| same(row, cell).map_or("", |(text, _)| text)),
+                is_integer: same(&self.types, cell).is_some_and(|(ty, _)| ty.contains("INT")),
                 cell: if has_times { cell } else { cell - 1 },
                 time,
             });
         }
-        if self.units.len() == columns.len() {
-            columns.iter_mut().zip(&self.units).for_each(|(column, unit)| column.unit = unit);
+        // Separators at the end of the row add empty units.
+        let fits = self.units.get(columns.len()..).is_some_and(|rest| rest.iter().all(|unit| unit.is_empty()));
+        for (at, column) in columns.iter_mut().enumerate().filter(|_| !self.units.is_empty()) {
+            column.unit = if fits { self.units[at] } else { FOREIGN };
         }
         columns
     }
@@ -183,7 +195,7 @@ fn units<'t>(lines: &[&'t str], separator: char) -> Vec<&'t str> {
     let mut cells = Vec::new();
     let is_row = |line: &&&'t str| {
         cells::split(line, separator, &mut cells);
-        cells[0] == UNIT && !cells.get(1).is_some_and(|next| ["ScaleFactor", "Offset"].contains(next))
+        cells[0] == UNIT && !cells.get(1).is_some_and(|next| SCALING.contains(next))
     };
     let Some(line) = lines.iter().skip(1).rfind(is_row) else { return Vec::new() };
     if separator == ' ' {

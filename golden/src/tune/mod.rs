@@ -21,7 +21,7 @@ pub use identification::proposals::Kind;
 pub use identification::proposals::Prediction;
 pub use proposal::Proposal;
 
-use crate::measure::{Measured, Record, Verdict, is_same_interval};
+use crate::measure::{Measured, Record, Verdict, find_error_unit, is_same_interval};
 use generator::axis::{Axis, Stage};
 use generator::blocks::Designed;
 use generator::codes;
@@ -113,6 +113,7 @@ pub fn tune(
         tuning.verdicts.push(Verdict::refusal(codes::NO_PROPOSAL, found, instead));
         return tuning;
     }
+    find_error_unit(record, axis.drive.position_gain, &mut tuning.verdicts);
     let of = proposal::Task { axis, record, ramps: segments::ramps(&moves.segments).collect(), chosen: &tuning.chosen };
     if let Some(proposals) = proposals(&of, lines.as_ref(), stages, &mut tuning.verdicts) {
         (tuning.proposals, tuning.lines) = (proposals, lines);

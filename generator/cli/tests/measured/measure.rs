@@ -207,6 +207,13 @@ fn moves_with_a_defect() {
     let uneven = |n: usize| format!("{:.4}", n as f64 + 0.4 * (n % 2) as f64);
     let said = assert_said("uneven", &timed("t [ms]", &uneven), &[], "AX501", 1);
     assert!(said.err.contains(" ms, unevenly at line 4, "), "{}", said.err);
+    let jitters = |n: usize| format!("{:.1}", n as f64 + 0.6 * f64::from(u8::from(n % 7 == 4)));
+    let said = assert_said("jitter", &timed("t [ms]", &jitters), &[], "AX501", 1);
+    assert!(said.err.contains("if only the time stamps jitter, leave them out"), "{}", said.err);
+    let clock = |n: usize| format!("00:00:{:06.3}", n as f64 * CYCLE);
+    let said = assert_said("clock", &timed("time", &clock), &[], "AX500", 1);
+    assert!(said.err.contains("a_load; the time `00:00:00.000` in line 2 is not a number\n"), "{}", said.err);
+    assert_said("no sample", &rows(&|_| false), &[], "AX502", 1);
     let faster = |n: usize| format!("{:.1}", n as f64 + 0.2 * n.saturating_sub(3000) as f64);
     assert_said("faster", &timed("t [ms]", &faster), &[], "AX501", 1);
     // 100 ns since 1601, and since the first sample.

@@ -100,9 +100,7 @@ fn assert_said(folder: &TempDir, stages: &[&str], code: i32, parts: &[&str]) {
     let options: Vec<&str> = stages.iter().flat_map(|stage| ["--stage", stage]).collect();
     let run = tune(folder, &[&["--response", "drive.csv"], &options[..]].concat());
     assert_eq!(run.code, code, "{stages:?}: {}{}", run.out, run.err);
-    for part in parts {
-        assert!(run.err.contains(part), "{stages:?}: no {part}: {}", run.err);
-    }
+    parts.iter().for_each(|part| assert!(run.err.contains(part), "{stages:?}: no {part}: {}", run.err));
 }
 
 #[test]
@@ -111,10 +109,8 @@ fn stages_that_are_none() {
     let good = "mode=DIRECT,fg_f0=53,q_factor=10,weight=0.5";
     assert_said(&folder, &[good], 0, &[]);
     let said = |spec: &str, parts: &[&str]| assert_said(&folder, &[spec], 2, parts);
-    said(
-        "mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5",
-        &["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"],
-    );
+    let parts = ["--stage: error[AX203]", "fg_f0` (P-AXIS-00751) is 900", "0 < fg_f0 <= 500"];
+    said("mode=DIRECT,fg_f0=900,q_factor=10,weight=0.5", &parts);
     said("mode=DIRECT,fg_f0=53,q_factor=100", &["--stage: error[AX203]"]);
     said("mode=DIRECT,fgf0=53", &["--stage: error[AX104]: `fgf0` is not a key of a stage", "write instead: fg_f0"]);
     said("mode=DIRECT,fg_f0=53,q_factor=10,weight=0.12345", &["error[AX011]", "weight=0.12345", "up to 3 digits"]);
@@ -208,20 +204,14 @@ fn proposals_that_are_not_written() {
         lr_param.improved_position_control.v_add_max_fact 1000\n";
     write(&folder, "x.lis", list);
     write(&folder, "set.toml", "cycle_time = \"1ms\"\n[axis.X]\nlist = \"x.lis\"\n");
-    assert_kept(
-        2,
-        &["--apply", "first"],
-        "set.toml:3:8: error[AX525]: the axis X takes its values from `x.lis` and from keys",
-    );
+    let part = "set.toml:3:8: error[AX525]: the axis X takes its values from `x.lis` and from keys";
+    assert_kept(2, &["--apply", "first"], part);
     let of_list = ["tune", "x.lis", "--cycle-time", "1ms", "--recording", "moves.csv", "--apply", "first"];
     let run = axgen(&folder, &of_list);
     assert_eq!(run.code, 0, "{}{}", run.out, run.err);
     let written = read(&folder, "x.lis");
-    assert!(written.starts_with(list), "{written}");
-    assert!(
-        written.contains("lr_param.improved_position_control.enable") && written.contains(" DRYRUN\n"),
-        "{written}"
-    );
+    let enable = written.contains("lr_param.improved_position_control.enable") && written.contains(" DRYRUN\n");
+    assert!(written.starts_with(list) && enable, "{written}");
     let check = axgen(&folder, &["check", "x.lis", "--cycle-time", "1ms"]);
     assert_eq!(check.code, 0, "{}", check.err);
 }

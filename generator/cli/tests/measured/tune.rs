@@ -200,21 +200,21 @@ fn recordings_that_allow_no_proposal() {
     let text = csv(&moves(), &OF_MOVES);
     let lines: Vec<&str> = text.lines().collect();
     let of = |to: usize| lines[..to].join("\n");
-    let folder = folder(&[("moves.csv", &of(250))]);
-    assert_refused("at rest", &folder, &[], "AX503");
-    let write = |text: &str| fs::write(folder.path().join("moves.csv"), text).unwrap();
-    write(&of(1500));
-    assert_refused("ends while it moves", &folder, &[], "AX518");
-    write(&text);
-    fs::write(folder.path().join("set.toml"), SET.replace("1ms", "2ms")).unwrap();
-    assert_refused("another cycle", &folder, &[], "AX517");
-    fs::write(folder.path().join("set.toml"), SET).unwrap();
     let mut still = moves();
     still[A_LOAD].iter_mut().for_each(|a| *a = 0.0);
-    write(&csv(&still, &[0, V_MOTOR, A_LOAD]).replace("v_motor [um/s]", "v_add [um/s]"));
-    assert_refused("stages acted", &folder, &[], "AX511");
-    write(&csv(&still, &[0, A_LOAD]));
-    assert_refused("no v_motor", &folder, &[], "AX515");
+    let acted = csv(&still, &[0, V_MOTOR, A_LOAD]).replace("v_motor [um/s]", "v_add [um/s]");
+    let folder = folder(&[]);
+    for (what, text, cycle, expected) in [
+        ("at rest", of(250), "1ms", "AX503"),
+        ("ends while it moves", of(1500), "1ms", "AX518"),
+        ("another cycle", text.clone(), "2ms", "AX517"),
+        ("stages acted", acted, "1ms", "AX511"),
+        ("no v_motor", csv(&still, &[0, A_LOAD]), "1ms", "AX515"),
+    ] {
+        fs::write(folder.path().join("moves.csv"), text).unwrap();
+        fs::write(folder.path().join("set.toml"), SET.replace("1ms", cycle)).unwrap();
+        assert_refused(what, &folder, &[], expected);
+    }
     let missing = axgen(&folder, &["tune", "set.toml", "--axis", "X"]);
     assert!(missing.code == 2 && missing.err.contains("--recording"), "{}", missing.err);
 }

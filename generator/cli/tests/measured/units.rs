@@ -1,9 +1,10 @@
 //! Units of recordings: stated, unknown, different in each column; and a response that is not 1 at low frequencies.
 
 use super::plant::{
-    self, A_LOAD, Columns, OF_EXCITED, OF_MOVES, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, excited, moves, number,
+    self, A_LOAD, Columns, OF_EXCITED, OF_MOVES, V_CMD, V_COMMAND, V_EXCITE, V_MOTOR, X_ACTUAL, X_COMMAND, excited,
+    moves, number,
 };
-use super::tune::{NAMES, folder, tune};
+use super::tune::{NAMES, SET, folder, tune};
 use crate::{Run, axgen};
 use serde_json::Value;
 use std::sync::LazyLock;
@@ -66,6 +67,47 @@ fn units_change_neither_the_response_nor_the_side() {
     let run = measure(&plain, &scaled(&EXCITED, &OF_EXCITED, &[(A_LOAD, "a_load", 200.0)]));
     let (_, side) = results(&run);
     assert!(side.is_null() && run.out.contains("AX514"), "{side}");
+}
+
+/// What is said of units that the channels contradict, or that need not be those of the values.
+#[test]
+fn units_that_are_doubtful() {
+    let plain = |changes: &[Change<'_>]| scaled(&MOVES, &OF_MOVES, changes);
+    let error = |name: &str, factor: f64| {
+        let mut columns = MOVES.clone();
+        columns[X_ACTUAL].iter_mut().zip(&MOVES[X_COMMAND]).for_each(|(x, command)| *x = command - *x);
+        scaled(&columns, &OF_MOVES, &[(X_ACTUAL, name, factor)])
+    };
+    let rows = plain(&[]).lines().skip(1).fold(String::new(), |text, row| text + &row[6..].replace(',', "\t") + "\n");
+    let export = |factor: &str, unit: &str, ty: &str| {
+        let ones = "\t1".repeat(3);
+        format!(
+            "Name\tP\n\nName\tx_command\tx_actual\tv_command\tv_motor\ta_load\nData-Type\tBIT\tBIT\tBIT\t{ty}\tBIT\n\
+             SampleTime[ms]\t1\t1{ones}\nScaleFactor{ones}\t{factor}\t1\nUnit\tmm\tmm\tum/s\t{unit}\tm/s^2\n\n{rows}"
+        )
+    };
+    let scaling = "warning[AX528]: v_motor has ScaleFactor 0.001, Offset 0: its values are taken as scaled, in";
+    let kv = "warning[AX528]: following_error has no unit: um are assumed, with which Kv is 2.0";
+    let differs = "times as large as the change of x_actual, in the units that are stated";
+    for (what, text, said) in [
+        ("right", plain(&[]), &[][..]),
+        ("a position in the other unit", plain(&[(V_MOTOR, "v_motor [mm/s]", 1.0)]), &[differs]),
+        ("an assumed error", error("following_error", 1e4), &[kv]),
+        ("a stated error", error("following_error [10^-1 um]", 1e4), &[]),
+        ("scaled by 1", export("1", "um/s", "REAL64"), &[]),
+        ("scaled", export("0,001", "um/s", "REAL64"), &[scaling]),
+        ("scaled integers", export("0,001", "um/s", "INT32"), &[]),
+        ("raw", export("0,001", "mm/s", "REAL64"), &[scaling, differs]),
+    ] {
+        let run = axgen(&folder(&[("m.csv", &text)]), &["measure", "m.csv"]);
+        let found = [scaling, kv, differs].into_iter().filter(|part| run.err.contains(part)).collect::<Vec<_>>();
+        assert_eq!(found, said, "{what}: {}", run.err);
+        assert_eq!(run.code, i32::from(said.contains(&differs)), "{what}: {}", run.err);
+    }
+    let folder = folder(&[("moves.csv", &error("following_error", 1e3))]);
+    std::fs::write(folder.path().join("set.toml"), SET.replace("kv = 2000", "kv = 20000")).unwrap();
+    let run = tune(&folder, &[]);
+    assert!(run.err.contains("um are assumed, with which Kv is 20."), "{}", run.err);
 }
 
 #[test]

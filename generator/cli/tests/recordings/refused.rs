@@ -45,13 +45,28 @@ fn times_with_a_gap() {
     let time = |sample| if sample < 700.0 { sample } else { sample + 4.0 };
     let said = "recorded.csv:702:1: error[AX481]: 4 samples are missing: before line 702\n";
     assert_refused(&with_times("time[ms]", time), 1, &[said, "write instead: record again"]);
-    // A scope that fills gaps with the previous value.
-    let said = "error[AX481]: the time does not go on: before line 3, 5, 7, 9, 11, ...\n";
-    assert_refused(&with_times("time[ms]", |sample| (sample / 2.0).floor()), 1, &[said]);
+    // Times with too few digits, or of a counter that wraps.
+    let said = "recorded.csv:3:3: error[AX530]: other values of v_command, v_motor, v_add at the time `t[ms]` of the row before: in 1500 rows\n";
+    let text = with_times("t[ms]", |sample| (sample / 2.0).floor());
+    assert_refused(&text, 1, &[said, "with more digits, or leave the times out: --map \"t[ms]=-\"\n"]);
+    let said = "recorded.csv:1002:1: error[AX530]: the time `t[ms]` runs backwards: it is smaller than in line 1001\n";
+    assert_refused(&with_times("t[ms]", |sample| sample % 1000.0), 1, &[said, "cut the file before this line, or"]);
     // The interval changes by less than half a cycle.
     let said =
         "recorded.csv:1502:1: error[AX480]: the interval changes: a time is 149.9 cycles away from even sampling\n";
     assert_refused(&with_times("t[ms]", |sample| sample + 0.2 * (sample - 1500.0).clamp(0.0, 1e9)), 1, &[said]);
+}
+
+/// Blank lines at the end, rows that repeat a sample with its time, times that jitter: nothing is lost. An empty file is one.
+#[test]
+fn rows_that_are_no_mistake() {
+    let text = with_times("t[ms]", |sample| if sample % 7.0 == 4.0 { sample + 0.6 } else { sample });
+    let twice: String = text.lines().enumerate().map(|(n, line)| [line, "\n"].concat().repeat(1 + n.min(1))).collect();
+    for text in [text.clone() + "\n \n,,,\n", twice] {
+        let run = compare(folder().path(), text, &[]);
+        assert!(run.code == 0 && run.err.is_empty() && run.out.contains(" 3000 samples: 0 differing"), "{}", run.err);
+    }
+    assert_refused("", 1, &["recorded.csv:1:1: error[AX015]: an empty file\n"]);
 }
 
 /// One of two decimal marks separates thousands.
