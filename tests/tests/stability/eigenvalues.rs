@@ -48,21 +48,19 @@ fn sections(of: &Coeffs<f64>) -> Vec<Section> {
 }
 
 impl Plain {
-    fn new(designed: &Designed, delay: usize, time_constant: Option<f64>, position_gain: Option<f64>) -> Self {
+    fn new(designed: &Designed, delay: usize, time_constant: Option<f64>) -> Self {
         let cycle = designed.axis.cycle_time();
-        let active = designed.ipc.stage.iter().filter(|of| of.mode != Mode::NotActive);
-        let active: Vec<_> = active.collect();
+        let active: Vec<_> = designed.ipc.stage.iter().filter(|of| of.mode != Mode::NotActive).collect();
+        // Where Kv is not given, SET_POINT is in a loop with its default.
+        let is_inside = active.iter().any(|of| of.mode == Mode::SetPoint);
+        let gain = designed.axis.drive.position_gain.or(is_inside.then_some(10.0));
         Self {
             weights: active.iter().map(|of| -of.gain).collect(),
             stages: active.iter().map(|of| (sections(of), of.mode == Mode::SetPoint)).collect(),
             delay,
             e: time_constant.map_or(0.0, |time| (-cycle / time).exp()),
-            position: position_gain.map_or(0.0, |gain| gain * cycle),
+            position: gain.map_or(0.0, |gain| gain * cycle),
         }
-    }
-
-    fn size(&self) -> usize {
-        self.stages.iter().map(|(sections, _)| 2 * sections.len()).sum::<usize>() + self.delay + 2
     }
 
     /// A cycle: transposed direct form II, the sum, the delay line, the time constant, the sum of the position controller.
@@ -85,11 +83,7 @@ impl Plain {
             v_cmd -= weight * x;
         }
         after[speed] = v_motor;
-        if self.position > 0.0 {
-            after[position] = before[position] - v_motor;
-        } else {
-            after[position] = 0.0;
-        }
+        after[position] = if self.position > 0.0 { before[position] - v_motor } else { 0.0 };
         for place in (line + 1..line + self.delay).rev() {
             after[place] = before[place - 1];
         }
@@ -99,7 +93,7 @@ impl Plain {
 
     /// The largest magnitude of an eigenvalue.
     fn radius(&self) -> f64 {
-        let n = self.size();
+        let n = self.stages.iter().map(|(sections, _)| 2 * sections.len()).sum::<usize>() + self.delay + 2;
         let columns: Vec<f64> = (0..n)
             .flat_map(|k| {
                 let unit: Vec<f64> = (0..n).map(|i| f64::from(u8::from(i == k))).collect();
@@ -169,17 +163,13 @@ fn gelfand(mut matrix: DMatrix<f64>) -> f64 {
 fn random(rng: &mut Rng) -> (Designed, DriveModel, Plain) {
     let stages: Vec<String> = (0..rng.between(1, 3)).map(|_| stage(rng, 150.0)).collect();
     let word = if rng.chance(40) { "SET_POINT" } else { "INDIRECT" };
-    let stages: Vec<String> = stages.into_iter().map(|stage| stage.replace("INDIRECT", word)).collect();
     let keys = if rng.chance(50) { ", kv = 2000" } else { "" };
-    let set = format!("cycle_time = \"1ms\"\n{}", axis("X", keys, "DRYRUN", &stages));
+    let set = format!("cycle_time = \"1ms\"\n{}", axis("X", keys, "DRYRUN", &stages)).replace("INDIRECT", word);
     let (axes, report) = read(&set);
     let designed = axes.unwrap_or_else(|| panic!("{report}\n{set}")).remove(0);
     let delay = rng.between(1, 5);
     let time_constant = rng.chance(50).then(|| 0.001 * (1.0 + rng.below(80) as f64 / 10.0));
-    // Where Kv is not given, SET_POINT is in a loop with its default.
-    let is_inside = designed.ipc.stage.iter().any(|of| of.mode == Mode::SetPoint);
-    let gain = designed.axis.drive.position_gain.or(is_inside.then_some(10.0));
-    let plain = Plain::new(&designed, delay, time_constant, gain);
+    let plain = Plain::new(&designed, delay, time_constant);
     let model = DriveModel { delay_cycles: Some(delay as f64), time_constant, ..designed.axis.drive.clone() };
     (designed, model, plain)
 }

@@ -2,7 +2,7 @@
 
 use super::closed_loop::{acts_through_position, points};
 use super::stage::StageDesign;
-use super::unstable::{calmer, drives, name, place, through};
+use super::unstable::{calmer, drives, name, place, through, without_set_point};
 use crate::axis::Mode;
 use crate::blocks::designed::Designed;
 use crate::codes;
@@ -15,14 +15,14 @@ pub(super) fn advise(designed: &Designed, oscillates: bool, e: &mut Effective<'_
     let control = &designed.axis.control;
     let drives = drives(designed);
     let points = points(designed, &drives, designed.axis.drive.position_gain).filter(|_| control.master.is_none());
-    let closed = points.as_ref().map(|points| Loop::new(points, drives[0].drive()));
-    let restless = closed.filter(|closed| !oscillates && is_restless(designed, closed));
+    let closed = points.as_ref().filter(|_| !oscillates).map(|points| Loop::new(points, drives[0].drive()));
+    let restless = closed.and_then(|closed| Some((restless(designed, &closed)?, closed)));
     for design in designed.stage.iter().flatten() {
         let is_inside = acts_through_position(control, design.stage.mode);
         match &restless {
-            Some(closed) if is_inside => {
+            Some((ms, closed)) if is_inside => {
                 let found = format!(
-                    "stage[{}] is SET_POINT with the weight {}, with which {} has little reserve (Ms > {MAX_MS}){}",
+                    "stage[{}] is SET_POINT with the weight {}, with which {} has little reserve (Ms {ms}){}",
                     design.index,
                     significant(design.stage.weight(), 4),
                     name(&drives, 0),
@@ -36,14 +36,12 @@ pub(super) fn advise(designed: &Designed, oscillates: bool, e: &mut Effective<'_
     }
 }
 
-/// Whether it is SET_POINT that takes the reserve of a loop: without it there is some.
-fn is_restless(designed: &Designed, closed: &Loop<'_>) -> bool {
-    let is_calm = |closed: &Loop<'_>| closed.margins().ms.is_some_and(|[ms, _]| ms <= MAX_MS);
-    let rest = designed.stage.each_ref().map(|design| match design.as_ref().map(|design| &design.stage) {
-        Some(stage) if !matches!(stage.mode, Mode::SetPoint { .. }) => stage.weight(),
-        Some(_) | None => 0.0,
-    });
-    !is_calm(closed) && is_calm(&closed.with(rest))
+/// Ms of a loop from which SET_POINT takes the reserve: without it there is some.
+fn restless(designed: &Designed, closed: &Loop<'_>) -> Option<String> {
+    let ms = |closed: &Loop<'_>| closed.margins().ms.map_or(f64::INFINITY, |[ms, _]| ms);
+    let (with, without) = (ms(closed), ms(&without_set_point(designed, closed)));
+    let text = || if with.is_finite() { significant(with, 3) } else { "without a bound".to_owned() };
+    (with > MAX_MS && without <= MAX_MS).then(text)
 }
 
 /// SET_POINT multiplies the command by 1 - w H: above twice its best weight it amplifies the vibration.

@@ -2,7 +2,7 @@
 
 use super::closed_loop::{Known, acts_through_position, points, position_words, stages};
 use super::stage::StageDesign;
-use crate::axis::Enable;
+use crate::axis::{Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::{Key, key};
@@ -18,7 +18,7 @@ use std::slice::from_ref;
 /// The ideal drive does exactly what was commanded one cycle before; no machine can be faster. A loop that is unstable with
 /// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
 /// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`). Returns whether it has reported
-/// something.
+/// SET_POINT as the reason.
 pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> bool {
     let axis = &designed.axis;
     if axis.control.master.is_some() {
@@ -35,10 +35,12 @@ pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> b
     // A stated drive with which the loop is stable replaces the consent.
     let is_error = is_error && n == 0;
     match axis.drive.position_gain.filter(|_| !closed.with([0.0; STAGES]).is_stable()) {
-        Some(gain) => without_stages(designed, e, (gain, gear), (&drives[n], what), is_error),
+        Some(gain) => {
+            without_stages(designed, e, (gain, gear), (&drives[n], what), is_error);
+            false
+        }
         None => say(designed, e, &closed, what, is_error),
     }
-    true
 }
 
 /// The drives with which a loop is judged: the one that the set states, and the ideal one last.
@@ -89,11 +91,17 @@ fn is_accepted(e: &mut Effective<'_>) -> bool {
     e.validated_word::<Boolean>(key(Name::AcceptUnstable)) == Some(Boolean::True)
 }
 
-/// Reports the stages, each with the weight up to which the loop stays well damped.
-fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) {
+/// Reports the stages, each with the weight up to which the loop stays well damped. Stages that act through the position
+/// controller are the reason if the loop is stable without them, else the others are; the rest is reported only if a
+/// smaller weight of it helps. Returns whether the reason is SET_POINT.
+fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) -> bool {
+    let by_position = without_set_point(designed, closed).is_stable();
     for design in stages(designed) {
         let (i, weight) = (design.index, design.stage.weight());
         let [stable, _] = closed.largest_weights(i);
+        if stable <= 0.0 && acts_through_position(&designed.axis.control, design.stage.mode) != by_position {
+            continue;
+        }
         let asked = significant(weight, 4);
         let found = match stable > 0.0 {
             true => {
@@ -107,6 +115,15 @@ fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str
         let (place, position) = (place(i), through(designed, design));
         report(e, place, found + &position, calmer(designed, closed, design), is_error);
     }
+    by_position
+}
+
+/// The loop without the stages that take `v_command`.
+pub(super) fn without_set_point<'a>(designed: &Designed, closed: &Loop<'a>) -> Loop<'a> {
+    closed.with(designed.stage.each_ref().map(|design| match design.as_ref().map(|design| &design.stage) {
+        Some(stage) if !matches!(stage.mode, Mode::SetPoint { .. }) => stage.weight(),
+        Some(_) | None => 0.0,
+    }))
 }
 
 /// The weight of a stage (P-AXIS-00754).
