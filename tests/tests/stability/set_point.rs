@@ -37,7 +37,8 @@ fn grows(designed: &Designed, kv: f64) -> bool {
         is_limited |= block.get("limited") != 0.0;
         block.record_anew();
     }
-    is_limited || windows[4] > windows[2]
+    // Far below the step there is only rounding.
+    is_limited || windows[4] > windows[2].max(1e-20)
 }
 
 #[test]
@@ -66,6 +67,5 @@ fn the_loop_oscillates_above_the_weight_of_the_rule_and_not_below() {
             }
         }
     }
-    println!("144 loops, {ends} weights that end below 7");
-    assert!(ends > 50);
+    assert!(ends > 50, "weights that end below 7: {ends}");
 }
