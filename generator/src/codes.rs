@@ -332,9 +332,11 @@ codes! {
          before (or is the drive that the set states). A stage turns its phase from +90 n to -90 n degrees across its band of \
          order n; with a large weight the loop is lost where the gain is still 1 and the phase has turned by 180. Write the \
          smaller weight, a higher damping ratio or q_factor, a lower order. Where the position loop oscillates \
-         without any stage, the message names Kv (P-AXIS-00099) instead. A stage whose all-pass is made for the lag of a \
-         real drive is stable on that drive only: state it (drive.delay, drive.time_constant, or drive.response with a measured \
-         response), or start with DRYRUN. On a test stand without a machine the key accept_unstable makes a warning of it.";
+         without any stage, the message names Kv (P-AXIS-00099) instead. SET_POINT acts inside the position loop where the \
+         CNC controls the position (assumed where neither kenngr.antr_typ nor antr.operation_mode says so). A stage whose \
+         all-pass is made for the lag of a real drive is stable on that drive only: state it (drive.delay, drive.time_constant, \
+         or drive.response with a measured response), or start with DRYRUN. On a test stand without a machine the key \
+         accept_unstable makes a warning of it.";
 
     EXCITES_TOO_MUCH = "AX346", "an excitation above the limit of the axis",
         "v_excite is added to the commanded velocity as v_add is. Where the axis has improved position control, its limit \
@@ -376,8 +378,10 @@ codes! {
         "P-AXIS-00756 is still valid, but should not be combined with filter[k] and P-AXIS-00850, which came with its \
          successor.";
     SET_POINT = "AX405", "a weight too large for SET_POINT",
-        "SET_POINT is an open-loop pre-filter 1 - w H. With the damping ratio D its best weight is 4 D^2 / (4 D^2 + 1); above \
-         twice that it amplifies. Weights that suit INDIRECT do not suit SET_POINT.";
+        "SET_POINT multiplies the command by 1 - w H. With the damping ratio D its best weight is 4 D^2 / (4 D^2 + 1); above \
+         twice that it amplifies. Weights that suit INDIRECT do not suit SET_POINT. With position control in the CNC the command \
+         contains the actual position: the stage multiplies the position loop, which may then have little reserve (Ms above 2), \
+         mostly with f0 below about Kv/6. Write the weight of the message, a larger q_factor, or a smaller Kv.";
     LAG = "AX406", "feedback from the load",
         "v_direct lags behind the command by the drive, the mechanics and the delay. Up to 90 degrees of lag at f0 the stage \
          damps, beyond it an all-pass is mandatory and the weight should stay at or below 1. Measure the lag first.";

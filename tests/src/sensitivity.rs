@@ -40,8 +40,7 @@ pub fn margins(plant: &Plant, mut ipc: impl FnMut(&Signals) -> f64) -> Margins {
         let signals = Position::DEMONSTRATION.signals(0.0, 0.0, &actual);
         moved.push(signals.v_command - before);
         before = signals.v_command;
-        // The loop is open: SET_POINT sees no v_command here, for it is outside of the loop.
-        added.push(ipc(&Signals { v_command: 0.0, ..signals }));
+        added.push(ipc(&signals));
         actual = machine.step(if n == 0 { IMPULSE / UM } else { 0.0 });
     }
     let mut found = Margins { ms: 0.0, gain_margin: f64::INFINITY };

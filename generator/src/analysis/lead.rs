@@ -33,14 +33,14 @@ pub(super) fn interaction(of: &StageDesign, other: &StageDesign) -> f64 {
 }
 
 /// Quality factor and f0 [Hz] of the all-pass that gives a stage `lead` degrees of lead at its f0. `None` if the stage
-/// already has an all-pass or is an open-loop filter (SET_POINT), or if no f0 in the range reaches the lead.
+/// already has an all-pass or filters the command (SET_POINT), or if no f0 in the range reaches the lead.
 ///
 /// The phase of an all-pass falls from 0 to -360 degrees; a lead is a lag reduced by 360 degrees. The phase at the stage's
 /// f0 rises with the f0 of the all-pass.
 pub(super) fn allpass(of: &StageDesign, lead: f64) -> Option<[f64; 2]> {
     let has_one = of.stage.filter.iter().any(|filter| matches!(filter, Filter::Allpass { .. }));
-    let is_open_loop = matches!(of.stage.mode, Mode::SetPoint { .. });
-    if has_one || is_open_loop {
+    let filters_command = matches!(of.stage.mode, Mode::SetPoint { .. });
+    if has_one || filters_command {
         return None;
     }
     let wanted = (lead % 360.0) - 360.0;

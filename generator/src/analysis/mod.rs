@@ -36,7 +36,7 @@ pub struct OfDrive {
     pub margins: Margins,
     /// the stages that close the loop
     pub stages: Vec<OfStage>,
-    /// lag of the drive alone at the f0 of each stage [degrees, 0 to 360]
+    /// lag of the drive alone at the f0 of each stage that looks at the motor [degrees, 0 to 360]
     pub lag: Vec<(usize, f64)>,
     /// by frequency
     pub curve: Vec<Curve>,
@@ -81,7 +81,8 @@ fn of_drive(designed: &Designed, points: &Points<'_>, drive: Known) -> OfDrive {
     };
     let stages = closed_loop::stages(designed).map(stage).collect();
     let lag = |design: &StageDesign| (design.index, closed.lag(design.stage.f0()));
-    let lag = closed_loop::stages(designed).map(lag).collect();
+    let motor = closed_loop::stages(designed).filter(|design| closed_loop::looks_at_motor(design.stage.mode));
+    let lag = motor.map(lag).collect();
     let (margins, curve) = (closed.margins(), curve(designed, &closed));
     OfDrive { drive, margins, stages, lag, curve }
 }

@@ -2,6 +2,7 @@
 //! alone.
 
 use super::{Analysis, OfDrive, OfStage, analyze, lead};
+use crate::blocks::ipc::closed_loop;
 use crate::blocks::ipc::stage::StageDesign;
 use crate::blocks::{Designed, Reserve};
 use crate::number::{decimals, digits, down_to, significant};
@@ -18,9 +19,10 @@ pub fn text(designed: &Designed) -> String {
     let cycle = f64::from(axis.cycle_time_ns) / 1000.0;
     let Analysis { drives } = analyze(designed, &axis.drive);
     // Without a stage the drive does not matter, and its gain is that of the axis.
-    let of_axis = axis.control.kv.filter(|_| drives.is_empty()).map(|kv| f64::from(kv) / 100.0);
-    let position = match axis.drive.position_gain.or(of_axis) {
-        Some(gain) => format!("position loop with Kv {}/s", significant(gain, 4)),
+    let of_axis =
+        || Some(format!("Kv {}/s", digits(f64::from(axis.control.kv.filter(|_| drives.is_empty())?) / 100.0)));
+    let position = match closed_loop::position_words(designed).or_else(of_axis) {
+        Some(position) => format!("position loop with {position}"),
         None => "without its position loop: Kv (P-AXIS-00099) is not given".to_owned(),
     };
     let mut lines = vec![format!("axis {}: cycle {cycle} us, {position}", axis.name)];

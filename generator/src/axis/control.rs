@@ -26,6 +26,8 @@ pub struct Control {
     pub slaves: Vec<String>,
     /// parameters that scale or limit something and were not given, with their defaults
     pub assumed: Vec<String>,
+    /// where the position is controlled (P-AXIS-00320, P-AXIS-00020), if one of both says it
+    pub location: Option<Location>,
     /// drive type (P-AXIS-00020), where it is given
     pub drive_type: Option<DriveType>,
     /// gain of the position controller [0.01/s] (P-AXIS-00099), where it is given or used; a drive that controls the
@@ -42,6 +44,13 @@ impl Control {
     /// Whether only improved position control is asked for.
     pub(crate) fn is_empty(&self) -> bool {
         self.feedforward.is_none() && self.position_control.is_none() && self.spindle.is_none()
+    }
+
+    /// Whether SET_POINT takes the output of the position controller, which contains the position: in the CNC, and where
+    /// nothing says where the position is controlled. Else it takes the velocity of the interpolator.
+    #[must_use]
+    pub fn commands_by_position(&self) -> bool {
+        self.location.is_none_or(|location| location == Location::Cnc)
     }
 
     pub(crate) fn velocity_unit(&self) -> &'static str {

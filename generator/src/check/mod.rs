@@ -217,6 +217,7 @@ fn control(
         master_limit: None,
         slaves: Vec::new(),
         assumed,
+        location: drive.is_stated.then_some(drive.location),
         drive_type: drive_type(e),
         kv: kv(e, drive.gear),
     };

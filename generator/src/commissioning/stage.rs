@@ -93,19 +93,23 @@ fn seen_in(mode: Mode) -> String {
 /// full weights, those after it 0.
 ///
 /// A stage in the loop leaves the ratio of |S| with it to |S| without it at f0. A stage that filters the command leaves |1 +
-/// H|; one with the velocity of the load leaves 1 / (1 + |H|) if nothing changes the phase of its counter-motion.
+/// H|, also in a loop; one with the velocity of the load leaves 1 / (1 + |H|) if nothing changes the phase of its counter-motion.
 fn steps(design: &StageDesign, closed: Option<&Loop<'_>>) -> [Option<Step>; PARTS.len()] {
     let stage = &design.stage;
     let parts = PARTS.map(part);
     let h = || response::of_stage(&design.coeffs, warped(stage.f0(), design.cycle_time));
     let outside = |left: f64| Some(Step { left, ms: None });
+    let effects =
+        || closed.map(|closed| closed.effects(design.index, stage.f0(), parts.map(|part| stage.weight() * part)));
     match stage.mode {
-        Mode::SetPoint { .. } => parts.map(|part| outside(magnitude(h() * part + 1.0))),
+        Mode::SetPoint { .. } => {
+            let left = parts.map(|part| magnitude(h() * part + 1.0));
+            let Some(effects) = effects() else { return left.map(outside) };
+            std::array::from_fn(|k| Some(Step { left: left[k], ms: Some(effects[k]?[1]) }))
+        }
         Mode::Direct { source: DirectSource::Direct } => parts.map(|part| outside(1.0 / (1.0 + magnitude(h() * part)))),
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
-            let weights = parts.map(|part| stage.weight() * part);
-            let effects = closed.map(|closed| closed.effects(design.index, stage.f0(), weights));
-            effects.unwrap_or_default().map(|effect| effect.map(|[left, ms]| Step { left, ms: Some(ms) }))
+            effects().unwrap_or_default().map(|effect| effect.map(|[left, ms]| Step { left, ms: Some(ms) }))
         }
     }
 }

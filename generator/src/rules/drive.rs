@@ -11,6 +11,8 @@ use crate::{codes, diagnostics::Diagnostic};
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Drive {
     pub(crate) location: Location,
+    /// whether a parameter states the location
+    pub(crate) is_stated: bool,
     /// the gear step in use
     pub(crate) gear: u32,
     pub(crate) velocity: Option<Width>,
@@ -40,14 +42,14 @@ impl Drive {
 pub(crate) fn check(e: &mut Effective<'_>) -> Option<Drive> {
     let gear = e.validated_integer(key(Name::Gear))?;
     let drive_type = e.validated_word(key(Name::DriveType))?;
-    let in_drive = match e.validated_word(key(Name::OperationMode))? {
-        OperationMode::DrivePositionControl => true,
-        OperationMode::CncPositionControl => false,
-        OperationMode::DriveDefault => controls_position(drive_type),
+    let (in_drive, is_stated) = match e.validated_word(key(Name::OperationMode))? {
+        OperationMode::DrivePositionControl => (true, true),
+        OperationMode::CncPositionControl => (false, true),
+        OperationMode::DriveDefault => (controls_position(drive_type), e.given(key(Name::DriveType)).is_some()),
     };
     let location = if in_drive { in_drive_of(drive_type) } else { Location::Cnc };
     let velocity = datum(e, Name::AdditiveVelocityData);
-    Some(Drive { location, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
+    Some(Drive { location, is_stated, gear, velocity, torque: datum(e, Name::AdditiveTorqueData) })
 }
 
 /// Scaling of the velocity for a drive that controls the position (P-AXIS-00205 to 00207).

@@ -29,14 +29,22 @@ pub struct Band {
 pub struct Controller<'a> {
     /// T [s]
     pub cycle_time: f64,
-    /// the weights of the stages; 0 for a stage whose input is not `v_motor`
+    /// the weights of the stages; 0 for a stage that closes no loop
     pub weight: [f64; STAGES],
-    /// the response of each stage with weight 1 at t = tan(pi f T), including its sign
+    /// the response of each stage with weight 1 from `v_motor` to its output at t = tan(pi f T), including its sign; with the
+    /// input `v_command` the position controller is in it ([`position`])
     pub stage: Box<dyn Fn(f64) -> [Complex64; STAGES] + 'a>,
     /// the bands of the stages, which need points
     pub bands: Vec<Band>,
     /// gain of the position controller Kv [1/s], if its loop is closed around this one
     pub position_gain: Option<f64>,
+}
+
+/// The position controller in the loop, Kv T/(z - 1), at t = tan(pi f T): 1/(z - 1) = (1 - j t)/(2 j t) = -1/2 - j/(2 t). The
+/// output that it makes of `v_motor` has the opposite sign.
+#[must_use]
+pub fn position(gain_t: f64, t: f64) -> Complex64 {
+    Complex64::new(-0.5, -0.5 / t) * gain_t
 }
 
 /// A controller at a frequency.
@@ -111,8 +119,7 @@ impl<'a> Points<'a> {
 impl Controller<'_> {
     pub(crate) fn at(&self, t: f64) -> Point {
         let position = match self.position_gain {
-            // 1/(z - 1) = (1 - j t)/(2 j t) = -1/2 - j/(2 t)
-            Some(gain) => Complex64::new(-0.5, -0.5 / t) * (gain * self.cycle_time),
+            Some(gain) => position(gain * self.cycle_time, t),
             None => Complex64::new(0.0, 0.0),
         };
         Point { t, half: libm::atan(t), stage: (self.stage)(t), position }

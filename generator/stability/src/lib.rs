@@ -5,7 +5,8 @@
 //! The loop is cut at the commanded velocity, `v_cmd = v_command + v_add`, and described at the sampling instants.
 //!
 //! ```text
-//! C(f) = sum of w_i C_i(f)             from v_motor to v_add: the active stages with the input v_motor, with their signs
+//! C(f) = sum of w_i C_i(f)             from v_motor to v_add: the active stages with the input v_motor, with their signs;
+//!                                      -Kv T z^-1/(1 - z^-1) C_i for one with the input v_command of a position controller
 //! P(f)                                 from v_cmd to v_motor, including every delay
 //! L(f) = -C P + Kv T z^-1/(1 - z^-1) P the second term only with a position controller with the gain Kv
 //! S(f) = 1/(1 + L)                     stable: 1 + L does not turn around 0
@@ -37,7 +38,7 @@ mod search;
 
 pub use crossing::{Line, largest_within};
 pub use drive::Drive;
-pub use frequency::{Band, Controller, Points};
+pub use frequency::{Band, Controller, Points, position};
 pub use margins::{Curve, Loop, MAX_MS, Margins};
 pub use num_complex::Complex64;
 pub use response::Response;

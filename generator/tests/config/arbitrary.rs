@@ -30,7 +30,6 @@ fn every_code_has_a_test() {
         include_str!("../response_file/defects.txt"),
         include_str!("../response_file/doubtful.txt"),
         include_str!("../response_file/sinumerik.txt"),
-        include_str!("../../../tests/tests/stability/examples.rs"),
         include_str!("../../cli/tests/front_door/ends.txt"),
         include_str!("../../cli/tests/front_door/messages.rs"),
         include_str!("../../cli/tests/manifest/mod.rs"),

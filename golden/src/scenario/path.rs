@@ -201,10 +201,13 @@ impl Closed<'_> {
     fn cycle(&mut self, command: profile::Sample, line: usize) -> Result<(), Mistake> {
         let x_command = position(command.x);
         let error = x_command - self.actual.x;
+        // With position control in the drive SET_POINT takes the planned velocity.
+        let in_cnc = self.run.designed.axis.control.commands_by_position();
+        let v_command = if in_cnc { self.kv * error } else { command.v };
         let inputs = [
             ("x_command", x_command),
             ("v_interpolator", rate(command.v)),
-            ("v_command", rate(self.kv * error)),
+            ("v_command", rate(v_command)),
             ("a_interpolator", rate(command.a)),
             ("j_interpolator", rate(command.j)),
             ("x_actual", position(self.actual.x)),

@@ -2,14 +2,14 @@
 
 use crate::drive::margins::{is_on, margins};
 use generator::analysis;
-use generator::axis::{DriveModel, MeasuredDrive};
+use generator::axis::{DriveModel, MeasuredDrive, Mode};
 use generator::blocks::Designed;
 use machine::Machine;
 use machine::measure::fourier;
 use machine::plant::Plant;
 use portable::Extreme;
-use stability::{Complex64, Response};
-use std::f64::consts::TAU;
+use stability::{Complex64, Curve, Response};
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 /// Cycles of the plant's impulse response: 16 s at 1 ms, in which all its vibrations decay.
@@ -59,14 +59,26 @@ impl OfPlant {
         if !margins(designed, &self.model).stable {
             return None;
         }
-        let without = DriveModel { position_gain: None, ..self.model.clone() };
-        let of_stages = analysis::analyze(designed, &without).drives.into_iter().next().filter(|_| is_on(designed));
-        let open: Vec<(f64, Complex64)> = match of_stages {
-            Some(of) => of.curve.iter().map(|point| (point.hz, point.open)).collect(),
-            None => frequencies(self.cycle).into_iter().map(|hz| (hz, Complex64::new(0.0, 0.0))).collect(),
+        let of_stages = analysis::analyze(designed, &self.model).drives.into_iter().next().filter(|_| is_on(designed));
+        let nearest = match of_stages {
+            Some(of) => of.curve.iter().map(|point| self.open(designed, point) + 1.0).collect(),
+            None => frequencies(self.cycle).into_iter().map(|hz| self.position(hz) + 1.0).collect::<Vec<_>>(),
         };
-        let nearest = open.iter().map(|(hz, open)| (1.0 + open + self.position(*hz)).norm_sqr());
+        let nearest = nearest.iter().map(Complex64::norm_sqr);
         Some(1.0 / nearest.fold(f64::INFINITY, f64::smaller).sqrt())
+    }
+
+    /// The open loop with stages, with the measured position in the place of the sum of the velocities.
+    fn open(&self, designed: &Designed, point: &Curve) -> Complex64 {
+        let modes = designed.axis.ipc.stage.iter().map(|stage| stage.as_ref().map(|stage| stage.mode));
+        let sum = |through_position: bool| {
+            let is_meant = |mode: &Option<Mode>| matches!(mode, Some(Mode::SetPoint { .. })) == through_position;
+            let stages = point.stage.iter().zip(modes.clone()).filter(|(_, mode)| is_meant(mode));
+            stages.map(|(stage, _)| stage).sum::<Complex64>()
+        };
+        let gain_t = self.model.position_gain.unwrap_or(0.0) * self.cycle;
+        let controller = stability::position(gain_t, libm::tan(PI * point.hz * self.cycle));
+        self.position(point.hz) * (1.0 - sum(true) / controller) - sum(false) * point.drive
     }
 
     /// The part of the open loop from the position loop.

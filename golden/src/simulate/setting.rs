@@ -106,8 +106,15 @@ impl Setting {
         let mut subject = block(designed, mode)?;
         let mut error_id = None;
         let mut limited = Vec::new();
+        // With position control in the drive SET_POINT takes the planned velocity.
+        let in_cnc = designed.axis.control.commands_by_position();
+        let planned = self.sequence.planned(self.cycle).v;
+        let rest = std::iter::repeat_n(0.0, self.fade);
+        let mut v_planned = rest.chain(planned).map(|v| v * UM);
         let mut cycle = |signals: &Signals| {
-            let v_add = subject.cycle(signals);
+            let v_planned = v_planned.next().unwrap_or(0.0);
+            let v_command = if in_cnc { signals.v_command } else { v_planned };
+            let v_add = subject.cycle(&Signals { v_command, ..*signals });
             subject.record_anew();
             if subject.get("fault") != 0.0 || subject.get("tripped") != 0.0 {
                 error_id = error_id.or(Some(subject.get("error_id")));

@@ -3,7 +3,9 @@
 use super::chosen::Chosen;
 use super::stage::{controller, looks_at_motor, responses, rounded};
 use crate::measure::{Record, Verdict};
+use generator::analysis;
 use generator::axis::{Axis, Stage};
+use generator::blocks::Designed;
 use generator::codes;
 use identification::figures::{self, Left, Vibration};
 use identification::proposals::{self, Kind, Prediction, Refused, first, propose, try_out};
@@ -123,16 +125,25 @@ impl Task<'_> {
     /// The stages of the axis, to be predicted; `None` after a verdict.
     pub(super) fn given(&self, verdicts: &mut Vec<Verdict>) -> Option<Vec<Stage>> {
         let all: Vec<Stage> = self.axis.ipc.stage.iter().flatten().cloned().collect();
-        let mut refuse = |found: String, instead| {
-            verdicts.push(Verdict::refusal(codes::NOT_PREDICTED, found, instead));
+        let mut refuse = |code, found: String, instead| {
+            verdicts.push(Verdict::refusal(code, found, instead));
             None
         };
         if all.is_empty() {
-            return refuse("no stage is active".to_owned(), "give --stage with mode=DIRECT or mode=INDIRECT");
+            let instead = "give --stage with mode=DIRECT or mode=INDIRECT";
+            return refuse(codes::NOT_PREDICTED, "no stage is active".to_owned(), instead);
         }
         if let Some(other) = all.iter().find(|stage| !looks_at_motor(stage)) {
+            // SET_POINT may act inside the position loop.
+            let of_axis = analysis::analyze(&Designed::from(self.axis.clone()), &self.axis.drive);
+            if let Some(of) = of_axis.drives.first().filter(|of| !of.margins.stable) {
+                let found = format!("the loop oscillates with these stages: {}", of.drive.words());
+                let instead = "smaller weights: `axgen analyze` prints the largest ones";
+                return refuse(codes::OSCILLATES, found, instead);
+            }
             let found = format!("a stage takes {}, of which the response of the drive says nothing", other.mode.text());
             return refuse(
+                codes::NOT_PREDICTED,
                 found,
                 "try stages that look at v_motor: mode=INDIRECT, or mode=DIRECT without direct_source",
             );

@@ -5,6 +5,6 @@
 mod calm;
 mod eigenvalues;
 mod emitted;
-mod examples;
 mod ideal_drive;
 mod random;
+mod set_point;

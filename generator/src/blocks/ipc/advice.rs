@@ -2,7 +2,7 @@
 //! that cannot be stable.
 
 use super::check::master;
-use super::{filter as kinds, never_acts, phase, stage::StageDesign, unstable};
+use super::{filter as kinds, never_acts, phase, set_point, stage::StageDesign, unstable};
 use crate::axis::{Axis, Ipc, Mode, Stage};
 use crate::config::values::{Key, Setting, key};
 use crate::parameters::words::{Enable, FilterType, StageMode, Words};
@@ -37,7 +37,6 @@ pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
             filter_without_type(e, i, &design.stage);
             capped(e, i, &design.stage);
             no_denominator(e, i, &design.stage);
-            weight(e, i, &design.stage);
             resonance(e, i, &design.stage);
             near_nyquist(e, i, &design.stage, axis.cycle_time_ns);
             phase::advise(e, i, design, axis.ipc.delay_cycles);
@@ -45,7 +44,8 @@ pub(crate) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
     }
     overlaps(designed, e);
     never_acts::advise(axis, e);
-    unstable::advise(designed, gear, e);
+    let oscillates = unstable::advise(designed, gear, e);
+    set_point::advise(designed, oscillates, e);
 }
 
 fn whole(axis: &Axis, e: &mut Effective<'_>) {
@@ -185,22 +185,6 @@ fn no_denominator(e: &mut Effective<'_>, i: u32, stage: &Stage) {
         let path = path_with(denom.0.parameter().path, denom.1);
         let instead = format!("{path} (P-AXIS-00755) with 100, if {number} % is meant, or with 1");
         e.warn(codes::NO_DENOMINATOR, num, found, instead);
-    }
-}
-
-/// SET_POINT is an open-loop pre-filter 1 - w H: above twice its best weight it amplifies the vibration.
-fn weight(e: &mut Effective<'_>, i: u32, stage: &Stage) {
-    let Mode::SetPoint { osc_damping } = stage.mode else { return };
-    let four_d_squared = 4.0 * osc_damping * osc_damping;
-    let best = four_d_squared / (four_d_squared + 1.0);
-    if stage.weight() > 2.0 * best {
-        let found = format!(
-            "stage[{i}] is SET_POINT with the weight {}: above {} it amplifies what it is to damp",
-            rounded(stage.weight()),
-            rounded(2.0 * best)
-        );
-        let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
-        e.warn(codes::SET_POINT, (Name::WeightFactNum, [i, 0]), found, instead);
     }
 }
 

@@ -1,11 +1,12 @@
-//! The loop that the stages of an axis close through the velocity of the motor: the controller of the crate `stability`, and
-//! the drives for its analysis.
+//! The loop that the stages of an axis close through the velocity of the motor or the position controller: the controller of
+//! the crate `stability`, and the drives for its analysis.
 
 use super::stage::StageDesign;
-use crate::axis::{DirectSource, DriveModel, Filter, MeasuredDrive, Mode};
+use crate::axis::{Axis, Control, DirectSource, DriveModel, Filter, MeasuredDrive, Mode};
 use crate::blocks::designed::Designed;
 use crate::design::response;
 use crate::number::significant;
+use crate::parameters::Name;
 use reference::stage::Coeffs;
 use stability::{Band, Complex64, Controller, Drive, Points, STAGES};
 
@@ -88,7 +89,7 @@ fn milliseconds(time: f64) -> String {
     format!("{} ms", significant(time * 1e3, 4))
 }
 
-/// Whether a stage closes a loop through the velocity of the motor; any other stage does not change the stability.
+/// Whether a stage looks at the velocity of the motor.
 pub(crate) fn looks_at_motor(mode: Mode) -> bool {
     match mode {
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => true,
@@ -96,19 +97,59 @@ pub(crate) fn looks_at_motor(mode: Mode) -> bool {
     }
 }
 
-/// The stages of an axis that close the loop.
+/// Whether a stage closes a loop through the position controller of the CNC, whose output it takes.
+pub(crate) fn acts_through_position(control: &Control, mode: Mode) -> bool {
+    match mode {
+        Mode::SetPoint { .. } => control.commands_by_position(),
+        Mode::Direct { .. } | Mode::Indirect { .. } => false,
+    }
+}
+
+/// The stages of an axis that close the loop; any other stage does not change the stability.
 pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> {
-    designed.stage.iter().flatten().filter(|design| looks_at_motor(design.stage.mode))
+    let control = &designed.axis.control;
+    let closes = |mode| looks_at_motor(mode) || acts_through_position(control, mode);
+    designed.stage.iter().flatten().filter(move |design| closes(design.stage.mode))
+}
+
+/// The gain of the position controller around the stages [1/s]: the stated one. A stage that acts through the controller has
+/// one in any case: that which a block uses, or the default.
+fn position_gain(designed: &Designed, stated: Option<f64>) -> Option<f64> {
+    let control = &designed.axis.control;
+    let of_axis = || {
+        let default = || Name::Kv.parameter().default_at([0; 2])?.parse().ok();
+        control.kv.map(f64::from).or_else(default).map(|hundredths| hundredths / 100.0)
+    };
+    let needs_one = || stages(designed).any(|design| acts_through_position(control, design.stage.mode));
+    stated.or_else(|| if needs_one() { of_axis() } else { None })
+}
+
+/// The position loop around the stages in words; what no parameter states is marked as assumed. `None` without a gain.
+pub(crate) fn position_words(designed: &Designed) -> Option<String> {
+    let Axis { control, drive, .. } = &designed.axis;
+    let gain = significant(position_gain(designed, drive.position_gain)?, 4);
+    let kv = format!("Kv {gain}/s{}", if drive.position_gain.is_none() { " assumed" } else { "" });
+    let needs_one = stages(designed).any(|design| acts_through_position(control, design.stage.mode));
+    Some(match (needs_one, control.location) {
+        (true, Some(_)) => format!("{kv}, position control in the CNC"),
+        (true, None) => format!("{kv}, position control in the CNC assumed"),
+        (false, _) => kv,
+    })
 }
 
 /// The controller of an axis, in a position loop with this gain [1/s], at the points of the frequency axis that these drives
 /// need; `None` if no stage closes a loop.
-pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain: Option<f64>) -> Option<Points<'d>> {
+pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], stated_gain: Option<f64>) -> Option<Points<'d>> {
     let mut responses = [const { None }; STAGES];
     let mut weight = [0.0; STAGES];
     let mut bands = Vec::new();
+    let (cycle_time, position_gain) = (designed.axis.cycle_time(), position_gain(designed, stated_gain));
     for design in stages(designed) {
-        responses[design.index] = Some(response::Stage::new(&Coeffs { gain: -1.0, ..design.coeffs }));
+        let response = response::Stage::new(&Coeffs { gain: -1.0, ..design.coeffs });
+        // v_command = -Kv T/(z - 1) v_motor
+        let gain_t = acts_through_position(&designed.axis.control, design.stage.mode)
+            .then(|| -cycle_time * position_gain.unwrap_or_default());
+        responses[design.index] = Some((response, gain_t));
         weight[design.index] = design.stage.weight();
         let filters = design.stage.filter.iter().filter_map(Filter::f0_and_q);
         bands.extend(filters.map(|[f0, q_factor]| Band { centre: f0, width: f0 / q_factor }));
@@ -116,10 +157,13 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], position_gain
     if bands.is_empty() {
         return None;
     }
+    let at = |(of, gain_t): &(response::Stage, Option<f64>), t: f64| {
+        gain_t.map_or_else(|| of.at(t), |gain_t| of.at(t) * stability::position(gain_t, t))
+    };
     let controller = Controller {
-        cycle_time: designed.axis.cycle_time(),
+        cycle_time,
         weight,
-        stage: Box::new(move |t| responses.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| of.at(t)))),
+        stage: Box::new(move |t| responses.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| at(of, t)))),
         bands,
         position_gain,
     };

@@ -62,15 +62,15 @@ fn rows(designed: &Designed) -> Vec<StageRow> {
     let row = |(stage, design): (usize, &Option<StageDesign>)| StageRow {
         stage,
         mode: design.as_ref().map_or(StageMode::NotActive.name(), |design| design.stage.mode.word()),
-        active: design.as_ref().map(|design| active(design, &loops)),
+        active: design.as_ref().map(|design| active(designed, design, &loops)),
     };
     designed.stage.iter().enumerate().map(row).collect()
 }
 
-fn active(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
+fn active(designed: &Designed, design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
     let stage = &design.stage;
     let [f0, q_factor] = stage.filter[stage.first_bandpass() as usize].f0_and_q().unwrap_or_default();
-    let loops = if closed_loop::looks_at_motor(stage.mode) { loops } else { &[] };
+    let loops = if closed_loop::stages(designed).any(|of| of.index == design.index) { loops } else { &[] };
     let reserves: Vec<WithDrive> = loops.iter().map(|of| with_drive(design, of)).collect();
     ActiveStage {
         source: stage.mode.source(),
@@ -82,7 +82,7 @@ fn active(design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
         phase_at_f0_deg: angle(at_f0(design)),
         filters: stage.filter.iter().filter_map(filter::in_table).collect(),
         reserve: reserves.first().map(|of| of.reserve),
-        verdict: verdict(design, &reserves),
+        verdict: verdict(designed, design, &reserves),
         reserves,
     }
 }
@@ -133,28 +133,40 @@ fn start(axis: &Axis, fade_cycles: u32) -> String {
 }
 
 /// A stage without a loop; for one with a loop, its largest weights with several drives.
-fn verdict(design: &StageDesign, reserves: &[WithDrive]) -> String {
+fn verdict(designed: &Designed, design: &StageDesign, reserves: &[WithDrive]) -> String {
     let stage = &design.stage;
-    let [f0, weight] = [stage.f0(), stage.weight()].map(|value| significant(value, 4));
+    let weight = significant(stage.weight(), 4);
+    let figures = || reserves.iter().enumerate().map(bears).collect::<Vec<_>>().join("; ");
     match stage.mode {
         Mode::SetPoint { .. } => {
-            let h = at_f0(design);
-            let left = |h: Complex| decimals(magnitude(h + 1.0) * 100.0, 0);
-            let (left, late) = (left(h), left(h * response::delay(warped(stage.f0(), design.cycle_time))));
-            let turn = decimals(360.0 * stage.f0() * design.cycle_time, 1);
-            format!(
-                "filters the command, so that no loop can become unstable: {left} % of it pass at {f0} Hz; \
-                 {late} % where the drive gets v_add a cycle late, which turns it by 360 f0 Ts = {turn} deg"
-            )
+            let filters = filters_command(design);
+            match closed_loop::position_words(designed).filter(|_| !reserves.is_empty()) {
+                Some(position) => format!(
+                    "weight {weight}; {}; filters v_command inside the position loop ({position}): {filters}",
+                    figures()
+                ),
+                None => format!("filters the command, so that no loop can become unstable: {filters}"),
+            }
         }
         Mode::Direct { source: DirectSource::Direct } => {
             format!("weight {weight}; measure first: the load lags behind the motor, and no drive alone says how far")
         }
         Mode::Direct { source: DirectSource::Motor } | Mode::Indirect { .. } => {
-            let figures: Vec<String> = reserves.iter().enumerate().map(bears).collect();
-            format!("weight {weight}; {}", figures.join("; "))
+            format!("weight {weight}; {}", figures())
         }
     }
+}
+
+/// The rest of the command at f0.
+fn filters_command(design: &StageDesign) -> String {
+    let (f0, h) = (design.stage.f0(), at_f0(design));
+    let left = |h: Complex| decimals(magnitude(h + 1.0) * 100.0, 0);
+    let (left, late) = (left(h), left(h * response::delay(warped(f0, design.cycle_time))));
+    let turn = decimals(360.0 * f0 * design.cycle_time, 1);
+    format!(
+        "{left} % of it pass at {} Hz; {late} % where the drive gets v_add a cycle late, which turns it by 360 f0 Ts = {turn} deg",
+        significant(f0, 4)
+    )
 }
 
 /// The weights up to which the loop stays well damped, and stable, with a drive; for a further drive only the numbers.

@@ -1,6 +1,7 @@
 //! The measured response of a drive that a set names (`drive.response`), with its speed controller if it was measured from
 //! the current.
 
+use super::closed_loop;
 use crate::axis::{Filter, MeasuredDrive};
 use crate::blocks::designed::Designed;
 use crate::codes;
@@ -67,11 +68,13 @@ fn from(designed: &Designed, e: &mut Effective<'_>) -> Option<From> {
     }
 }
 
+/// The bands in which the response decides: of stages that look at the motor. At those of SET_POINT the drive follows.
 fn bands(designed: &Designed) -> Vec<Band> {
     let band = |design: &super::stage::StageDesign| {
         let filters = design.stage.filter.iter().filter(|filter| super::filter::is_selective(filter));
         let of = |[f0, q_factor]: [f64; 2]| Band { stage: design.index, f0, width: f0 / q_factor };
         filters.filter_map(Filter::f0_and_q).map(of).collect::<Vec<_>>()
     };
-    super::closed_loop::stages(designed).flat_map(band).collect()
+    let stages = designed.stage.iter().flatten().filter(|of| closed_loop::looks_at_motor(of.stage.mode));
+    stages.flat_map(band).collect()
 }

@@ -15,6 +15,7 @@ mod never_acts;
 pub(crate) mod notes;
 mod phase;
 pub(crate) mod row;
+mod set_point;
 pub(crate) mod sets;
 pub(crate) mod stage;
 mod unstable;

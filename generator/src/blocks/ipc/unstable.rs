@@ -1,7 +1,8 @@
 //! Stages that make their loop unstable even with an ideal drive: a warning, and an error if the block starts ON.
 
-use super::closed_loop::{Known, points, stages};
-use crate::axis::Enable;
+use super::closed_loop::{Known, acts_through_position, points, position_words, stages};
+use super::stage::StageDesign;
+use crate::axis::{Enable, Mode};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::config::values::{Key, key};
@@ -16,28 +17,40 @@ use std::slice::from_ref;
 ///
 /// The ideal drive does exactly what was commanded one cycle before; no machine can be faster. A loop that is unstable with
 /// it needs a drive whose lag was measured. Such a set starts ON only if it states the drive that makes its loop stable
-/// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`).
-pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) {
+/// (`drive.delay`, `drive.time_constant`, `drive.response`), or consents (`accept_unstable`). Returns whether it has reported
+/// SET_POINT as the reason.
+pub(super) fn advise(designed: &Designed, gear: u32, e: &mut Effective<'_>) -> bool {
     let axis = &designed.axis;
     if axis.control.master.is_some() {
         // A gantry slave's block never acts.
-        return;
+        return false;
     }
-    let stated = Known::stated(&axis.drive);
-    let drives: Vec<Known> = stated.into_iter().chain([Known::IDEAL]).collect();
-    let Some(points) = points(designed, &drives, designed.axis.drive.position_gain) else { return };
+    let drives = drives(designed);
+    let Some(points) = points(designed, &drives, axis.drive.position_gain) else { return false };
     let is_error = axis.ipc.enable == Enable::On && axis.ipc.limit() > 0.0 && !is_accepted(e);
     // The stated drive comes first, the ideal one last.
-    let judged = drives.iter().map(|drive| Loop::new(&points, drive.drive()));
-    if let Some((n, closed)) = judged.enumerate().find(|(_, closed)| !closed.is_stable()) {
-        let what = if n + 1 == drives.len() { IDEAL } else { STATED };
-        // A stated drive with which the loop is stable replaces the consent.
-        let is_error = is_error && n == 0;
-        match axis.drive.position_gain.filter(|_| !closed.with([0.0; STAGES]).is_stable()) {
-            Some(gain) => without_stages(designed, e, (gain, gear), (&drives[n], what), is_error),
-            None => say(designed, e, &closed, what, is_error),
+    let mut judged = drives.iter().map(|drive| Loop::new(&points, drive.drive())).enumerate();
+    let Some((n, closed)) = judged.find(|(_, closed)| !closed.is_stable()) else { return false };
+    let what = name(&drives, n);
+    // A stated drive with which the loop is stable replaces the consent.
+    let is_error = is_error && n == 0;
+    match axis.drive.position_gain.filter(|_| !closed.with([0.0; STAGES]).is_stable()) {
+        Some(gain) => {
+            without_stages(designed, e, (gain, gear), (&drives[n], what), is_error);
+            false
         }
+        None => say(designed, e, &closed, what, is_error),
     }
+}
+
+/// The drives with which a loop is judged: the one that the set states, and the ideal one last.
+pub(super) fn drives(designed: &Designed) -> Vec<Known> {
+    Known::stated(&designed.axis.drive).into_iter().chain([Known::IDEAL]).collect()
+}
+
+/// One of them in words.
+pub(super) fn name(drives: &[Known], n: usize) -> &'static str {
+    if n + 1 == drives.len() { IDEAL } else { STATED }
 }
 
 /// Reports a position loop that is unstable without any stage: the largest of the halved gains with which it is well damped.
@@ -78,35 +91,70 @@ fn is_accepted(e: &mut Effective<'_>) -> bool {
     e.validated_word::<Boolean>(key(Name::AcceptUnstable)) == Some(Boolean::True)
 }
 
-/// Reports the stages, each with the weight up to which the loop stays well damped; if there is none with the weights of the
-/// others, the fraction of all weights.
-fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) {
-    let [_, calm_part] = closed.largest_parts();
+/// Reports the stages, each with the weight up to which the loop stays well damped. Stages that act through the position
+/// controller are the reason if the loop is stable without them, else the others are; the rest is reported only if a
+/// smaller weight of it helps. Returns whether the reason is SET_POINT.
+fn say(designed: &Designed, e: &mut Effective<'_>, closed: &Loop<'_>, what: &str, is_error: bool) -> bool {
+    let by_position = without_set_point(designed, closed).is_stable();
     for design in stages(designed) {
         let (i, weight) = (design.index, design.stage.weight());
-        let [stable, calm] = closed.largest_weights(i);
+        let [stable, _] = closed.largest_weights(i);
+        if stable <= 0.0 && acts_through_position(&designed.axis.control, design.stage.mode) != by_position {
+            continue;
+        }
         let asked = significant(weight, 4);
-        let down = |value: f64| down_to(value, 3);
         let found = match stable > 0.0 {
             true => {
                 format!(
                     "stage[{i}] with the weight {asked} makes {what} oscillate, from the weight {} on",
-                    down(stable)
+                    down_to(stable, 3)
                 )
             }
             false => format!("stage[{i}] with the weight {asked} is one of several with which {what} oscillates"),
         };
-        // With the weights of the others the loop may not be calm even without this stage.
-        let instead = match calm > 0.0 {
-            true => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
-            false => {
-                let [own, others] = [weight * calm_part, calm_part * 100.0].map(down);
-                format!("a weight of {own}, and {others} % of the other weights")
-            }
-        };
-        let number = u32::try_from(i).expect("design: there are three stages");
-        let place = (Name::WeightFactNum, [number, 0]);
-        report(e, place, found, instead, is_error);
+        let (place, position) = (place(i), through(designed, design));
+        report(e, place, found + &position, calmer(designed, closed, design), is_error);
+    }
+    by_position
+}
+
+/// The loop without the stages that take `v_command`.
+pub(super) fn without_set_point<'a>(designed: &Designed, closed: &Loop<'a>) -> Loop<'a> {
+    closed.with(designed.stage.each_ref().map(|design| match design.as_ref().map(|design| &design.stage) {
+        Some(stage) if !matches!(stage.mode, Mode::SetPoint { .. }) => stage.weight(),
+        Some(_) | None => 0.0,
+    }))
+}
+
+/// The weight of a stage (P-AXIS-00754).
+pub(super) fn place(stage: usize) -> Key {
+    (Name::WeightFactNum, [u32::try_from(stage).expect("design: there are three stages"), 0])
+}
+
+/// The position loop through which a stage acts; empty for one that looks at the motor.
+pub(super) fn through(designed: &Designed, design: &StageDesign) -> String {
+    let is_through = acts_through_position(&designed.axis.control, design.stage.mode);
+    let position = position_words(designed).filter(|_| is_through);
+    position.map_or_else(String::new, |position| format!("; SET_POINT acts inside the position loop ({position})"))
+}
+
+/// The weight of a stage up to which the loop stays well damped; if there is none with the weights of the others, the
+/// fraction of all weights. And the parameter that takes a stage out of the loop, where nothing says that it is in one.
+pub(super) fn calmer(designed: &Designed, closed: &Loop<'_>, design: &StageDesign) -> String {
+    let ([_, calm], [_, calm_part]) = (closed.largest_weights(design.index), closed.largest_parts());
+    let down = |value: f64| down_to(value, 3);
+    // With the weights of the others the loop may not be calm even without this stage.
+    let weight = match calm > 0.0 {
+        true => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
+        false => {
+            let [own, others] = [design.stage.weight() * calm_part, calm_part * 100.0].map(down);
+            format!("a weight of {own}, and {others} % of the other weights")
+        }
+    };
+    let control = &designed.axis.control;
+    match acts_through_position(control, design.stage.mode) && control.location.is_none() {
+        true => format!("{weight}; or antr.operation_mode DRIVE_POSITION_CONTROL, if the drive controls the position"),
+        false => weight,
     }
 }
 
