@@ -135,13 +135,14 @@ async function outdated() {
   expect("a verification is of all axes", !(await text(tab, "verify-part-result")).includes(OUTDATED));
   await type(tab, "f00", "60");
   expect("a verification of other numbers is not shown", (await text(tab, "verify-part-result")).includes(OUTDATED));
-  expect(`a part is compared as it was opened: ${await run(tab, "diff-part")}`, (await run(tab, "diff-part")).includes("77 -> 60"));
+  const changes = await run(tab, "diff-part");
+  expect(`a part is compared as it was opened: ${changes}`, changes.includes("77 -> 60"));
   await drop(tab, [["b.csv", "time [s];v_motor [um/s]\n0;1\n0.001;2\n"]]);
-  expect(`a recording keeps the axis: ${await tab.evaluate(() => state.axis)}`, (await tab.evaluate(() => state.axis)) === "Y");
-  const undo = await tab.evaluate(() => [$("f00").value, $("was-f00").textContent, $("undo-f00").hidden]);
-  expect(`and Undo: ${undo}`, undo.join() === "60,in the file: 77,false");
+  const kept = await tab.evaluate(() => [state.axis, $("f00").value, $("was-f00").textContent, $("undo-f00").hidden]);
+  expect(`a recording keeps the axis and Undo: ${kept}`, kept.join() === "Y,60,in the file: 77,false");
   await drop(tab, [["new.toml", set("y.lis", "x.lis")]]);
-  await drop(tab, [["c.csv", "time [s];v_motor [um/s]\n0;1\n0.001;2\n"], ["d.csv", "time [s];v_motor [um/s]\n0;1\n0.001;2\n"]]);
+  const recording = "time [s];v_motor [um/s]\n0;1\n0.001;2\n";
+  await drop(tab, [["c.csv", recording], ["d.csv", recording]]);
   expect("recordings keep the chosen set", (await look(tab, "set")) === "new.toml");
   await click(tab, '[aria-label="Remove y.lis"]');
   expect("a removed list is gone", (await text(tab, "axes")).includes("no such file"));
@@ -161,7 +162,8 @@ async function sameName() {
 /** A response belongs to an axis; the blocks are those of the set alone, as the command makes them. */
 async function responses(recordings, response) {
   const tab = await open();
-  await drop(tab, [["set.toml", set("x.lis", "y.lis")], ["x.lis", example], ["y.lis", limit], ...recordings.toReversed(), ["response.csv", response]]);
+  const lists = [two[0], two[1], ["y.lis", limit]];
+  await drop(tab, [...lists, ...recordings.toReversed(), ["response.csv", response]]);
   const found = await roles(tab);
   for (const use of ["excited.csv:excited", "moves.csv:recording", "response.csv:response"])
     expect(`${use}: ${found}`, found.includes(use));

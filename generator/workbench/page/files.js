@@ -55,12 +55,16 @@ function begin(was) {
 }
 
 /** The use of a file in words. */
-const useOf = ({ role, of }) => ROLES[role] + (of ? ` of the axis ${of.axis}${of.set === state.set ? "" : ` of ${of.set}`}` : "");
+function useOf({ role, of }) {
+  if (!of) return ROLES[role];
+  return `${ROLES[role]} of the axis ${of.axis}${of.set === state.set ? "" : ` of ${of.set}`}`;
+}
 
 function showFiles() {
   const rows = [...state.files].map(([name, file]) => {
     const role = make("select", { "aria-label": `Use of ${name}` });
-    for (const [word, words] of Object.entries(ROLES)) role.append(make("option", { value: word }, word === file.role ? useOf(file) : words));
+    for (const [word, words] of Object.entries(ROLES))
+      role.append(make("option", { value: word }, word === file.role ? useOf(file) : words));
     role.value = file.role;
     role.onchange = () => {
       use(name, role.value);
@@ -94,7 +98,8 @@ async function save() {
   const { data, files } = await ask({ command: "zip", of: subject(), targets: isNamed ? [] : [$("target").value], name });
   if (data) download(name, files[0][1], "application/zip");
   const without = subject().responses.length ? "; they are made without the dropped response, which is not in the set" : "";
-  say(data ? `saved ${name}: ${data.entries.length} generated files and your own${without}` : "nothing is saved: the set has errors");
+  if (!data) return say("nothing is saved: the set has errors");
+  say(`saved ${name}: ${data.entries.length} generated files and your own${without}`);
 }
 
 function listen() {

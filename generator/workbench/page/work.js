@@ -204,7 +204,8 @@ function showWork() {
     part(
       "params-part",
       "Parameter set",
-      "The numbers of this axis for a block that takes parameter sets, generated from an older version among the files, else from the set as it was opened.",
+      "The numbers of this axis for a block that takes parameter sets, generated from an older version " +
+        "among the files, else from the set as it was opened.",
       parameterSet,
       ofAxis,
       make("label", {}, "Form ", form),
