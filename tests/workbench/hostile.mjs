@@ -38,12 +38,12 @@ for (const folder of ["generator/tests/config/messages", "generator/tests/real_f
 let [longest, slowest] = [0, ""];
 const mistakes = [];
 for (const [name, bytes] of files) {
-  for (const command of ["check", "measure"]) {
+  for (const command of ["check", "measure", "kinds"]) {
     const own = begin();
     const from = process.cpuUsage();
     try {
       own.put(name, bytes);
-      const { data, messages } = own.ask({ command, of: { set: name, cycle_time: "1ms" }, recording: name });
+      const { data, messages } = own.ask({ command, of: { set: name, cycle_time: "1ms" }, recording: name, names: [name] });
       if (!messages.length && !data) mistakes.push(`${command} ${name}: neither data nor a message`);
     } catch (error) {
       mistakes.push(`${command} ${name}: ${own.panicked() || error}`);

@@ -5,6 +5,7 @@ import { createServer } from "node:http";
 import * as browser from "./browser.mjs";
 import { allow, drop, example, expect, isChromium, open, openExample, settled, shot, text, within } from "./browser.mjs";
 import { ARCHIVE, Comparison, filesBeside, subjectOf, subjects } from "./sets.mjs";
+import { several } from "./several.mjs";
 import { tools } from "./tools.mjs";
 
 async function steps() {
@@ -256,6 +257,7 @@ try {
   await partly();
   await narrow();
   await tools();
+  await several();
   await many();
   await sameBytes();
   if (isChromium) await dark();

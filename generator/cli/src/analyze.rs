@@ -28,7 +28,9 @@ impl DriveArguments {
             ("--speed-integral-time", Name::DriveSpeedIntegralTime, &self.speed_integral_time),
         ];
         let given = options.into_iter().filter_map(|(option, name, text)| Some((option, name, text.clone()?)));
-        given.map(|(option, name, text)| OptionKey { option: option.to_owned(), name, index: [0, 0], text }).collect()
+        given
+            .map(|(option, name, text)| OptionKey { axis: None, option: option.to_owned(), name, index: [0, 0], text })
+            .collect()
     }
 }
 

@@ -366,7 +366,7 @@ pub struct SimulateArguments {
     /// Noise of the recorded velocity and acceleration, rms, as a part of their peak: 0.1% [default: none]
     #[arg(long, value_name = "PART", value_parser = simulate::noise)]
     pub noise: Option<f64>,
-    /// Replace any files of these names, not only earlier outputs of this command
+    /// Replace any files of these names, not only earlier outputs of this command; a file of --recorded needs it always
     #[arg(long)]
     pub force: bool,
 }

@@ -16,6 +16,7 @@ use generator::diagnostics::Slashes;
 use golden::measure::{Measured, Record, Verdict};
 use golden::svg;
 use golden::tune::{self, Prefer, Proposal, Stages, signals, text};
+use std::collections::BTreeMap;
 
 /// Runs the command.
 pub fn run(of: &TuneArguments, format: Format) -> Result<Exit, Exit> {
@@ -96,9 +97,10 @@ fn apply(arguments: &SetArguments, format: Format, axis: &str, of: &Proposal, is
     let count = commands::words::counted(of.stages.len(), "stage");
     let head = format!("{}: {} of {}, enable DRYRUN", path.slashes(), count, of.kind.word());
     let lines: Vec<String> = std::iter::once(head).chain(applied.changes).collect();
-    if is_json {
-        output::say(&(lines.join("\n") + "\n"));
-        return Ok(());
+    match (is_json, format) {
+        (false, _) => lines.into_iter().try_for_each(output::line)?,
+        (true, Format::Human) => output::say(&(lines.join("\n") + "\n")),
+        (true, Format::Json) => output::say(&json::line(&BTreeMap::from([("applied", lines)]))),
     }
-    lines.into_iter().try_for_each(output::line)
+    Ok(())
 }

@@ -29,15 +29,15 @@ pub enum Number {
 /// The denominator of a weight that the one in the parameters does not express.
 const DENOMINATOR: u32 = 1000;
 
-/// The axis with another number of an active stage, designed. A number that the stage does not have changes nothing. Ranges
-/// are not validated here.
+/// The stages with another number of an active one. A number that the stage does not have changes nothing. Ranges are not
+/// validated here, and nothing is designed.
 #[must_use]
-pub fn with(designed: &Designed, stage: usize, number: Number, value: f64) -> Designed {
-    let mut axis = designed.axis.clone();
-    if let Some(stage) = axis.ipc.stage.get_mut(stage).and_then(Option::as_mut) {
+pub fn with(designed: &Designed, stage: usize, number: Number, value: f64) -> [Option<Stage>; 3] {
+    let mut stages = designed.axis.ipc.stage.clone();
+    if let Some(stage) = stages.get_mut(stage).and_then(Option::as_mut) {
         set(stage, number, value);
     }
-    Designed::from(axis)
+    stages
 }
 
 fn set(stage: &mut Stage, number: Number, value: f64) {
@@ -100,7 +100,7 @@ pub fn written(
     let (shown, report) = pipeline::read_to_show(path, options, &over(&files, load));
     let Some(shown) = shown.filter(|shown| shown.is_whole) else { return Err(report) };
     let stages = shown.set.axes.iter().find(|of| of.axis.name == *axis).map(|of| &of.axis.ipc.stage);
-    if stages != Some(&version.axis.ipc.stage) {
+    if stages != Some(&version) {
         return Err(refused(format!("the stage {stage} of the axis {axis} stands in a form that is not edited")));
     }
     Ok(Written { files, shown, report })
@@ -112,8 +112,8 @@ fn over<'a>(changed: &'a Files, load: Load<'a>) -> impl Fn(&Path) -> Result<Vec<
 }
 
 /// The parameters of a number of a stage, each with its predecessor, its indices and its value.
-fn given(version: &Designed, at: usize, number: Number, value: f64) -> Vec<(&'static [Name], [u32; 2], f64)> {
-    let Some(stage) = version.axis.ipc.stage.get(at).and_then(Option::as_ref) else { return Vec::new() };
+fn given(version: &[Option<Stage>], at: usize, number: Number, value: f64) -> Vec<(&'static [Name], [u32; 2], f64)> {
+    let Some(stage) = version.get(at).and_then(Option::as_ref) else { return Vec::new() };
     let index = u32::try_from(at).unwrap_or(u32::MAX);
     let of_stage = [index, 0];
     let of_filter = [index, stage.first_bandpass()];

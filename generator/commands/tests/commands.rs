@@ -100,9 +100,12 @@ fn a_number_of_a_stage_is_written_into_the_users_own_text() {
     let changed = read.written(1, Number::Damping, 0.7).unwrap();
     assert_eq!(changes(LIST, &changed), [[old, &old.replace("0.8", "0.7")]], "by its predecessor");
 
-    for (stage, number, value, found) in
-        [(0, Number::F0, 5e3, "P-AXIS-00751"), (0, Number::Damping, 0.5, "stage 0"), (2, Number::F0, 5.0, "stage 2")]
-    {
+    for (stage, number, value, found) in [
+        (0, Number::F0, 5e3, "P-AXIS-00751"),
+        (0, Number::F0, 0.0, "P-AXIS-00751"),
+        (0, Number::Damping, 0.5, "stage 0"),
+        (2, Number::F0, 5.0, "stage 2"),
+    ] {
         let refused = read.written(stage, number, value).unwrap_err();
         assert!(refused.contains(found), "{refused}");
     }

@@ -23,13 +23,15 @@ pub struct ListOptions {
     pub cycle_time: Option<String>,
     /// `--name`; otherwise the axis has the file's name
     pub name: Option<String>,
-    /// options that correspond to keys of an axis, in a list or in a set: they override its keys in every axis
+    /// options that correspond to keys of an axis, in a list or in a set: they override its keys
     pub keys: Vec<OptionKey>,
 }
 
 /// An option that corresponds to a key of an axis.
 #[derive(Clone, Debug)]
 pub struct OptionKey {
+    /// the axis; `None`: every axis
+    pub axis: Option<String>,
     /// `--delay`
     pub option: String,
     pub name: Name,
@@ -65,16 +67,19 @@ pub(crate) fn read(path: &Path, options: &ListOptions, load: Load<'_>) -> Result
     let source = file::read(path, None, load)?;
     let mut given =
         if file::is_set(path) { of_set(path, &source, options, load)? } else { of_lists(path, &source, options)? };
-    let mut keys = Values::default();
-    for OptionKey { option, name, index, text } in &options.keys {
-        let setting = setting_of_option(option, *name, text, &mut given.report);
-        keys.insert((*name, *index), setting);
-    }
-    let has_stages = keys.iter().any(|((name, _), _)| is_of_stage(name));
-    for values in given.axes.iter_mut().filter(|_| !keys.is_empty()).filter_map(|axis| axis.values.as_mut()) {
+    let Given { axes, report, .. } = &mut given;
+    let keys: Vec<(&OptionKey, Setting)> =
+        options.keys.iter().map(|key| (key, setting_of_option(&key.option, key.name, &key.text, report))).collect();
+    let has_stages = options.keys.iter().any(|key| is_of_stage(key.name));
+    for GivenAxis { name, values, .. } in axes.iter_mut().filter(|_| !keys.is_empty()) {
+        let Some(values) = values else { continue };
         // A stage that is given as an option takes nothing from those of the axis.
         values.retain(|(name, _)| !has_stages || !is_of_stage(name));
-        *values = std::mem::take(values).overridden_by(keys.clone());
+        let mut own = Values::default();
+        for (key, setting) in keys.iter().filter(|(key, _)| key.axis.as_ref().is_none_or(|axis| axis == name)) {
+            own.insert((key.name, key.index), setting.clone());
+        }
+        *values = std::mem::take(values).overridden_by(own);
     }
     Ok(given)
 }

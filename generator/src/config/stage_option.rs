@@ -94,7 +94,13 @@ impl OfStage<'_> {
                 if self.keys.iter().any(|known| (known.name, known.index) == (name, index)) {
                     return self.refuse(format!("{} is given twice", shown(key)), "each key once");
                 }
-                self.keys.push(OptionKey { option: self.option.clone(), name, index, text: value.to_owned() });
+                self.keys.push(OptionKey {
+                    axis: None,
+                    option: self.option.clone(),
+                    name,
+                    index,
+                    text: value.to_owned(),
+                });
             }
             _ => {
                 let place = Place::whole(&self.option);

@@ -123,6 +123,14 @@ pub fn is_without_names(bytes: &[u8]) -> bool {
     sinumerik::is_xml(&text::decode(bytes))
 }
 
+/// Whether a file, or its beginning, has the columns of a response, or is XML.
+#[must_use]
+pub fn is_response(bytes: &[u8]) -> bool {
+    let (text, mut said) = (text::decode(bytes), Said { file: "", report: Report::default() });
+    sinumerik::is_xml(&text)
+        || table::Table::read(&text).is_ok_and(|table| numbers::choose(&table, &mut said).is_some())
+}
+
 /// Reads a response for a block with this cycle time [s].
 ///
 /// # Errors

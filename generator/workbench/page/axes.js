@@ -60,7 +60,8 @@ function card(stage) {
 
 function control(stage, value) {
   const id = `${value}${stage}`;
-  const number = make("input", { type: "number", id, step: "any", min: "0" });
+  // A field for numbers would drop the comma of 1,5 in some browsers.
+  const number = make("input", { type: "text", inputMode: "decimal", autocomplete: "off", id });
   const range = make("input", {
     type: "range",
     id: `range-${id}`,
@@ -69,7 +70,7 @@ function control(stage, value) {
     step: 1,
     "aria-label": `${VALUES[value].label} of stage ${stage}`,
   });
-  number.onchange = () => change(stage, value, Number(number.value));
+  number.onchange = () => entered(stage, value, number);
   range.oninput = () => change(stage, value, atStep(Number(range.value), stage, value));
   range.onchange = number.onfocus = range.onfocus = () => touch(stage, value);
   const undo = button("Undo", () => change(stage, value, originalOf(stage, value)), {
@@ -80,9 +81,28 @@ function control(stage, value) {
   return make("div", { className: "value" }, label, number, range, make("small", { id: `was-${id}` }), undo);
 }
 
+/** Takes over a number that was typed, with a decimal point or comma; nothing and other text change nothing. */
+function entered(stage, value, field) {
+  const typed = field.value.trim();
+  const to = Number(typed.replace(",", "."));
+  if (typed !== "" && Number.isFinite(to)) return change(stage, value, to);
+  say(`${VALUES[value].label} of stage ${stage}: ${typed === "" ? "nothing" : `"${typed}"`} is not a number`);
+  showStages();
+}
+
 function originalOf(stage, value) {
   const before = state.before.get(state.axis)?.row.stages[stage];
   return before?.active?.[VALUES[value].field] ?? null;
+}
+
+/** A number that a stage did not have when the file was opened begins as it is now. */
+function complete(before, stages) {
+  for (const { stage, active } of stages) {
+    if (!active) continue;
+    const of = (before.stages[stage] ??= { stage, active: null });
+    const was = (of.active ??= structuredClone(active));
+    for (const { field } of Object.values(VALUES)) was[field] ??= active[field];
+  }
 }
 
 /** A position of the slider as a value: the weight evenly from 0 to 7, all else by ratios around the value in the file. */

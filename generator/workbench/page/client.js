@@ -34,14 +34,14 @@ const client = {
     return this.ready;
   },
 
-  /** The answer to a request: data, messages, and the files that the data name. `files`: changed files. */
-  async ask(request, files = []) {
+  /** The answer to a request: data, messages, and the files that the data name. `files`: changed ones; `removed`: names. */
+  async ask(request, files = [], removed = []) {
     await this.ready;
     const id = this.next++;
     this.onBusy(true);
     return new Promise((resolve, reject) => {
       this.waiting.set(id, { resolve, reject });
-      this.worker.postMessage({ id, request, files });
+      this.worker.postMessage({ id, request, files, removed });
     });
   },
 

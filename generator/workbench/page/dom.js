@@ -14,7 +14,9 @@ function make(tag, properties = {}, ...children) {
   return element;
 }
 
-function button(text, onclick, properties = {}) {
+/** A button; what fails is said. */
+function button(text, act, properties = {}) {
+  const onclick = () => Promise.resolve(act()).catch((error) => say(error.message));
   return make("button", { type: "button", onclick, ...properties }, text);
 }
 

@@ -45,6 +45,7 @@ async function edited(request) {
 
 /** Takes over the result of a check; null: nothing could be read. */
 function accept(data, messages) {
+  state.revision += 1;
   state.checked = data?.checked ?? null;
   state.refused = data?.refused ?? [];
   state.allowed = data?.allowed ?? false;
@@ -61,8 +62,10 @@ function choose() {
   if (!axisRow()) state.axis = state.checked?.axes[0]?.axis ?? "";
   const row = axisRow();
   if (row && !state.before.has(state.axis)) state.before.set(state.axis, { row: structuredClone(row), loop: null });
+  if (row) complete(state.before.get(state.axis).row, row.stages);
   showAxes();
   showStages();
+  outdate();
 }
 
 function touch(stage, value, shows = true) {
@@ -76,5 +79,9 @@ const timers = new Map();
 /** Does something a little later, once. */
 function later(what, milliseconds) {
   clearTimeout(timers.get(what));
-  timers.set(what, setTimeout(what, milliseconds));
+  const then = () => {
+    timers.delete(what);
+    what();
+  };
+  timers.set(what, setTimeout(then, milliseconds));
 }

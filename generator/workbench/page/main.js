@@ -20,8 +20,10 @@ async function refresh(isWhole = true) {
   const from = performance.now();
   say(`Reading ${state.set}`);
   try {
-    const { data, messages } = await ask({ command: "check", of: subject() });
-    accept(data, messages);
+    bound();
+    await checked();
+    if (bound()) await checked();
+    showFiles();
     measure("table", from);
     await showLoop();
     measure("first picture", from);
@@ -31,6 +33,11 @@ async function refresh(isWhole = true) {
   } catch (error) {
     say(error.message);
   }
+}
+
+async function checked() {
+  const { data, messages } = await ask({ command: "check", of: subject() });
+  accept(data, messages);
 }
 
 async function chooseAxis(name) {
@@ -45,8 +52,9 @@ function listenToAll() {
   listen();
   $("cycle").onchange = () => refresh();
   $("set").onchange = () => {
+    const was = state.set;
     state.set = $("set").value;
-    begin();
+    begin(was);
     refresh();
   };
   $("target").onchange = () => showCode();
@@ -64,7 +72,7 @@ function listenToAll() {
     $("stop").disabled = !isBusy;
   };
   client.onRestart = () => {
-    for (const file of state.files.values()) file.sent = false;
+    sent.clear();
     // The new worker has read no set yet.
     later(reread, 0);
   };

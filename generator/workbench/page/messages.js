@@ -38,6 +38,7 @@ const LARGEST_TEXT = 2000000;
 let shownFile = "";
 
 function showText(name = state.set) {
+  if (timers.has(typed)) takeTyped();
   const field = $("text");
   const file = state.files.get(name);
   shownFile = name;
@@ -48,7 +49,8 @@ function showText(name = state.set) {
   }
   const { text: characters, form } = text.of(file.bytes.subarray(0, LARGEST_TEXT));
   field.readOnly = form === null || file.bytes.length > LARGEST_TEXT;
-  if (field.value !== characters) field.value = characters;
+  const lines = characters.replace(LINE_END, "\n");
+  if (field.value !== lines) field.value = lines;
 }
 
 /** Goes to the place of a message in its file. */
@@ -63,11 +65,21 @@ function jump({ file, line, column }) {
   field.scrollTop = Math.max(0, (line - 4) * 18);
 }
 
+function takeTyped() {
+  const file = state.files.get(shownFile);
+  if (file && !$("text").readOnly) file.bytes = text.bytes($("text").value, file.bytes);
+}
+
 /** Takes over what the user has typed. */
 async function typed() {
-  const file = state.files.get(shownFile);
-  if (!file || $("text").readOnly) return;
-  file.bytes = text.bytes($("text").value, text.of(file.bytes).form);
-  file.sent = false;
+  takeTyped();
   await refresh(false);
+}
+
+/** Takes over at once what was typed: every request is about the text that is shown. */
+async function flushed() {
+  if (!timers.has(typed)) return;
+  clearTimeout(timers.get(typed));
+  timers.delete(typed);
+  await typed();
 }

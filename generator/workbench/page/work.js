@@ -3,18 +3,37 @@
 
 const SAMPLES = 20000;
 
-/** A part that is opened: a title, and a button that fills its result. */
-function part(id, title, words, action, ...inputs) {
+/** The results that are shown: element -> what they were made from, as a function and as it was. */
+const results = new Map();
+const ofSet = () => String(state.revision);
+const ofAxis = () => `${state.revision} ${state.axis}`;
+
+/** A part that is opened: a title, and a button that fills its result. `basis`: what the result is made from. */
+function part(id, title, words, action, basis, ...inputs) {
   const result = make("div", { id: `${id}-result` });
   const run = button(title, async () => {
+    results.delete(result);
     fill(result, "working");
     try {
-      fill(result, ...(await action(result)));
+      await flushed();
+      const was = basis();
+      fill(result, ...(await action()));
+      results.set(result, { basis, was });
+      outdate();
     } catch (error) {
       fill(result, error.message);
     }
   });
   return make("details", { id }, make("summary", {}, title), make("p", {}, words), ...inputs, run, result);
+}
+
+/** Takes away the results of another axis, or of files that have changed. */
+function outdate() {
+  for (const [result, { basis, was }] of results) {
+    if (basis() === was) continue;
+    results.delete(result);
+    fill(result, "The set, its files or the axis have changed since this was made. Run it again.");
+  }
 }
 
 function refusals(messages) {
@@ -47,14 +66,21 @@ async function verify() {
   return [table(["axis", "block", "engine", "samples", "differing bits", "first difference", "digest"], rows), reached];
 }
 
+/** The older version among the files, else the files as they were opened; with those that only this request needs. */
+function older() {
+  const name = fileOf("older");
+  if (!name) {
+    const isNamed = ([, { role }]) => !["recording", "excited"].includes(role);
+    const files = [...state.files].filter(isNamed).map(([of, { original }]) => [`older/${of}`, original]);
+    return { name: `older/${state.set}`, files };
+  }
+  if (isToml(name) || !isToml(state.set)) return { name, files: [] };
+  return { name: `${name}.toml`, files: [[`${name}.toml`, state.files.get(name).bytes]] };
+}
+
 async function difference() {
-  const old = fileOf("older") ?? "older version";
-  if (!fileOf("older"))
-    state.files.set(old, { bytes: state.files.get(state.set).original, original: null, role: "older", sent: false });
-  const name = /\.toml$/i.test(state.set) && !/\.toml$/i.test(old) ? `${old}.toml` : old;
-  if (name !== old) state.files.set(name, { ...state.files.get(old), role: "older", sent: false });
-  const { data, messages } = await ask({ command: "diff", of: subject(), old: name });
-  for (const of of [old, name]) if (state.files.get(of)?.original === null) state.files.delete(of);
+  const old = older();
+  const { data, messages } = await ask({ command: "diff", of: subject(), old: old.name }, old.files);
   if (!data) return refusals(messages);
   return [pre(data.lines.join("\n") || "no difference", "Differences")];
 }
@@ -101,7 +127,10 @@ async function tuned() {
 
 async function applied(proposal) {
   const { data, messages, files } = await ask({ command: "apply", of: subject(), axis: state.axis, proposal });
-  if (!data) return showMessages(messages);
+  if (!data) {
+    showMessages(messages);
+    return say(`not applied: ${messages.map((message) => message.found).join("; ")}`);
+  }
   keep(files);
   await refresh();
   say(data.changes.join("; "));
@@ -125,14 +154,13 @@ async function commissioning() {
 }
 
 async function parameterSet() {
-  const on = fileOf("older") ?? state.set;
-  const form = $("form").value;
-  const { data, messages } = await ask({ command: "params_of", of: subject(), axis: state.axis, on, form });
+  const [axis, form, on] = [state.axis, $("form").value, older()];
+  const { data, messages } = await ask({ command: "params_of", of: subject(), axis, on: on.name, form }, on.files);
   if (!data) return refusals(messages);
   const bytes = Uint8Array.from(data.bytes);
   return [
     form === "bin" ? `${bytes.length} bytes` : pre(data.text, "Parameter set"),
-    button("Save", () => download(`${state.axis}.${form}`, bytes)),
+    button("Save", () => download(`${axis}.${form}`, bytes)),
     ...refusals(messages),
   ];
 }
@@ -148,32 +176,38 @@ function showWork() {
       `Every block of every axis with ${SAMPLES} samples in every engine of this page: the reference, its program, and the ` +
         "emitted Structured Text of four dialects. Every bit is compared.",
       verify,
+      ofSet,
     ),
-    part("measure-part", "Measure", "Sampling, vibrations and the response of the drive in the recordings.", measured),
+    part("measure-part", "Measure", "Sampling, vibrations and the response of the drive in the recordings.", measured, ofAxis),
     part(
       "tune-part",
       "Propose stages",
       "Stages from a recording of moves, with what they would leave of each vibration.",
       tuned,
+      ofAxis,
     ),
-    part("simulate-part", "Simulate", "The loop of the axis over time, with and without its stages.", simulated),
+    part("simulate-part", "Simulate", "The loop of the axis over time, with and without its stages.", simulated, ofAxis),
     part(
       "diff-part",
       "Compare",
       "What has changed for the machine since the file was opened, or since an older version among the files.",
       difference,
+      ofSet,
     ),
     part(
       "page-part",
       "Commissioning page",
       "How to put the block into operation at the machine, with the numbers of this axis.",
       commissioning,
+      ofAxis,
     ),
     part(
       "params-part",
       "Parameter set",
-      "The numbers of this axis for a block that takes parameter sets, generated from an older version.",
+      "The numbers of this axis for a block that takes parameter sets, generated from an older version " +
+        "among the files, else from the set as it was opened.",
       parameterSet,
+      ofAxis,
       make("label", {}, "Form ", form),
     ),
   );

@@ -9,6 +9,7 @@ self.onmessage = ({ data }) => {
     return;
   }
   try {
+    for (const name of data.removed) wasm_bindgen.remove(name);
     for (const [name, bytes] of data.files) wasm_bindgen.put(name, bytes);
     const answer = JSON.parse(wasm_bindgen.ask(JSON.stringify(data.request)));
     // An answer names the files that it has changed, or made.

@@ -1,7 +1,7 @@
 //! The answer to each request: its data, and the messages.
 
 use crate::request::{Request, Subject};
-use crate::session::{Session, load};
+use crate::session::{Open, Session, load};
 use crate::{curves, recorded, zip};
 use commands::plan::Plan;
 use commands::stages::{Number, Written};
@@ -10,7 +10,7 @@ use commands::words::{TIMES, made, seconds};
 use commands::{check, diff, messages, refused, stages, trace};
 use generator::blocks::{self, Designed};
 use generator::diagnostics::Report;
-use generator::pipeline::{self, Set, Shown};
+use generator::pipeline::{self, Set};
 use generator::target::{self, File, TARGETS, Target};
 use generator::{codes, generate, manifest, params_of};
 use golden::simulate::{self, Moved, picture, text};
@@ -36,6 +36,11 @@ pub fn answer(session: &mut Session, request: &str) -> String {
 
 fn answered(session: &mut Session, request: Request) -> Answer {
     match request {
+        Request::Kinds { names } => {
+            let bytes = |name: &String| session.files.0.get(Path::new(name));
+            let kinds: Vec<_> = names.iter().map(|name| bytes(name).and_then(|bytes| recorded::kind(bytes))).collect();
+            Ok((json!(kinds), Report::default()))
+        }
         Request::Check { of } => check_set(session, &of),
         Request::Loop { axis } => Ok((json!(curves::curves(axis_of(session, &axis)?)), Report::default())),
         Request::Edit { of, axis, stage, value, to } => edit(session, &of, &axis, (stage, value, to)),
@@ -67,17 +72,17 @@ fn answered(session: &mut Session, request: Request) -> Answer {
 
 /// Reads and checks. What has errors is shown as far as it can be read, but no block is generated from it.
 fn check_set(session: &mut Session, of: &Subject) -> Answer {
-    let (shown, report) = pipeline::read_to_show(of.path(), &of.options(), &load(&session.files));
-    let data = checked(shown.as_ref(), &report);
-    session.set = shown.map(|shown| (of.set.clone(), shown));
-    Ok((data, report))
+    let (shown, mut report) = pipeline::read_to_show(of.path(), &of.options(), &load(&session.files));
+    session.open(of, shown, &mut report);
+    Ok((checked(session.set.as_ref(), &report), report))
 }
 
-fn checked(shown: Option<&Shown>, report: &Report) -> Value {
+fn checked(open: Option<&Open>, report: &Report) -> Value {
+    let shown = open.map(|open| &open.shown);
     let checked = shown.map(|shown| check::check(&shown.set, report.warnings(), false));
     let text = checked.as_ref().map(check::Check::text);
     json!({
-        "allowed": shown.is_some_and(|shown| shown.is_allowed),
+        "allowed": open.is_some_and(|open| open.allowed().is_some()),
         "whole": shown.is_some_and(|shown| shown.is_whole),
         "refused": shown.map(|shown| &shown.refused),
         "checked": checked,
@@ -88,18 +93,19 @@ fn checked(shown: Option<&Shown>, report: &Report) -> Value {
 /// Another number in the text of the user: what was read to prove it is the set from now on.
 fn edit(session: &mut Session, of: &Subject, axis: &str, number: (usize, Number, f64)) -> Answer {
     let (options, load) = (of.options(), load(&session.files));
-    let Written { files, shown, report } =
+    let Written { files, shown, mut report } =
         stages::written((of.path(), &options, &load), axis_of(session, axis)?, number)?;
     drop(load);
     let names: Vec<String> = files.0.into_iter().map(|(path, bytes)| session.put(path, bytes)).collect();
     let curves = commands::axis(&shown.set, Some(axis)).map(curves::curves)?;
-    let data = json!({ "files": names, "checked": checked(Some(&shown), &report), "loop": curves });
-    session.set = Some((of.set.clone(), shown));
+    session.open(of, Some(shown), &mut report);
+    let data = json!({ "files": names, "checked": checked(session.set.as_ref(), &report), "loop": curves });
     Ok((data, report))
 }
 
 fn code(session: &Session, of: &Subject, axis: &str, target: Target) -> Answer {
     let designed = allowed(session, axis)?;
+    let of = Subject { responses: Vec::new(), ..of.clone() };
     let (options, load) = (of.options(), load(&session.files));
     let blocks = made(blocks::blocks(designed));
     let trace = trace::trace((of.path(), &options, &load), designed, &blocks, &[target])?;
@@ -107,20 +113,19 @@ fn code(session: &Session, of: &Subject, axis: &str, target: Target) -> Answer {
     Ok((json!({ "emitted": emitted, "trace": trace }), Report::default()))
 }
 
-fn shown_of(session: &Session) -> Result<&(String, Shown), Report> {
+fn shown_of(session: &Session) -> Result<&Open, Report> {
     session.set.as_ref().ok_or_else(|| refused::input(codes::USAGE, "set", "no set that can be read is open"))
 }
 
 fn axis_of<'s>(session: &'s Session, name: &str) -> Result<&'s Designed, Report> {
-    commands::axis(&shown_of(session)?.1.set, Some(name))
+    commands::axis(&shown_of(session)?.shown.set, Some(name))
 }
 
-/// The set, if it is free of errors.
+/// The set as the command reads it, if it is free of errors.
 fn allowed_set(session: &Session) -> Result<(&str, &Set), Report> {
-    match shown_of(session)? {
-        (name, shown) if shown.is_allowed => Ok((name, &shown.set)),
-        (name, _) => Err(refused::input(codes::USAGE, name, "has errors: no block is generated from it")),
-    }
+    let open = shown_of(session)?;
+    let refused = || refused::input(codes::USAGE, &open.name, "has errors: no block is generated from it");
+    open.allowed().map(|shown| (open.name.as_str(), &shown.set)).ok_or_else(refused)
 }
 
 /// An axis of a set without errors.
@@ -150,11 +155,10 @@ fn archive(session: &mut Session, of: &Subject, targets: &[String], name: &str) 
     let names: Vec<String> = files.iter().map(|file| format!("generated/{}", file.name)).collect();
     let generated = names.iter().zip(&files).map(|(name, file)| (name.as_str(), file.text.as_bytes()));
     let own = session.files.0.iter().filter_map(|(path, bytes)| Some((path.to_str()?, bytes.as_slice())));
-    let own = own.filter(|(path, _)| *path != name);
     let archive = zip::archive(own.chain(generated));
     let archive = archive.ok_or_else(|| refused::input(codes::TOO_LARGE, &of.set, "is too large for a zip file"))?;
     let answer = json!({ "files": [name], "entries": names, "bytes": archive.len() });
-    session.files.0.insert(name.into(), archive);
+    session.archive = Some((name.to_owned(), archive));
     Ok((answer, Report::default()))
 }
 
@@ -163,7 +167,7 @@ fn verify(session: &Session, samples: usize) -> Answer {
     engines.retain(|engine| !engine.is_compiled());
     let mut verification = Verification::new(&engines, &|_, _| None);
     let (mut rows, mut reached) = (Vec::new(), Vec::new());
-    let (name, shown) = shown_of(session)?;
+    let Open { name, shown, .. } = shown_of(session)?;
     if !shown.is_whole {
         return Err(refused::input(codes::USAGE, name, "has errors: not every block can be run"));
     }

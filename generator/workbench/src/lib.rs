@@ -50,11 +50,20 @@ pub fn put(name: &str, bytes: Vec<u8>) {
     SESSION.with_borrow_mut(|session| session.files.0.insert(PathBuf::from(name), bytes));
 }
 
-/// The content of a file; empty if there is none.
+/// Removes a file.
+#[cfg_attr(target_family = "wasm", wasm_bindgen)]
+pub fn remove(name: &str) {
+    SESSION.with_borrow_mut(|session| session.files.0.remove(&PathBuf::from(name)));
+}
+
+/// The content of a file, or of the archive that was made last; empty if there is none.
 #[cfg_attr(target_family = "wasm", wasm_bindgen)]
 #[must_use]
 pub fn get(name: &str) -> Vec<u8> {
-    SESSION.with_borrow(|session| session.files.0.get(&PathBuf::from(name)).cloned().unwrap_or_default())
+    SESSION.with_borrow(|session| match &session.archive {
+        Some((archive, bytes)) if archive == name => bytes.clone(),
+        Some(_) | None => session.files.0.get(&PathBuf::from(name)).cloned().unwrap_or_default(),
+    })
 }
 
 /// Answers a request, both in JSON.

@@ -1,14 +1,16 @@
 //! Recordings: what was measured, and the stages that are proposed from them.
 
 use crate::request::Subject;
-use crate::session::{Session, load};
+use crate::session::{Proposed, Session, load};
 use commands::measure::{Reading, Recorded, Recordings, results};
+use commands::refused;
 use commands::tune::{chosen, proposals};
 use generator::blocks::Designed;
 use generator::config::characters;
 use generator::diagnostics::Report;
-use generator::{apply, pipeline};
+use generator::{apply, codes, pipeline, response_file};
 use golden::measure::text as measured_text;
+use golden::table::Table;
 use golden::tune::{self, Prefer, Stages, text};
 use golden::{measure, tune::signals};
 use serde_json::{Value, json};
@@ -23,6 +25,18 @@ fn read(session: &Session, names: [Option<&str>; 2], cycle_time: Option<f64>) ->
     });
     let own = own.unwrap_or(Recorded { name: String::new(), text: String::new() });
     Recordings::read(own, excited, &Reading { map: &Vec::new(), cycle_time, excitation: None })
+}
+
+/// The probable use of a file, by its readers; `None`: its name says more than its content.
+pub fn kind(bytes: &[u8]) -> Option<&'static str> {
+    if response_file::is_response(bytes) {
+        return Some("response");
+    }
+    let text = characters(bytes.to_vec());
+    let channels = measure::read(&Table::read(&text, &[]), &[]).ok().filter(|channels| !channels.is_empty())?;
+    let is_excited =
+        |channel: &measure::Channel| channel.signal == "v_excite" && channel.values.iter().any(|v| *v != 0.0);
+    Some(if channels.iter().any(is_excited) { "excited" } else { "recording" })
 }
 
 /// What a recording shows, in words, as data and as a picture.
@@ -50,7 +64,7 @@ pub fn tuned(
     let Some(set) = set else { return Err(report) };
     let designed: &Designed = commands::axis(&set, Some(axis))?;
     let all = read(session, names, Some(designed.axis.cycle_time()))?;
-    let prefer = if of.response.is_some() { Prefer::Set } else { Prefer::Excited };
+    let prefer = if of.responses.iter().any(|response| response.axis == axis) { Prefer::Set } else { Prefer::Excited };
     let mut tuning = tune::tune(designed, &all.own.1, all.second(), prefer, Stages::Proposed);
     let first = chosen(&mut tuning, None);
     let picture = first.zip(all.own.1.record.as_ref()).and_then(|(first, record)| {
@@ -63,14 +77,24 @@ pub fn tuned(
         "text": text::report(&tuning, axis),
         "picture": picture,
     });
-    session.tuning = Some(tuning);
+    let files = session.digests();
+    session.tuning = Some(Proposed { of: of.clone(), axis: axis.to_owned(), files, tuning });
     Ok((answer, all.said()))
 }
 
 /// Writes a proposal of the last `tune` into the text of the user; returns the name of the file and the changes.
 pub fn applied(session: &mut Session, of: &Subject, axis: &str, proposal: &str) -> Result<(Value, Report), Report> {
-    let tuning = session.tuning.as_mut().ok_or_else(Report::default)?;
-    let Some(chosen) = chosen(tuning, Some(proposal)) else { return Err(Report::default()) };
+    let files = session.digests();
+    let refused = |found: &str| refused::input(codes::USAGE, &of.set, format!("{found}: propose stages again"));
+    let proposed =
+        session.tuning.as_mut().ok_or_else(|| refused("the proposals are gone with the worker that made them"))?;
+    if (&proposed.of, proposed.axis.as_str(), &proposed.files) != (of, axis, &files) {
+        let found =
+            format!("the proposals were made for the axis {} of {}, from other files", proposed.axis, proposed.of.set);
+        return Err(refused(&found));
+    }
+    let chosen = chosen(&mut proposed.tuning, Some(proposal));
+    let Some(chosen) = chosen else { return Err(refused(&format!("the proposal {proposal} does not exist"))) };
     let (applied, report) = apply::stages(of.path(), &of.options(), axis, &chosen.stages, &load(&session.files));
     let Some(applied) = applied else { return Err(report) };
     session.files.0.insert(of.path().to_owned(), applied.after);

@@ -4,7 +4,7 @@ use commands::stages::Number;
 use serde::Deserialize;
 
 /// A set, or a list with what it does not contain.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 pub struct Subject {
     /// the name of its file
     pub set: String,
@@ -12,14 +12,26 @@ pub struct Subject {
     pub cycle_time: Option<String>,
     /// the name of the axis of a list
     pub name: Option<String>,
-    /// a file with the measured response of the drive
-    pub response: Option<String>,
+    /// measured responses of drives
+    #[serde(default)]
+    pub responses: Vec<Response>,
+}
+
+/// A file with the measured response of the drive of an axis.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Response {
+    pub file: String,
+    pub axis: String,
 }
 
 /// A request. An axis without a name is the only one of its set.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(tag = "command", rename_all = "snake_case")]
 pub enum Request {
+    /// the probable use of files
+    Kinds {
+        names: Vec<String>,
+    },
     /// reads and checks
     Check {
         of: Subject,

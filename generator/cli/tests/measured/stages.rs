@@ -171,8 +171,11 @@ fn a_proposal_into_the_set() {
     // A second time nothing changes; another proposal replaces them.
     assert_eq!(tune(&folder, &["--excited", "excited.csv", "--apply", "recommended"]).code, 0);
     assert_eq!(read(&folder, "set.toml"), set);
-    let cautious = tune(&folder, &["--excited", "excited.csv", "--apply", "cautious", "--json"]);
-    assert!(cautious.code == 0 && cautious.err.contains("2 stages of cautious"), "{}", cautious.err);
+    let as_json = ["--excited", "excited.csv", "--apply", "cautious", "--json", "--message-format", "json"];
+    let cautious = tune(&folder, &as_json);
+    let said: Vec<Value> = cautious.err.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    let head = said.iter().find_map(|line| line["applied"][0].as_str());
+    assert!(cautious.code == 0 && head.is_some_and(|head| head.contains("2 stages of cautious")), "{said:?}");
     cautious.json();
     assert_ne!(read(&folder, "set.toml"), set);
     // What a killed run left is cleared; no file of a run stays.
