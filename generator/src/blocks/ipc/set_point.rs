@@ -8,6 +8,7 @@ use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::number::{rounded, significant};
 use crate::rules::effective::Effective;
+use portable::Extreme;
 use stability::{Loop, MAX_MS};
 
 /// Warns of each stage once; of one in a loop that oscillates, which has been reported, not again.
@@ -20,6 +21,14 @@ pub(super) fn advise(designed: &Designed, oscillates: bool, e: &mut Effective<'_
     for design in designed.stage.iter().flatten() {
         let is_inside = acts_through_position(control, design.stage.mode);
         match &restless {
+            // The best weight against the vibration is calm, too: the weight is above twice that.
+            Some((_, closed))
+                if best(design).is_some_and(|best| {
+                    best <= closed.largest_weights(design.index)[1].smaller(design.stage.weight() / 2.0)
+                }) =>
+            {
+                amplifies(e, design);
+            }
             Some((ms, closed)) if is_inside => {
                 let found = format!(
                     "stage[{}] is SET_POINT with the weight {}, with which {} has little reserve (Ms {ms}){}",
@@ -46,9 +55,7 @@ fn restless(designed: &Designed, closed: &Loop<'_>) -> Option<String> {
 
 /// SET_POINT multiplies the command by 1 - w H: above twice its best weight it amplifies the vibration.
 fn amplifies(e: &mut Effective<'_>, design: &StageDesign) {
-    let Mode::SetPoint { osc_damping } = design.stage.mode else { return };
-    let four_d_squared = 4.0 * osc_damping * osc_damping;
-    let best = four_d_squared / (four_d_squared + 1.0);
+    let Some(best) = best(design) else { return };
     if design.stage.weight() > 2.0 * best {
         let found = format!(
             "stage[{}] is SET_POINT with the weight {}: above {} it amplifies what it is to damp",
@@ -59,4 +66,11 @@ fn amplifies(e: &mut Effective<'_>, design: &StageDesign) {
         let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
         e.warn(codes::SET_POINT, place(design.index), found, instead);
     }
+}
+
+/// The best weight of SET_POINT.
+fn best(design: &StageDesign) -> Option<f64> {
+    let Mode::SetPoint { osc_damping } = design.stage.mode else { return None };
+    let four_d_squared = 4.0 * osc_damping * osc_damping;
+    Some(four_d_squared / (four_d_squared + 1.0))
 }
