@@ -5,27 +5,6 @@
 //! Velocities are in one unit of the caller's, times in seconds, frequencies in Hz. z^-1 = exp(-j 2 pi f T), T the
 //! cycle of the position controller. P is the response from the commanded velocity `v_cmd` to the motor's `v_motor`;
 //! C, L and S are those of the crate `stability`.
-//!
-//! ```text
-//! fourier        transforms of any length
-//! excitation     the maximum-length sequence, and its effects on the machine
-//! response       periods -> P with its standard errors; smoothing
-//! welch          spectra of signals without a period
-//! offset         the delay of one channel relative to another
-//! dead_time      the phase of P beyond its minimum phase
-//! segments       rest, driving, ramps of a record
-//! peaks          peaks of the spectrum while driving
-//! least_squares  linear fits
-//! decay          frequency and damping of a vibration after ramps
-//! resonance      frequency and damping of a vibration from a response
-//! source         the side of the spring on which a vibration enters
-//! shape          a stage without its weight
-//! what_if        a record as it would have been with stages
-//! figures        the remaining part of its vibrations
-//! scenarios      the drives with which a proposal must be stable, and the allowed weight
-//! search         shapes and weights that leave the least vibration
-//! proposals      recommended, strong, cautious; first ones without a response
-//! ```
 #![warn(clippy::disallowed_methods)] // the sign of a 0 would depend on the compiler
 #![forbid(unsafe_code)]
 

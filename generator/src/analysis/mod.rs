@@ -1,9 +1,4 @@
 //! The loop of an axis with several drives: margins, and the largest weights of its stages. No file.
-//!
-//! ```text
-//! lead   the effect of a stage at its f0, and the all-pass that compensates the lag of the loop
-//! text   the analysis in words
-//! ```
 
 mod lead;
 mod text;

@@ -1,12 +1,5 @@
 //! An axis list to a TOML set (import) and back (export) without loss. The lines of a list are split in `config/lines.rs`.
 //!
-//! ```text
-//! import    list -> set: values to tables, lines with holes        tables    parameters by their paths, with the comments
-//! export    set -> which lines, which values                       encoding  lines as a text of TOML, and back
-//! fill      values -> the holes of the lines                       spelling  a value's text in a list <-> in TOML
-//! slot      the position of the value in a line             keys_of_stage  a stage as keys
-//! stages    other stages in the text of an axis: stages_in_set, stages_in_list
-//! ```
 //! The set contains each value once, as TOML. The lines of the list stay in the set too, with `=` in place of the values:
 //! they preserve order, blanks, comments and the parameters of other functions.
 

@@ -1,17 +1,5 @@
 //! NC programs: the crate's parts and its public interface. It knows no generator, no block and no file.
 //!
-//! ```text
-//! program        the contents of a program: blocks and their commands
-//! passed         words without effect, kind by kind
-//! foreign        words of NC languages that are not read, by what they are
-//! mistake        errors with their places
-//! number         the forms of numbers
-//! lexical        a line -> words and comments
-//! bracket        the contents of S[...]; word: a word -> its meaning; unknown: the report for a text that is not a word
-//! spindle, axes, dwell  words of a block -> commands; block: valid combinations of the words of a block
-//! read           lines -> a program
-//! ```
-//!
 //! # The language
 //!
 //! A line is a block: words in any order, in upper or lower case, with or without blanks between them, the block number first.

@@ -1,10 +1,4 @@
 //! The drive of an axis as stated in its keys `drive.*`, as a machine without mechanics; and whether its loop oscillates.
-//!
-//! ```text
-//! response_filter  a measured response as a machine
-//! margins          stability and Ms of the loop
-//! oscillation      effects of an unstable loop in a run
-//! ```
 
 pub(crate) mod margins;
 mod oscillation;

@@ -1,13 +1,4 @@
 //! The exercise of a block: the run of `verify` on a user's own blocks, and its coverage.
-//!
-//! ```text
-//! boundaries events at the boundaries of process data
-//! events     moves, vibrations, noise, disturbances: they do not react to the block
-//! spindle    the partner of a spindle: an operator, an interpolator, a drive
-//! sets       the supplier of parameter sets: another one, also damaged, late or absent
-//! typed      the operator of a block whose inputs are typed
-//! coverage   signals that moved or changed; states, transitions and sets that were reached
-//! ```
 
 mod boundaries;
 pub mod coverage;

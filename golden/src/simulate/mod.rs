@@ -1,14 +1,5 @@
 //! Improved position control in the loop of an axis: the reference of the block `ipc`, sample by sample, with moves forward
 //! and back; off, each stage alone, and all stages. No file.
-//!
-//! ```text
-//! row       the results of a run
-//! setting   the loop of a run
-//! ripple    adds a vibration to a machine without one
-//! of_plant  the loop of the demonstration plant
-//! recording what a recorder would save
-//! text      the table, and CSV; picture: off against on
-//! ```
 
 mod of_plant;
 pub mod picture;

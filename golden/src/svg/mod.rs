@@ -1,13 +1,6 @@
 //! Pictures as numbers and as SVG: panels over one axis of time or frequency, and a plane for Nyquist curves. Their meaning is
 //! not known here.
 //!
-//! ```text
-//! scale    the place of a value, linear or logarithmic, and the lines of a scale
-//! style    colours and dashes, lines, texts, curves as text
-//! curves   a panel with curves; rows: one with rows that are filled while something holds; plane: one with equal scales
-//! across   the axis below all panels, and the events through them
-//! ```
-//!
 //! No font is embedded, and no background: pictures are readable on white and on dark. Each curve of a panel has its own
 //! dashes, so that a picture is readable without colours. Coordinates have one decimal.
 

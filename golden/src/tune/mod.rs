@@ -1,14 +1,6 @@
 //! Proposes stages from recordings: recommended, strong, cautious, with the remaining part of each vibration; first ones if
 //! the response of the drive is unknown. The search is in the crate `identification`. No file, nothing is written into a
 //! set.
-//!
-//! ```text
-//! chosen    the vibrations that get a stage
-//! stage     a stage as parameters
-//! proposal  what is proposed, and why not
-//! signals   the moves as they would have been
-//! text      the report
-//! ```
 
 mod chosen;
 mod proposal;

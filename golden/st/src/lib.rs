@@ -1,21 +1,5 @@
 //! Structured Text: read, checked against the portable subset, and run bit by bit as by a controller; the crate's parts and
 //! its public interface. It knows no generator, no axis, and only the file that it reads.
-//!
-//! ```text
-//! source         file -> text, and the origin of each part; twincat, plcopen, scl: the forms around it; xml: for two of
-//! them
-//! lexical        letters, comments, pragmas, numbers; number: the forms and values of numbers; names: those to avoid
-//! syntax         text -> tree, with an independent grammar
-//! declarations   VAR blocks -> variables; constant: values in the text
-//! variables      the variables and their slots; kind: the types and their values
-//! lower          statements -> operations on slots; choice: IF, CASE; inner: instances of other blocks; whole: structures
-//!                as values; expression, binary, call: their parts; single: how much of them a statement of REAL may hold;
-//!                lowering: their common data
-//! known          declarations in other files; program: the files of a program with its blocks, read one after another
-//! block          the data of a block; read: a file -> a block; changed: a block that differs from its text
-//! op             the operations; machine: their execution; run: an instance of a block, cycle by cycle
-//! mistake        errors with their places
-//! ```
 #![forbid(unsafe_code)]
 
 mod binary;

@@ -1,15 +1,6 @@
 //! The range analysis: an interval for every variable of a program, for any bit patterns in its state, inputs and parameter
 //! sets, followed through every branch of `step`.
 //!
-//! ```text
-//! real     intervals of reals, with infinities and NaN
-//! whole    intervals of integers, and sets of named ones
-//! value    either of them, or a bool
-//! known    the knowledge at one point; branches and conclusions from bools
-//! learn    a condition and its answer -> narrower ranges
-//! walk     the statements, and operations that are undefined for some operands
-//! finding  properties that cannot be proven, in words
-//! ```
 //! It is proven that outputs are finite numbers within their limits, that ids and words are from their lists, that no
 //! integer overflows, that no conversion leaves its range, and that no integer is divided by 0.
 

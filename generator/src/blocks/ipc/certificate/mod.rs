@@ -1,16 +1,5 @@
 //! The proven properties of a compiled block: the largest values inside it, and its response compared with the designed one.
 //!
-//! ```text
-//! probe     verified program -> what single steps do
-//! widened   a program of single precision, to be measured in double precision
-//! chain     single steps -> sections and gain of each stage
-//! section   a section as it acts
-//! free      a section left to itself: closed-form bounds
-//! norm      chain -> largest |state| and largest |v_sum| for inputs within +-1
-//! response  chain -> gain and phase; parameters -> the same by the formulas
-//! noise     chain -> signal-to-noise ratio of single precision
-//! lines     all of it in words
-//! ```
 //! Nothing here decides anything. No coefficient is taken from the design, except to compare with it.
 
 pub(crate) mod chain;
