@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
  * structure   1b72af2b845220e7c7fa346520b000dd
- * checksum    877bce3fb4d6c364ab77fd3244df27bf
+ * checksum    697c8c067c2d6711ea98858dbd6265c3
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -92,7 +92,8 @@ typedef struct {
      * position controller, follows x_command. The first cycle with TRUE acts in full, without a ramp: x_command must
      * be at x_actual; start true */
     bool position_controlled;
-    /* while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; start false */
+    /* while TRUE all outputs are 0; x_drive, if the drive has the position controller, follows x_command; hold it
+     * while positions are set (homing); start false */
     bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
  * structure   95669367a3b3299ce23d8575fd831cb2
- * checksum    1056561e2a40083254046e67a046c2a1
+ * checksum    00ad1c12033d8b72d00eb3dddad9f320
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -119,7 +119,9 @@ typedef struct {
     /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
      * control; start true */
     bool position_controlled;
-    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
+    /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an
+     * encoder value is set (homing); start false */
+    bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
     /* the parameter set, never NULL; start &axis_x_ipc_designed; volatile: each number is read once, so that the

@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
  * structure   c9d4acbedc3b267d3db7d29c4a0cc981
- * checksum    cabfd96aacfd1b687ceebf2100c9ed6b
+ * checksum    3000878c19ab400c4439d1395d84ccf5
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -92,7 +92,9 @@ typedef struct {
     /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
      * control; start true */
     bool position_controlled;
-    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
+    /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an
+     * encoder value is set (homing); start false */
+    bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_rack_and_pinion_ipc_inputs;

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    1d57e86bfc8038d49e861d9fda15c00d
+// checksum    5e1732d7118c6fd1f6d525753097ca5c
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 //! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -46,7 +46,8 @@ pub struct Inputs {
     /// FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
     /// control; start true
     pub position_controlled: bool,
-    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false
+    /// while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an
+    /// encoder value is set (homing); start false
     pub reset: bool,
     /// cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0
     pub task_cycle_ns: u32,

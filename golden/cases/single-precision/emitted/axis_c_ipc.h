@@ -6,7 +6,7 @@
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
  * structure   cc9050558208290afcc2ac91ee00688e
- * checksum    64e4c4e1dc326f3ad29b2520118ec3ea
+ * checksum    b60a753464eaacb69c2a3052faa38946
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -102,7 +102,9 @@ typedef struct {
     /* FALSE: the axis is not in position control: v_add is 0 at once; connect it if the axis can leave position
      * control; start true */
     bool position_controlled;
-    bool reset; /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; start false */
+    /* while TRUE v_add is 0; afterwards the filters start from the input, and v_add fades in; hold it while an
+     * encoder value is set (homing); start false */
+    bool reset;
     /* cycle time of the calling task [ns]; 0: unchecked; a value other than the designed cycle time is a fault; start 0u */
     uint32_t task_cycle_ns;
 } axis_c_ipc_inputs;
