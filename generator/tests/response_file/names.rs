@@ -47,7 +47,6 @@ fn names_of_values() {
         for name in names.split(", ") {
             let text = table(&format!("f;{name}"), &lines(), |hz| {
                 let [first, second] = written(velocity_loop(hz));
-                // A coherence may follow.
                 format!("{first:.12};{second:.12}{}", if name.matches(';').count() > 1 { ";1" } else { "" })
             });
             is_response(&text, name);

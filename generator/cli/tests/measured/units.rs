@@ -87,7 +87,7 @@ fn units_that_are_doubtful() {
         )
     };
     let scaling = "warning[AX528]: v_motor has ScaleFactor 0.001, Offset 0: its values are taken as scaled, in";
-    let kv = "warning[AX528]: following_error has no unit: um are assumed, with which Kv is 2.0";
+    let kv = "warning[AX528]: following_error has no unit: um are assumed, with which Kv is 1.49";
     let differs = "times as large as the change of x_actual, in the units that are stated";
     for (what, text, said) in [
         ("right", plain(&[]), &[][..]),
@@ -105,9 +105,9 @@ fn units_that_are_doubtful() {
         assert_eq!(run.code, i32::from(said.contains(&differs)), "{what}: {}", run.err);
     }
     let folder = folder(&[("moves.csv", &error("following_error", 1e3))]);
-    std::fs::write(folder.path().join("set.toml"), SET.replace("kv = 2000", "kv = 20000")).unwrap();
+    std::fs::write(folder.path().join("set.toml"), SET.replace("kv = 2000", "kv = 15000")).unwrap();
     let run = tune(&folder, &[]);
-    assert!(run.err.contains("um are assumed, with which Kv is 20."), "{}", run.err);
+    assert!(run.err.contains("um are assumed, with which Kv is 14.9"), "{}", run.err);
 }
 
 #[test]
