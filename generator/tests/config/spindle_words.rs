@@ -215,7 +215,7 @@ fn the_gain_of_the_drive() {
     assert_eq!(said(&lightbus), equal("SERCOS S-0-0104: 1.23 in 1000/min, CANopen 30C0h:01"));
     assert!(said(&axis("kenngr.antr_typ = 'SERCOS'\nantr.operation_mode = 'CNC_POSITION_CONTROL'")).is_empty());
     let of_spindle = |of_drive: &str| equal(of_drive).map(|line| line.replace("20.5", "20"));
-    assert_eq!(said(&sercos("")), of_spindle("SERCOS S-0-0104"));
+    assert_eq!(said(&sercos("")), of_spindle("SERCOS S-0-0104: 1.2 in 1000/min"));
     assert_eq!(said(&canopen("")), of_spindle("CANopen 30C0h:01"));
     assert!(said(&in_cnc("")).is_empty());
     let alone = "antr.sai_op_mode_change.v_velocity_control_on = 0\nantr.sai_op_mode_change.v_position_control_on = 0";
