@@ -4,9 +4,8 @@
 use crate::{EXAMPLES, axgen, words};
 use commands::plan::Plan;
 use generator::config::{self, ListOptions};
-use generator::manifest;
-use generator::pipeline;
 use generator::target::TARGETS;
+use generator::{manifest, pipeline};
 use roxmltree::{Document, Node, ParsingOptions};
 use std::collections::BTreeSet;
 use std::fs;

@@ -2,9 +2,8 @@
 
 use super::{content, generated, write};
 use generator::write::{commit, open, stage};
-use std::fs;
 use std::sync::mpsc;
-use std::thread;
+use std::{fs, thread};
 
 #[test]
 fn a_folder_below_folders_is_made_and_stays() {

@@ -7,8 +7,7 @@ use crate::blocks::ipc::certificate::chain::{Chain, Place, measure, place};
 use crate::blocks::ipc::certificate::probe::{Probe, Source};
 use crate::unit::sets;
 use compiler::program::Program;
-use portable::Extreme;
-use portable::RealKind;
+use portable::{Extreme, RealKind};
 
 /// The largest amplitude of a probe in single precision.
 const LARGEST: f64 = 536_870_912.0;

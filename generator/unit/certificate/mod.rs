@@ -7,9 +7,8 @@ mod range;
 mod response;
 
 use crate::axis::{Axis, DirectSource, Filter, Mode, Prototype, Stage};
-use crate::blocks::Designed;
 use crate::blocks::ipc::certificate::{Certificate, certify};
-use crate::blocks::{Block, blocks};
+use crate::blocks::{Block, Designed, blocks};
 use crate::unit::sets::axis;
 use portable::RealKind;
 

@@ -8,8 +8,7 @@ use crate::blocks::ipc::certificate::norm::{BUDGET, Bound, run as add_up};
 use crate::unit::sets;
 use compiler::interp::Machine;
 use compiler::program::{Program, Type};
-use portable::Extreme;
-use portable::{Literal, RealKind};
+use portable::{Extreme, Literal, RealKind};
 
 /// A block whose limit never acts, and its bound for inputs within +-1.
 fn unlimited(axis: &Axis) -> (Program, Bound) {

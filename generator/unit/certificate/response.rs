@@ -5,8 +5,7 @@ use crate::axis::{Axis, Prototype};
 use crate::blocks::Designed;
 use crate::blocks::ipc::certificate::{certify, largest_defect};
 use crate::unit::sets;
-use portable::Extreme;
-use portable::{Literal, RealKind};
+use portable::{Extreme, Literal, RealKind};
 
 /// Relative tolerances that the definition gives against an independent implementation.
 #[test]

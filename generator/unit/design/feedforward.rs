@@ -2,8 +2,7 @@
 //! last digit that they are printed with; what the drive gets is an integer and compared as one.
 
 use crate::axis::{Axis, Enable, Motor, Ratio, Resolution, TimeBase, Torque, Velocity, Width};
-use crate::blocks::Designed;
-use crate::blocks::blocks;
+use crate::blocks::{Designed, blocks};
 use crate::config::ListOptions;
 use crate::design::delay::delay as design_delay;
 use crate::design::rounding::rounded;

@@ -4,8 +4,7 @@ use crate::blocks::ipc::stage::stage;
 use crate::design::band::warped;
 use crate::design::response::{Complex, magnitude, of_stage};
 use crate::unit::sets::axes;
-use portable::Extreme;
-use portable::RealKind;
+use portable::{Extreme, RealKind};
 use reference::stage::{Coeffs, State, step};
 
 /// The transform of the impulse response, at five frequencies for each of some 100 stages. f0 Ts is at least 0.01, the

@@ -1,13 +1,11 @@
 //! The whole tree of coefficients: what is copied, what stays 0, the limit, the fade, single precision, the notes.
 
 use crate::axis::{Axis, Filter, Mode, Prototype};
-use crate::blocks::Designed;
 use crate::blocks::ipc::design::{design, fade_cycles};
-use crate::blocks::named;
+use crate::blocks::{Designed, named};
 use crate::design::rounding::rounded;
 use crate::unit::sets::axes;
-use portable::Extreme;
-use portable::{Literal, Portable, RealKind, Ty};
+use portable::{Extreme, Literal, Portable, RealKind, Ty};
 use reference::ipc::Coeffs;
 
 fn axis() -> Axis {

@@ -1,7 +1,6 @@
 //! A block on a bench: its coefficients, its state, its inputs, and a cycle at a time. No assertion.
 
-use portable::Block;
-use portable::Real;
+use portable::{Block, Real};
 use reference::ipc::{Coeffs, Inputs, Ipc, Outputs, State, mode_on, step};
 use reference::stage::{self, Mode};
 use reference::{bandpass, filter, oscillation};

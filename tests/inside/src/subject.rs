@@ -2,8 +2,7 @@
 
 use compiler::program::Program;
 use compiler::{leaves, specialise};
-use portable::Block;
-use portable::{Literal, Portable, Real, RealKind, Ty, Variant};
+use portable::{Block, Literal, Portable, Real, RealKind, Ty, Variant};
 use std::collections::BTreeMap;
 
 /// A random program as a block.

@@ -1,9 +1,7 @@
 //! Runs programs: writes crates that contain them, has them built, and gathers what they, their C and their Rust say.
 
-use super::compile;
-use super::print;
-use super::structured_text;
 use super::syntax::Program;
+use super::{compile, print, structured_text};
 use inside::defect::{self, Defect};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};

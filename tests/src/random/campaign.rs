@@ -2,11 +2,9 @@
 
 use super::batch::{self, Answer, Batch, Difference};
 use super::choices::Choices;
-use super::coverage;
 use super::rng::Rng;
-use super::shrink;
 use super::syntax::Program;
-use super::{generate, print};
+use super::{coverage, generate, print, shrink};
 use crate::environment::by_depth;
 use inside::defect::Defect;
 use inside::judge::INVALID;

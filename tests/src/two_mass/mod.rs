@@ -9,8 +9,7 @@ pub use stimulus::Stimulus;
 
 use crate::model::subject;
 use generator::blocks;
-use machine::Machine;
-use machine::two_masses;
+use machine::{Machine, two_masses};
 use portable::{Block, Portable, Real, RealKind};
 use reference::ipc::{Coeffs, Ipc, Outputs, mode_on};
 

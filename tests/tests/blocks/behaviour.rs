@@ -7,8 +7,7 @@ use generator::axis::{Axis, DirectSource, Enable, Filter, Ipc as IpcAxis, Mode, 
 use generator::blocks;
 use generator::blocks::Designed;
 use golden::case::{self, Case};
-use portable::Block;
-use portable::{Literal, RealKind};
+use portable::{Block, Literal, RealKind};
 use rayon::prelude::*;
 use reference::ipc::Ipc;
 

@@ -3,9 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 #![expect(clippy::float_cmp, reason = "the speeds of a program are reached exactly")]
 
-use golden::case;
-use golden::csv;
 use golden::samples::{Samples, Shape};
+use golden::{case, csv};
 use portable::Literal;
 use std::path::Path;
 

@@ -6,7 +6,7 @@ use axgen_tests::model::subject;
 use axgen_tests::random::rng::Rng;
 use compiler::leaves;
 use generator::blocks;
-use portable::{Block, Literal, Portable};
+use portable::{Block, Literal, Portable, copy};
 use rayon::prelude::*;
 use reference::{ipc, spindle, spindle_axis};
 
@@ -91,31 +91,11 @@ lr_param.improved_position_control.stage = [{ mode = 'DIRECT', filter = [{ order
 ];
 
 fn axis_inputs(of: &Inputs, mode: i32) -> spindle_axis::Inputs<f64> {
-    let of = block::inputs_of(of);
-    spindle_axis::Inputs {
-        x_command: of.x_command,
-        v_interpolator: of.v_interpolator,
-        x_actual: of.x_actual,
-        v_actual: of.v_actual,
-        v_motor: of.v_actual,
-        s_word: of.s_word,
-        s_position: of.s_position,
-        m3: of.m3,
-        m4: of.m4,
-        m5: of.m5,
-        m19: of.m19,
-        putax: of.putax,
-        g74: of.g74,
-        job_done: of.job_done,
-        drive_on: of.drive_on,
-        operation_mode_display: of.operation_mode_display,
-        feedforward_active: of.feedforward_active,
-        feedforward_percentage: of.feedforward_percentage,
-        mode,
-        reset: of.reset,
-        task_cycle_ns: of.task_cycle_ns,
-        ..spindle_axis::Inputs::default()
-    }
+    let mut inputs = spindle_axis::Inputs { v_motor: of.v_actual, mode, ..spindle_axis::Inputs::default() };
+    copy!(inputs = of:
+        x_command, v_interpolator, x_actual, v_actual, s_word, s_position, m3, m4, m5, m19, putax, g74, job_done, drive_on,
+        operation_mode_display, feedforward_active, feedforward_percentage, reset, task_cycle_ns);
+    inputs
 }
 
 #[test]

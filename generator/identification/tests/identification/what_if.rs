@@ -2,12 +2,11 @@
 
 use crate::plant::{CYCLE, Impulse, Move, moved};
 use crate::stage::{manual, response, running};
-use identification::Complex64;
 use identification::figures::{Judge, Record, Vibration, When};
 use identification::response::Lines;
-use identification::segments;
 use identification::shape::{Mode, Shape, allpass};
 use identification::what_if::Axis;
+use identification::{Complex64, segments};
 use machine::measure::amplitude;
 use machine::plant::{DEMONSTRATION, Plant};
 use std::f64::consts::PI;

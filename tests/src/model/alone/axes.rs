@@ -5,9 +5,8 @@ use super::set::{Set, Structure};
 use crate::model::coefficients::Coefficients;
 use crate::model::ipc::assert_sum_limit;
 use crate::model::parameters::{Master, Mode, Parameters, Stage};
-use crate::model::random;
 use crate::model::sections::Filters;
-use crate::model::subject;
+use crate::model::{random, subject};
 use crate::random::rng::Rng;
 use generator::blocks::Designed;
 

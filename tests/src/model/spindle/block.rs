@@ -1,6 +1,7 @@
 //! The reference as what the model is compared with: parameters become coefficients here, and signals of the one those of the other.
 
 use super::{Inputs, Outputs, Parameters};
+use portable::copy;
 use reference::process_data;
 use reference::spindle::{self, Coeffs, State};
 
@@ -60,29 +61,12 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
 /// The reference's inputs.
 #[must_use]
 pub fn inputs_of(of: &Inputs) -> spindle::Inputs<f64> {
-    spindle::Inputs {
-        x_command: of.x_command,
-        v_interpolator: of.v_interpolator,
-        x_actual: of.x_actual,
-        v_actual: of.v_actual,
-        s_word: of.s_word,
-        s_position: of.s_position,
-        m3: of.m3,
-        m4: of.m4,
-        m5: of.m5,
-        m19: of.m19,
-        putax: of.putax,
-        g74: of.g74,
-        job_done: of.job_done,
-        drive_on: of.drive_on,
-        operation_mode_display: of.operation_mode_display,
-        feedforward_active: of.feedforward_active,
-        feedforward_percentage: of.feedforward_percentage,
-        reset: of.reset,
-        task_cycle_ns: of.task_cycle_ns,
-        // The key cycle_counter has a model of its own.
-        cycle_counter: 0,
-    }
+    // The key cycle_counter has a model of its own.
+    let mut inputs = spindle::Inputs::default();
+    copy!(inputs = of:
+        x_command, v_interpolator, x_actual, v_actual, s_word, s_position, m3, m4, m5, m19, putax, g74, job_done, drive_on,
+        operation_mode_display, feedforward_active, feedforward_percentage, reset, task_cycle_ns);
+    inputs
 }
 
 fn outputs_of(of: &spindle::Outputs<f64>) -> Outputs {
