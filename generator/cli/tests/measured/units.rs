@@ -107,7 +107,7 @@ fn units_that_are_doubtful() {
     let folder = folder(&[("moves.csv", &error("following_error", 1e3))]);
     std::fs::write(folder.path().join("set.toml"), SET.replace("kv = 2000", "kv = 15000")).unwrap();
     let run = tune(&folder, &[]);
-    assert!(run.err.contains("um are assumed, with which Kv is 14.9"), "{}", run.err);
+    assert!(run.err.contains("um are assumed, with which Kv is 14.86"), "{}", run.err);
 }
 
 #[test]
