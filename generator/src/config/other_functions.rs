@@ -34,8 +34,11 @@ impl OtherFunctions {
     /// Counts a line, and keeps it if it is used.
     pub(super) fn pass_over(&mut self, line: &Statement<'_>, source: &Source, start: usize) {
         self.count += 1;
-        const USED: [&str; 5] = [NAME, "filter[", "filter_fir.", "lr_hw[", "getriebe["];
-        if USED.iter().any(|of| line.path.starts_with(of)) {
+        const STARTS: [&str; 3] = [NAME, "filter[", "filter_fir."];
+        // Of the drive and of a gear step, among many others.
+        let ending = line.path.rsplit_once('.').map(|(_, last)| last);
+        let is_read = matches!(ending, Some("vz_istw" | "vz_stellgr" | "reverse" | "dyn_kv_active"));
+        if is_read || STARTS.iter().any(|start| line.path.starts_with(start)) {
             let found = Found { text: line.value.to_owned(), place: source.place(start + line.value_at()) };
             self.looked_at.insert(line.path.to_owned(), found);
         }
