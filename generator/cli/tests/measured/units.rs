@@ -99,7 +99,8 @@ fn units_that_are_doubtful() {
         ("scaled integers", export("0,001", "um/s", "INT32"), &[]),
         ("raw", export("0,001", "mm/s", "REAL64"), &[scaling, differs]),
     ] {
-        let run = axgen(folder(&[("m.csv", &text)]), &["measure", "m.csv"]);
+        let at = folder(&[("m.csv", &text)]);
+        let run = axgen(at.path(), &["measure", "m.csv"]);
         let found = [scaling, kv, differs].into_iter().filter(|part| run.err.contains(part)).collect::<Vec<_>>();
         assert_eq!(found, said, "{what}: {}", run.err);
         assert_eq!(run.code, i32::from(said.contains(&differs)), "{what}: {}", run.err);
