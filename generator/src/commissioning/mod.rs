@@ -127,9 +127,8 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
     let points = closed_loop::points(designed, &drive, designed.axis.drive.position_gain);
     let closed = points.as_ref().map(|points| Loop::new(points, drive[0].drive()));
     let stages = designed.stage.iter().flatten().enumerate();
-    let closes_loop = |index| closed_loop::stages(designed).any(|design| design.index == index);
-    let of_loop = |index| closed.as_ref().filter(|_| closes_loop(index));
-    let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, of_loop(design.index))).collect();
+    let of_loop = |mode| closed.as_ref().filter(|_| closed_loop::closes_loop(&axis.control, mode));
+    let stages: Vec<Stage> = stages.map(|(n, design)| Stage::new(n, design, of_loop(design.stage.mode))).collect();
     let longest = |of: fn(&Stage) -> f64, least| stages.iter().map(of).fold(least, f64::larger);
     Page {
         axis: axis.name.clone(),

@@ -105,11 +105,20 @@ pub(crate) fn acts_through_position(control: &Control, mode: Mode) -> bool {
     }
 }
 
-/// The stages of an axis that close the loop; any other stage does not change the stability.
+/// Whether a stage closes a loop; any other stage does not change the stability.
+pub(crate) fn closes_loop(control: &Control, mode: Mode) -> bool {
+    looks_at_motor(mode) || acts_through_position(control, mode)
+}
+
+/// The stages of an axis that close the loop.
 pub(crate) fn stages(designed: &Designed) -> impl Iterator<Item = &StageDesign> {
     let control = &designed.axis.control;
-    let closes = |mode| looks_at_motor(mode) || acts_through_position(control, mode);
-    designed.stage.iter().flatten().filter(move |design| closes(design.stage.mode))
+    designed.stage.iter().flatten().filter(move |design| closes_loop(control, design.stage.mode))
+}
+
+/// Whether a stage of the axis acts through the position controller, so that the loop has one.
+fn has_position_loop(designed: &Designed) -> bool {
+    designed.stage.iter().flatten().any(|design| acts_through_position(&designed.axis.control, design.stage.mode))
 }
 
 /// The gain of the position controller around the stages [1/s]: the stated one. A stage that acts through the controller has
@@ -120,8 +129,7 @@ fn position_gain(designed: &Designed, stated: Option<f64>) -> Option<f64> {
         let default = || Name::Kv.parameter().default_at([0; 2])?.parse().ok();
         control.kv.map(f64::from).or_else(default).map(|hundredths| hundredths / 100.0)
     };
-    let needs_one = || stages(designed).any(|design| acts_through_position(control, design.stage.mode));
-    stated.or_else(|| if needs_one() { of_axis() } else { None })
+    stated.or_else(|| if has_position_loop(designed) { of_axis() } else { None })
 }
 
 /// The position loop around the stages in words; what no parameter states is marked as assumed. `None` without a gain.
@@ -129,8 +137,7 @@ pub(crate) fn position_words(designed: &Designed) -> Option<String> {
     let Axis { control, drive, .. } = &designed.axis;
     let gain = significant(position_gain(designed, drive.position_gain)?, 4);
     let kv = format!("Kv {gain}/s{}", if drive.position_gain.is_none() { " assumed" } else { "" });
-    let needs_one = stages(designed).any(|design| acts_through_position(control, design.stage.mode));
-    Some(match (needs_one, control.location) {
+    Some(match (has_position_loop(designed), control.location) {
         (true, Some(_)) => format!("{kv}, position control in the CNC"),
         (true, None) => format!("{kv}, position control in the CNC assumed"),
         (false, _) => kv,

@@ -70,7 +70,7 @@ fn rows(designed: &Designed) -> Vec<StageRow> {
 fn active(designed: &Designed, design: &StageDesign, loops: &[(String, Loop<'_>)]) -> ActiveStage {
     let stage = &design.stage;
     let [f0, q_factor] = stage.filter[stage.first_bandpass() as usize].f0_and_q().unwrap_or_default();
-    let loops = if closed_loop::stages(designed).any(|of| of.index == design.index) { loops } else { &[] };
+    let loops = if closed_loop::closes_loop(&designed.axis.control, stage.mode) { loops } else { &[] };
     let reserves: Vec<WithDrive> = loops.iter().map(|of| with_drive(design, of)).collect();
     ActiveStage {
         source: stage.mode.source(),

@@ -49,8 +49,8 @@ fn delay_lag(stage: &Stage, cycle_time: f64, delay_cycles: Option<u32>) -> (f64,
     (cycles, 360.0 * stage.f0() * cycle_time * cycles)
 }
 
-/// Warns of the phase lag by the delay of the loop, which an all-pass compensates. SET_POINT has no loop at f0, or a slow one: that
-/// of the position.
+/// Warns of the phase lag that the delay of the loop causes, which an all-pass compensates. SET_POINT either closes no loop or acts
+/// in the position loop, which is slow.
 fn delay(e: &mut Effective<'_>, i: u32, StageDesign { stage, cycle_time, .. }: &StageDesign, given: Option<u32>) {
     let (cycles, lag) = delay_lag(stage, *cycle_time, given);
     if lag > MUCH_DELAY && !has_allpass(stage) && !matches!(stage.mode, Mode::SetPoint { .. }) {

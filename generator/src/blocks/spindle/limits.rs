@@ -8,7 +8,7 @@ use crate::{codes, diagnostics::Diagnostic, number::rounded};
 use portable::Extreme;
 
 /// Half a revolution [0.001 deg]: a drive cannot detect the direction of a longer movement.
-const HALF_A_REVOLUTION: f64 = 180_000.0;
+pub(super) const HALF_A_REVOLUTION: f64 = 180_000.0;
 /// The largest count that is exact in single precision.
 const MOST_CYCLES: u64 = 1 << 24;
 /// Cycles after the drive's answer in the default of the mode timeout.

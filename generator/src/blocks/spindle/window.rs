@@ -1,7 +1,7 @@
 //! The window around the velocity of position control: wide enough for the steps of the encoder, narrow enough that position
 //! control does not begin at another speed.
 
-use super::limits::{rpm, window};
+use super::limits::{HALF_A_REVOLUTION, rpm, window};
 use super::velocities::{Velocities, asks};
 use crate::config::values::key;
 use crate::parameters::{Name, time_text};
@@ -11,8 +11,6 @@ use portable::Extreme;
 
 /// 1 rpm, the window of a standstill: the default of `spindle.window` [0.001 deg/s].
 const STANDSTILL: f64 = 6000.0;
-/// The largest difference of two angles [0.001 deg].
-const HALF_A_TURN: f64 = 180_000.0;
 
 /// The steps of an actual velocity that comes from an encoder.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +61,7 @@ pub(super) fn takeover(e: &mut Effective<'_>, cycle_ns: Option<u32>, deceleratio
     let (Some(ns), Some(deceleration)) = (cycle_ns, deceleration) else { return Some(width) };
     let cycle = f64::from(ns) / 1e9;
     let step = (8.0 * deceleration * cycle * cycle * 1e3).round() / 1e3;
-    let least = step.smaller(HALF_A_TURN);
+    let least = step.smaller(HALF_A_REVOLUTION);
     if e.given(at).is_none() {
         return Some(width.larger(least));
     }
@@ -81,7 +79,7 @@ pub(super) fn takeover(e: &mut Effective<'_>, cycle_ns: Option<u32>, deceleratio
             codes::NARROW_TAKEOVER,
             at,
             found,
-            format!("spindle.takeover_window = {}, or without it", least.ceil().smaller(HALF_A_TURN)),
+            format!("spindle.takeover_window = {}, or without it", least.ceil().smaller(HALF_A_REVOLUTION)),
         );
     }
     Some(width)
