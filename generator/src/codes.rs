@@ -808,12 +808,8 @@ codes! {
          done so. The spindle accelerates meanwhile. If it reaches 180 deg in a cycle before the drive displays velocity \
          control, it stops with error_id 44. The acceleration of the interpolator is taken as spindle.deceleration, and the \
          time as spindle.mode_timeout.";
-    NARROW_TAKEOVER = "AX536", "a take-over window below the way of three missing samples",
-        "While samples are missing, the block continues with the last velocity. An interpolator that accelerates with a is \
-         8 a T^2 further when the third sample was missing, and a smaller spindle.takeover_window stops the spindle with \
-         error_id 46. The acceleration of the interpolator is taken as spindle.deceleration.";
     LAG_UNSEEN = "AX537", "a position lag that can grow unseen",
         "The block spindle_axis stops the spindle with error_id 48 where the loop in the CNC lags by 170 deg. It compares the lag \
-         with that of the previous cycle, and follows a change of up to 130 deg in a cycle. A spindle that is blocked at a \
-         higher speed can turn the other way without an error.";
+         with that of the last valid sample. While three samples are missing, the lag of a blocked spindle grows by the way of four \
+         cycles. If that is a turn or more, the spindle can turn the other way without an error.";
 }

@@ -75,23 +75,37 @@ OFTEN double run_stage(axis_state *restrict state, double v_motor, bool *limited
     return fabs(v) <= rest ? 0.0 : v;
 }
 
-/* The lag as an angle, on the side of the one before. */
-OFTEN double continued(double lag, double before)
+/* The lag as an angle, on the side of the one before. Without samples it has grown by up to the whole way. */
+OFTEN double continued(double lag, double before, double v, uint32_t missed)
 {
     const double angle = fabs(lag) <= 180000.0 ? lag : shortest(lag);
-    if (!(fabs(before) <= 170000.0) || fabs(angle - before) <= 180000.0) {
+    if (!(fabs(before) <= 170000.0)) {
         return angle;
     }
-    return angle < before ? angle + 360000.0 : angle - 360000.0;
+    double expected = before;
+    if (missed > 0u) {
+        expected += v * (cycle_time * ((double)(missed + 1u) * 0.5));
+    }
+    if (fabs(angle - expected) <= 180000.0) {
+        return angle;
+    }
+    return angle < expected ? angle + 360000.0 : angle - 360000.0;
 }
 
 /* The output of the position controller. A lag up to 60 deg is what it looks like. */
-OFTEN double control(axis_state *restrict state, double x, double x_actual, double v_feedforward, bool *gives_up)
+OFTEN double control(
+    axis_state *restrict state,
+    double x,
+    double x_actual,
+    double v,
+    double v_feedforward,
+    uint32_t missed,
+    bool *gives_up)
 {
     double lag = x - x_actual;
     *gives_up = false;
-    if (!(fabs(lag) <= 60000.0)) {
-        lag = continued(lag, state->lag);
+    if (missed > 0u || !(fabs(lag) <= 60000.0)) {
+        lag = continued(lag, state->lag, v, missed);
         *gives_up = !(fabs(lag) <= 170000.0);
     }
     state->lag = lag;
@@ -99,13 +113,19 @@ OFTEN double control(axis_state *restrict state, double x, double x_actual, doub
     return state->v_held;
 }
 
-/* The lag is near half a turn: the next cycle brakes, from what the drive gets if that is slower. */
-SELDOM void give_up(hand_spindle *spindle, double v_command)
+/* An error opens the loop: the spindle brakes from what the drive got, between 0 and its own velocity. */
+SELDOM void brake_from(hand_spindle *spindle, double v_held)
 {
-    if (fabs(v_command) <= fabs(spindle->v)) {
-        spindle->v = v_command;
+    if (!in_range(v_held)) {
+        return;
     }
-    spindle->lasting_error = 48u;
+    const double low = v_held < 0.0 ? v_held : 0.0;
+    const double high = v_held < 0.0 ? 0.0 : v_held;
+    if (spindle->v > high) {
+        spindle->v = high;
+    } else if (spindle->v < low) {
+        spindle->v = low;
+    }
 }
 
 /* The additive velocity in any cycle of a spindle that follows its position; gives the error of improved position control. */
@@ -144,6 +164,8 @@ OFTEN uint32_t improve(
         }
         if (mode == MODE_OFF && state->fade == 0u) {
             state->preset = false;
+            outputs->v_add_calculated = 0.0;
+            return error_id;
         }
         const double v = run_stage(state, inputs->v_motor, limited);
         if (state->fade == FADE_CYCLES) {
@@ -160,18 +182,23 @@ OFTEN uint32_t improve(
 SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, axis_outputs *restrict outputs)
 {
     hand_spindle *restrict spindle = &state->spindle;
+    const uint32_t missed = spindle->missing;
+    const bool had_failed = spindle->lasting_error != 0u;
     hand_cycle cycle = change_over(spindle, inputs);
+    const bool is_closed = cycle.control == POSITION || cycle.control == TO_VELOCITY;
+    if (is_closed && spindle->lasting_error != 0u && !had_failed) {
+        brake_from(spindle, state->v_held);
+    }
     bool gives_up = false;
     double v_command = spindle->v;
     double v_feedforward = 0.0;
     double v_add = 0.0;
     bool limited = false;
-    const bool in_loop = spindle->lasting_error == 0u && inputs->drive_on
-        && (cycle.control == POSITION || cycle.control == TO_VELOCITY);
+    const bool in_loop = spindle->lasting_error == 0u && inputs->drive_on && is_closed;
     const bool follows = in_loop && spindle->missing == 0u;
     if (follows) {
         v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * spindle->v;
-        v_command = control(state, spindle->x, inputs->x_actual, v_feedforward, &gives_up);
+        v_command = control(state, spindle->x, inputs->x_actual, spindle->v, v_feedforward, missed, &gives_up);
         const bool improves = cycle.loop_closed && !inputs->reset;
         const uint32_t error_id = improve(state, inputs, outputs, improves, &v_add, &limited);
         if (error_id != 0u) {
@@ -204,7 +231,8 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
         limited = limited || increments > 0.0 || increments <= lowest;
     }
     if (gives_up) {
-        give_up(spindle, v_command);
+        brake_from(spindle, state->v_held);
+        spindle->lasting_error = 48u;
         cycle.error_id = 48u;
     }
     outputs->error_id = cycle.error_id;
@@ -261,7 +289,7 @@ OFTEN void run_in_position(
     const double x = wrap(inputs->x_command);
     const double v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * v;
     bool gives_up;
-    const double v_command = control(state, x, inputs->x_actual, v_feedforward, &gives_up);
+    const double v_command = control(state, x, inputs->x_actual, v, v_feedforward, 0u, &gives_up);
     bool limited;
     const double v_add = run_stage(state, inputs->v_motor, &limited);
     outputs->v_command = v_command;
@@ -270,7 +298,8 @@ OFTEN void run_in_position(
     outputs->v_add_calculated = v_add;
     put_out(spindle, outputs, x, v, v_command + v_add, limited, true);
     if (gives_up) {
-        give_up(spindle, v_command);
+        brake_from(spindle, state->v_held);
+        spindle->lasting_error = 48u;
         outputs->error_id = 48u;
         outputs->fault = true;
     }

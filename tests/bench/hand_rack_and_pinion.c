@@ -173,7 +173,8 @@ static void step_not_on(
         state->fade -= 1u;
     }
     if (inputs->mode == MODE_OFF && state->fade == 0u) {
-        state->preset = false;
+        idle(state, outputs, 0u);
+        return;
     }
     act(state, inputs, outputs);
 }

@@ -159,9 +159,10 @@ static void step_not_on(HAND_STATE *restrict state, const HAND_INPUTS *restrict 
             state->fade -= 1u;
         }
         if (inputs->mode == MODE_OFF && state->fade == 0u) {
-            state->preset = false;
+            idle(state, outputs, 0u);
+        } else {
+            act(state, inputs, outputs);
         }
-        act(state, inputs, outputs);
     }
 }
 

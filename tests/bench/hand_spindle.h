@@ -34,6 +34,7 @@ static const double window = 6000.0;
 static const double v_taken_up = 306000.0; /* Voff and the window */
 static const double v_step = 12000.0; /* deceleration in a cycle */
 static const double takeover_window = 1000.0;
+static const double takeover_way = 12.0; /* deceleration * cycle_time^2 / 2 */
 static const uint32_t mode_cycles = 50u;
 static const uint32_t start_cycles = 52u; /* of a drive that has come on */
 static const uint32_t brake_cycles = 5200u;
@@ -198,8 +199,10 @@ OFTEN bool is_half_turn(double v)
 /* Whether the interpolator does not go on from where the spindle is, where it takes over. */
 OFTEN bool jumps(const hand_spindle *spindle, const axis_inputs *inputs)
 {
+    const double cycles = (double)(spindle->missing + 1u);
+    const double furthest = takeover_window + takeover_way * (cycles * (cycles + 1.0));
     return spindle->takes_over
-        && !(fabs(shortest(inputs->x_command - (spindle->x + spindle->v * cycle_time))) <= takeover_window);
+        && !(fabs(shortest(inputs->x_command - (spindle->x + spindle->v * cycle_time))) <= furthest);
 }
 
 OFTEN uint32_t in_position(hand_spindle *spindle, const axis_inputs *inputs)

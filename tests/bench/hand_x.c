@@ -192,7 +192,8 @@ SELDOM void fade(
         state->fade -= 1u;
     }
     if (mode == MODE_OFF && state->fade == 0u) {
-        state->preset = false;
+        without_addition(state, outputs, v_command, error_id);
+        return;
     }
     bool limited;
     const double v = within_limit(&limited, run_stages(state, inputs->v_motor));

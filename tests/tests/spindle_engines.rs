@@ -65,6 +65,7 @@ fn parameters(designed: &Designed) -> Parameters {
         cycle_ns: coeffs.cycle_time_ns,
         deceleration: coeffs.v_step / coeffs.cycle_time,
         takeover_window: coeffs.takeover_window,
+        takeover_way: coeffs.takeover_way,
         ..Parameters::example()
     }
 }

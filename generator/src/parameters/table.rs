@@ -198,7 +198,7 @@ table! {
         kind: above_0(1e12), unit: "0.001 deg/s^2", default: &["6000000"])
     /// spindle: how close the actual velocity must be to that of position control; at least 1 % of P-AXIS-00768, by default two steps of the encoder too
     SpindleWindow: AXIS_KEY("spindle.window", kind: above_0(2e9), unit: "0.001 deg/s", default: &["6000"])
-    /// spindle: largest step of the position command when the interpolator takes over; by default at least 8 spindle.deceleration T^2
+    /// spindle: largest step of the position command when the interpolator takes over, at a constant velocity
     SpindleTakeoverWindow: AXIS_KEY("spindle.takeover_window",
         kind: above_0(180_000.0), unit: "0.001 deg", default: &["1000"])
     /// spindle: time in which the drive displays the new operation mode; by default at least 10 cycles more than P-AXIS-00191

@@ -247,7 +247,8 @@ pub fn clear<R: Real>(outputs: &mut Outputs<R>, coeffs: &Coeffs<R>) {
     outputs.fault = false;
 }
 
-/// A cycle in which the axis acts. Improved position control acts only if the position loop is closed.
+/// A cycle in which the axis acts. Improved position control acts only if the position loop is closed. Returns the additive
+/// velocity of the feedforward.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -255,7 +256,7 @@ pub fn act<R: Real>(
     inputs: &Inputs<R>,
     outputs: &mut Outputs<R>,
     loop_closed: bool,
-) {
+) -> R {
     clear(outputs, coeffs);
     let mut control_inputs = position_control::Inputs::<R>::default();
     copy!(control_inputs = inputs: x_command, x_actual, following_error);
@@ -296,6 +297,7 @@ pub fn act<R: Real>(
         fail(outputs, control_outputs.error_id);
     }
     tell_trip(state, coeffs, outputs);
+    feedforward_outputs.v_additive
 }
 
 /// A cycle in which the axis must not act, with a command position in range.

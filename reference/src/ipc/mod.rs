@@ -289,10 +289,10 @@ pub fn rearm<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, mode: i32, reset
 }
 
 /// Moves the fade, or starts the block. Returns whether the sections run in this cycle. The first cycle presets them to the
-/// steady state of the input; its output is 0, so that they need not run.
+/// steady state of the input; its output is 0, so that they need not run. Nor need they in the cycle that ends the fade in OFF.
 #[portable]
 pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) -> bool {
-    let mut runs = true;
+    let mut runs = false;
     if state.preset {
         // A tripped block behaves as in DRYRUN.
         if coeffs.watch.active && state.watch.tripped {
@@ -300,8 +300,8 @@ pub fn prepare<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Input
         } else {
             move_fade(state, inputs.mode);
         }
+        runs = state.preset;
     } else {
-        runs = false;
         // Nothing acts yet, whatever the memory says.
         state.fade = 0u32;
         if inputs.mode != mode_off() {

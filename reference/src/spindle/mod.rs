@@ -27,6 +27,7 @@ mod usual;
 
 pub use request::{Before, Job, Request};
 pub use signals::{Inputs, Outputs};
+pub use start::hold_back;
 pub use state::{Coeffs, Cycle, Seen, SpindleState, State, usual_none};
 pub use usual::{remain_in_position, remain_in_velocity, stays_in_position, stays_in_velocity};
 
@@ -40,7 +41,7 @@ use motion::{advance, slow_down};
 use portable::{Block, Brake, Enable, Off, Real, in_range, note, portable};
 use put_out::{put_out_job, put_out_mode, put_out_motion};
 use seen::forget;
-use start::{follow, hold_back, release, seize};
+use start::{follow, release, seize};
 use state::enter;
 use transition::act;
 use usual::next_usual;

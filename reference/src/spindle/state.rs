@@ -59,8 +59,11 @@ pub struct Coeffs<R> {
     pub default_active: bool,
     /// decrease of the lead per percent of the feedforward [s]
     pub lead_time_per_percent: R,
-    /// largest step of the position command when the interpolator takes over [0.001 deg]
+    /// largest step of the position command when the interpolator takes over, without an acceleration [0.001 deg]
     pub takeover_window: R,
+    /// deceleration T^2 / 2: by n (n + 1) times this way an interpolator that accelerates is further n cycles after the last
+    /// valid sample [0.001 deg]
+    pub takeover_way: R,
     /// cycles within which the drive displays a new mode
     pub mode_cycles: u32,
     /// cycles within which position control begins after the drive is switched on

@@ -10,7 +10,7 @@ use crate::signal::{
     error_brake, error_half_turn, error_mode_display, error_none, error_takeover, error_to_position, error_to_velocity,
     error_v_actual, error_v_interpolator, error_x_actual, error_x_command, sample_limit,
 };
-use portable::{Real, in_range, note, portable, within};
+use portable::{Real, from_u32, in_range, note, portable, within};
 
 /// Whether the drive cannot detect the direction of the motion.
 #[portable]
@@ -47,11 +47,14 @@ pub fn track<R: Real>(state: &mut State<R>, inputs: &Inputs<R>, cycle: &mut Cycl
     }
 }
 
-/// Whether the interpolator, which takes over, goes on from where the spindle is.
+/// Whether the interpolator, which takes over, goes on from where the spindle is. Since the last valid sample it may have
+/// accelerated.
 #[portable]
 pub fn goes_on<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, x_command: R) -> bool {
     let x_step = shortest(x_command - (state.x + state.v * coeffs.cycle_time));
-    within(x_step, coeffs.takeover_window)
+    let takeover_cycles = from_u32::<R>(state.missing + 1u32);
+    let takeover_further = coeffs.takeover_way * (takeover_cycles * (takeover_cycles + R::ONE));
+    within(x_step, coeffs.takeover_window + takeover_further)
 }
 
 /// Whether the interpolator can move the spindle in this cycle. Otherwise the spindle coasts, or stops.

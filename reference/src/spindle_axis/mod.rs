@@ -10,16 +10,18 @@
 
 #![expect(clippy::field_reassign_with_default, reason = "portable Rust makes a struct by its default alone")]
 
+mod held;
 mod signals;
 
+pub use held::Command;
 pub use signals::{Inputs, Outputs};
 
 use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
-use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
+use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, process_data, spindle};
-use portable::{Block, Enable, Real, copy, in_range, note, portable, within};
+use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, within};
 
 /// Coefficients.
 #[portable]
@@ -41,9 +43,8 @@ pub struct State<R> {
     pub axis: axis::State<R>,
     /// position control in the CNC: the position lag of the last cycle with a closed loop, 0 after an open one [0.001 deg]
     pub lag_before: R,
-    /// position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is missing
-    /// [0.001 deg/s]
-    pub v_held: R,
+    /// what the drive got last
+    pub held: Command<R>,
 }
 
 /// Before the first cycle.
@@ -52,7 +53,7 @@ pub fn init<R: Real>(state: &mut State<R>) {
     spindle::init(&mut state.spindle);
     axis::init(&mut state.axis);
     state.lag_before = R::ZERO;
-    state.v_held = R::ZERO;
+    held::init(&mut state.held);
 }
 
 /// Copies the inputs of the changeover.
@@ -91,12 +92,18 @@ pub fn half_turn<R: Real>() -> R {
     R::lit(180_000.0)
 }
 
-/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back.
+/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. While `missed`
+/// samples were missing, it has grown by something between nothing, of a spindle that follows, and the whole way of a blocked one.
 #[portable]
-pub fn continued<R: Real>(difference: R, lag_before: R) -> R {
+pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, v_spindle: R, missed: u32) -> R {
     let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };
-    if in_range(lag_before, lag_limit()) {
-        let lag_step = lag - lag_before;
+    if in_range(state.lag_before, lag_limit()) {
+        let mut expected = state.lag_before;
+        if missed > 0u32 {
+            let half_cycles = from_u32::<R>(missed + 1u32) * R::lit(0.5);
+            expected = expected + v_spindle * (coeffs.spindle.cycle_time * half_cycles);
+        }
+        let lag_step = lag - expected;
         if lag_step > half_turn() {
             lag = lag - full_turn();
         } else if lag_step < -half_turn::<R>() {
@@ -108,19 +115,16 @@ pub fn continued<R: Real>(difference: R, lag_before: R) -> R {
     lag
 }
 
-/// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes from the velocity of
-/// the drive's command, if that is slower.
+/// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes.
 #[portable]
-pub fn give_up<R: Real>(state: &mut spindle::State<R>, v_command: R) {
-    let v_magnitude = if state.v < R::ZERO { -state.v } else { state.v };
-    if within(v_command, v_magnitude) {
-        state.v = v_command;
-    }
-    state.lasting_error = error_lag();
-    state.usual = spindle::usual_none();
+pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    held::brake(state, coeffs);
+    state.spindle.lasting_error = error_lag();
+    state.spindle.usual = spindle::usual_none();
 }
 
-/// The axis follows the spindle's commands. Returns whether the lag is near half a turn.
+/// The axis follows the spindle's commands. `missed`: samples that were missing before this cycle. Returns whether the lag is
+/// near half a turn.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -128,14 +132,15 @@ pub fn act<R: Real>(
     inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     axis_outputs: &mut axis::Outputs<R>,
+    missed: u32,
 ) -> bool {
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
     let mut gives_up = false;
     if coeffs.axis.position_control.location == Location::Cnc {
         let mut lag = spindle_outputs.x_spindle - inputs.x_actual;
-        if !within(lag, certain_lag()) {
-            lag = continued(lag, state.lag_before);
+        if missed > 0u32 || !within(lag, certain_lag()) {
+            lag = continued(state, coeffs, lag, spindle_outputs.v_spindle, missed);
             gives_up = !within(lag, lag_limit());
         }
         state.lag_before = lag;
@@ -148,7 +153,8 @@ pub fn act<R: Real>(
         feedforward_percentage);
     // A reset ends what is added, as everywhere; the position loop still holds the spindle.
     let improves = spindle_outputs.loop_closed && !inputs.reset;
-    axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
+    let v_additive = axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
+    held::keep(&mut state.held, coeffs, axis_outputs.v_command, v_additive);
     gives_up
 }
 
@@ -190,19 +196,28 @@ pub fn open<R: Real>(
     coeffs: &Coeffs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
-    v_open: R,
+    command: &Command<R>,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
     axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
     if coeffs.axis.position_control.location == Location::Cnc {
-        axis_outputs.v_command = v_open;
+        axis_outputs.v_command = command.v_command;
         let mut open_datum = process_data::Datum::default();
-        let open_increments = coeffs.axis.position_control.manipulated_scale * v_open;
+        let open_increments = coeffs.axis.position_control.manipulated_scale * command.v_command;
         process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
         axis_outputs.manipulated_variable = open_datum.value;
         axis_outputs.limited = open_datum.limited;
+    }
+    if coeffs.axis.position_control.additive {
+        let mut added_datum = process_data::Datum::default();
+        let added_increments = coeffs.axis.position_control.velocity_scale * command.v_additive;
+        process_data::round(&mut added_datum, &coeffs.axis.position_control.velocity_range, added_increments);
+        axis_outputs.additive_velocity = added_datum.value;
+        if added_datum.limited {
+            axis_outputs.limited = true;
+        }
     }
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     outputs.error_id = spindle_outputs.error_id;
@@ -218,16 +233,14 @@ pub fn close<R: Real>(
     inputs: &Inputs<R>,
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
+    missed: u32,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
-    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs);
-    if coeffs.axis.position_control.location == Location::Cnc {
-        state.v_held = axis_outputs.v_command;
-    }
+    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, missed);
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     let mut error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     if gives_up {
-        give_up(&mut state.spindle, axis_outputs.v_command);
+        give_up(state, coeffs);
         error_now = error_lag();
     }
     outputs.error_id = error_now;
@@ -239,33 +252,6 @@ pub fn close<R: Real>(
     tell_trip(coeffs, &axis_outputs, outputs);
 }
 
-/// The velocity for the drive in a cycle with an open loop. A position loop that misses a sample continues with its last
-/// command: the interpolator's velocity differs from it while the spindle accelerates. Every other way to a closed loop leads
-/// through BRAKE or TO_POSITION.
-#[portable]
-pub fn velocity_of_open<R: Real>(
-    state: &mut State<R>,
-    coeffs: &Coeffs<R>,
-    spindle_outputs: &spindle::Outputs<R>,
-    is_position: bool,
-) -> R {
-    let mut v_open = spindle_outputs.v_spindle;
-    if coeffs.axis.position_control.location == Location::Cnc {
-        if is_position {
-            if in_range(state.v_held, sample_limit()) {
-                note("a sample is missing: the drive keeps its last command");
-                v_open = state.v_held;
-            }
-        } else if spindle_outputs.spindle_state == SpindleState::Brake
-            || spindle_outputs.spindle_state == SpindleState::ToPosition
-        {
-            state.lag_before = R::ZERO;
-            state.v_held = v_open;
-        }
-    }
-    v_open
-}
-
 /// Any cycle. Only the samples that the spindle uses are checked.
 #[portable]
 pub fn any_cycle<R: Real>(
@@ -275,16 +261,24 @@ pub fn any_cycle<R: Real>(
     spindle_inputs: &spindle::Inputs<R>,
     outputs: &mut Outputs<R>,
 ) {
+    let missed = state.spindle.missing;
+    let had_failed = state.spindle.lasting_error != error_none();
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
+    let follows = follows_position(coeffs, spindle_outputs.spindle_state);
+    let has_failed = state.spindle.lasting_error != error_none();
+    if coeffs.axis.position_control.location == Location::Cnc && follows && has_failed && !had_failed {
+        held::brake(state, coeffs);
+        spindle_outputs.v_spindle = state.spindle.v;
+    }
     // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only.
-    let is_moved = state.spindle.lasting_error == error_none() && inputs.drive_on;
-    let is_position = is_moved && follows_position(coeffs, spindle_outputs.spindle_state);
+    let is_position = follows && !has_failed && inputs.drive_on;
     if is_position && state.spindle.missing == 0u32 {
-        close(state, coeffs, inputs, &spindle_outputs, outputs);
+        close(state, coeffs, inputs, &spindle_outputs, outputs, missed);
     } else {
-        let v_open = velocity_of_open(state, coeffs, &spindle_outputs, is_position);
-        open(state, coeffs, &spindle_outputs, outputs, v_open);
+        let mut command = Command::<R>::default();
+        held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
+        open(state, coeffs, &spindle_outputs, outputs, &command);
     }
     put_out_changeover(&spindle_outputs, outputs);
 }
@@ -302,12 +296,14 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if in_position {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        close(state, coeffs, inputs, &spindle_outputs, outputs);
+        close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32);
         put_out_changeover(&spindle_outputs, outputs);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        open(state, coeffs, &spindle_outputs, outputs, spindle_outputs.v_spindle);
+        let mut command = Command::<R>::default();
+        command.v_command = spindle_outputs.v_spindle;
+        open(state, coeffs, &spindle_outputs, outputs, &command);
         put_out_changeover(&spindle_outputs, outputs);
     } else {
         note("any other cycle: requests, changes of the state, missing samples, errors");

@@ -245,6 +245,10 @@ impl Ipc {
             self.watch.iter_mut().for_each(Watch::restart);
             return NOTHING;
         }
+        // The fade in OFF ends: the output is 0, and no stage runs any more.
+        if inputs.mode == 0 && self.open <= 1 {
+            return self.stop();
+        }
         self.largest = self.largest.max(here);
         let tuned = self.stages.iter_mut().zip(&self.weights);
         let v_sum: f64 = tuned.map(|(stage, weight)| stage.run(x(stage.mode)) * weight).sum();
@@ -276,9 +280,6 @@ impl Ipc {
             self.open.saturating_sub(1)
         };
         let fade = f64::from(self.open) / f64::from(self.fade_cycles);
-        if inputs.mode == 0 && self.open == 0 {
-            self.runs = false;
-        }
         if inputs.mode == 1 {
             self.watch.iter_mut().for_each(|watch| watch.cycle(v_sum, off, limit, trips));
         }

@@ -4,12 +4,16 @@
  *                    spindle turned backwards, the longest time to standstill, runs that did not arrive in POSITION
  *   drive lag RPM    M3 with a speed, no feedforward: prints the last error, the lowest command of the drive, the last speed,
  *                    and the largest lag of a cycle of the closed loop without an error [deg]
- *   drive blocked RPM  the same, and the spindle is blocked within 4 to 12 ms, 41 times: prints the lowest command, and the runs
- *                    without error 48
+ *   drive blocked RPM [LOST]  the same, and the spindle is blocked within 4 to 12 ms, 164 times: prints the lowest command, and the
+ *                    runs without error 48; with LOST, at once, and without x_actual in LOST cycles
  *   drive lost RPM   one, two or three samples of one signal are lost while the spindle accelerates to a speed: prints by how
  *                    many increments the command changed in them at most, and in how many runs an error followed
+ *   drive stopped RPM  the same, and four samples of one signal are lost, or the cycle time is wrong: prints by how much the error
+ *                    raised the command [rpm], and the runs without an error
+ *   drive ahead RPM  something turns the spindle by another 500 rpm: prints the lowest command, and the last error
  *
- * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position. Speeds are in rpm.
+ * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position, -DADDITIVE where the drive
+ * gets the feedforward as an additive velocity, -DFAST with a drive and a bus that hardly delay. Speeds are in rpm.
  */
 #include <math.h>
 #include <stdbool.h>
@@ -28,9 +32,14 @@
 
 #define T 0.002
 #define RPM 6000.0
-#define LATE 4 /* cycles from the drive to the block */
 #define MODE_CYCLES 3
+#ifdef FAST
+#define LATE 1 /* cycles from the drive to the block */
+#define TAU 1e-4
+#else
+#define LATE 4
 #define TAU 0.005
+#endif
 #define DRIVE_KV 20.0
 #define WEIGHT 0.5
 #define COASTS 0.9995 /* of its speed that a spindle keeps in a cycle with the drive off */
@@ -58,6 +67,12 @@ static double backwards; /* highest speed against the first direction */
 static double lowest; /* lowest command of a drive in velocity control, times the direction */
 static double largest_lag;
 static double fastest; /* of a spindle that something blocks */
+static double slowest; /* of a spindle that something turns */
+#ifdef ADDITIVE
+static bool feeds_forward = true;
+#else
+static bool feeds_forward = false;
+#endif
 static double *lost; /* the input that is lost */
 
 static double wrap(double x)
@@ -76,6 +91,18 @@ static double shortest(double x)
 static double approach(double from, double to, double step)
 {
     return fabs(to - from) <= step ? to : to > from ? from + step : from - step;
+}
+
+/* What a drive without a position controller gets [0.001 deg/s]. */
+static double command(void)
+{
+#ifdef IN_DRIVE
+    return (double)outputs.velocity_command / 1.6666666666666667;
+#elif defined ADDITIVE
+    return (double)outputs.manipulated_variable / 1.2 + (double)outputs.additive_velocity / 1.6666666666666667;
+#else
+    return (double)outputs.manipulated_variable / 1.2;
+#endif
 }
 
 /* The interpolator goes on from the spindle where the block tells it to. */
@@ -112,11 +139,11 @@ static void obey(bool is_on, double direction)
         target = DRIVE_KV * shortest(outputs.x_drive - drive.x) + WEIGHT * shortest(outputs.x_drive - x_before) / T;
         x_before = outputs.x_drive;
     } else {
-        target = (double)outputs.velocity_command / 1.6666666666666667;
+        target = command();
     }
 #else
     obeys = is_on && outputs.spindle_state == 0 && outputs.error_id == 0u;
-    target = (double)outputs.manipulated_variable / 1.2;
+    target = command();
 #endif
     /* A drive that was off for less than its answer to the block has stayed in its mode by itself. */
     const bool has_stayed = !changed && off_cycles > 0 && off_cycles < LATE + MODE_CYCLES + 2;
@@ -126,7 +153,7 @@ static void obey(bool is_on, double direction)
     }
     obeyed = obeys;
     if (is_on) {
-        drive.v = fmin(drive.v + (target - drive.v) * (1.0 - exp(-T / TAU)), fastest);
+        drive.v = fmax(fmin(drive.v + (target - drive.v) * (1.0 - exp(-T / TAU)), fastest), slowest);
         if (target * direction < lowest) {
             lowest = target * direction;
         }
@@ -176,7 +203,9 @@ static void start(double v, bool is_on, int32_t mode)
     }
     v_wanted = 0.0;
     fastest = INFINITY;
+    slowest = -INFINITY;
     lost = NULL;
+    inputs.feedforward_active = feeds_forward;
 #ifdef IN_DRIVE
     asked = 0;
 #endif
@@ -233,15 +262,18 @@ static void turn(double speed)
     backwards = 0.0;
 }
 
-static void block_spindle(double speed)
+static void block_spindle(double speed, int missing)
 {
     int missed = 0;
     double lowest_of_all = INFINITY;
-    for (int phase = 0; phase <= 40; phase++) {
+    for (int run = 0; run < 41 * 4; run++) {
+        const double seconds = missing > 0 ? T : 0.004 + run / 4 * 0.0002;
+        const int first = LATE + run % 4;
         turn(speed);
         lowest = 0.0;
         for (int i = 1; i < 200; i++) {
-            fastest = fmax(speed * (1.0 - i * T / (0.004 + phase * 0.0002)), 0.0);
+            fastest = fmax(speed * (1.0 - i * T / seconds), 0.0);
+            lost = i > first && i <= first + missing ? &inputs.x_actual : NULL;
             cycle(true, 1.0);
         }
         lowest_of_all = fmin(lowest_of_all, lowest);
@@ -251,29 +283,65 @@ static void block_spindle(double speed)
 }
 
 #ifndef IN_DRIVE
+static double *const samples[] = { &inputs.x_command, &inputs.v_interpolator, &inputs.x_actual };
+
+/* The spindle accelerates to a speed. */
+static void accelerate(double speed)
+{
+    start(0.0, true, 0);
+    for (int k = 0; k < 60; k++) {
+        inputs.s_word = speed;
+        inputs.m3 = k == 20;
+        cycle(true, 1.0);
+    }
+}
+
 static void lose_samples(double speed)
 {
-    double *const samples[] = { &inputs.x_command, &inputs.v_interpolator, &inputs.x_actual };
     int errors = 0;
     double largest = 0.0;
     for (int i = 0; i < 9; i++) {
-        start(0.0, true, 0);
-        for (int k = 0; k < 60; k++) {
-            inputs.s_word = speed;
-            inputs.m3 = k == 20;
-            cycle(true, 1.0);
-        }
-        const double before = outputs.manipulated_variable;
+        accelerate(speed);
+        const double before = command();
         lost = samples[i / 3];
         for (int k = 0; k <= i % 3; k++) {
             cycle(true, 1.0);
-            largest = fmax(largest, fabs(outputs.manipulated_variable - before));
+            largest = fmax(largest, fabs(command() - before) * 1.2);
         }
         lost = NULL;
         cycle(true, 1.0);
         errors += outputs.error_id != 0u;
     }
     printf("%.0f %d\n", largest, errors);
+}
+
+static void stop_with_errors(double speed)
+{
+    int missed = 0;
+    double largest = 0.0;
+    for (int i = 0; i < 4; i++) {
+        accelerate(speed);
+        const double before = command();
+        lost = i < 3 ? samples[i] : NULL;
+        inputs.task_cycle_ns = i < 3 ? 0u : 1u;
+        for (int k = 0; k < 8; k++) {
+            cycle(true, 1.0);
+            largest = fmax(largest, command() - before);
+        }
+        missed += outputs.error_id == 0u;
+    }
+    printf("%.1f %d\n", largest / RPM, missed);
+}
+
+static void turn_ahead(double speed)
+{
+    turn(speed);
+    lowest = 0.0;
+    for (int i = 0; i < 600; i++) {
+        slowest = i < 200 ? speed + 500.0 * RPM : -INFINITY;
+        cycle(true, 1.0);
+    }
+    printf("%.1f %u\n", lowest / RPM, (unsigned)outputs.error_id);
 }
 #endif
 
@@ -282,12 +350,20 @@ int main(int argc, char **argv)
     if (argc > 2) {
         const double speed = atof(argv[2]) * RPM;
         if (strcmp(argv[1], "blocked") == 0) {
-            block_spindle(speed);
+            block_spindle(speed, argc > 3 ? atoi(argv[3]) : 0);
             return 0;
         }
 #ifndef IN_DRIVE
         if (strcmp(argv[1], "lost") == 0) {
             lose_samples(speed);
+            return 0;
+        }
+        if (strcmp(argv[1], "stopped") == 0) {
+            stop_with_errors(speed);
+            return 0;
+        }
+        if (strcmp(argv[1], "ahead") == 0) {
+            turn_ahead(speed);
             return 0;
         }
 #endif

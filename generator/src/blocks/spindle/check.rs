@@ -78,7 +78,7 @@ pub(crate) fn check(
     let deceleration = e.real(key(Name::SpindleDeceleration));
     let changing = velocities.as_ref().filter(|_| !is_alone);
     let window = window::settled(e, cycle_time, drive.gear, changing);
-    let takeover_window = window::takeover(e, cycle_time, deceleration.filter(|_| changing.is_some()));
+    let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
         (Some(in_cnc(e, feedforward)), Some(0))
     } else {

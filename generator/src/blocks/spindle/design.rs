@@ -42,6 +42,7 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         v_largest: v_largest(axis),
         lead_time: f64::from(of.delay_cycles + 1) * cycle_time + lag,
         takeover_window: of.takeover_window,
+        takeover_way: of.deceleration * cycle_time * cycle_time / 2.0,
         mode_cycles,
         start_cycles: mode_cycles.saturating_add(START),
         brake_cycles: cycles(of.brake_timeout_ns, axis),

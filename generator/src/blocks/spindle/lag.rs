@@ -11,8 +11,9 @@ use portable::Extreme;
 /// The lag at which the block opens its loop [0.001 deg].
 const LARGEST: f64 = 170_000.0;
 
-/// The change of the lag in a cycle that the block is sure to follow [0.001 deg].
-const SEEN: f64 = 130_000.0;
+/// A quarter turn [0.001 deg]: with three missing samples the lag of a blocked spindle grows by four times the way of a cycle,
+/// and the block knows it if that is less than a turn.
+const SEEN: f64 = 90_000.0;
 
 /// The gain of the position controller.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +81,7 @@ pub(super) fn seen(e: &mut Effective<'_>, of: &Velocities, cycle_ns: u32) {
         return;
     }
     let found = format!(
-        "{} is {}: in position control the spindle turns with up to {} rpm, {} deg in a cycle",
+        "{} is {}: until velocity control begins, M3 and M4 turn the spindle with up to {} rpm, {} deg in a cycle",
         e.title(slower.key),
         slower.value,
         rpm(f64::from(slower.value)),

@@ -8,7 +8,7 @@ use crate::{codes, diagnostics::Diagnostic, number::rounded};
 use portable::Extreme;
 
 /// Half a revolution [0.001 deg]: a drive cannot detect the direction of a longer movement.
-pub(super) const HALF_A_REVOLUTION: f64 = 180_000.0;
+const HALF_A_REVOLUTION: f64 = 180_000.0;
 /// The largest count that is exact in single precision.
 const MOST_CYCLES: u64 = 1 << 24;
 /// Cycles after the drive's answer in the default of the mode timeout.
@@ -93,11 +93,12 @@ pub(super) fn half_a_revolution(e: &mut Effective<'_>, cycle_ns: u32, of: &Veloc
 }
 
 /// Warns of a velocity of the changeover near half a revolution per cycle: until the drive displays velocity control, it is
-/// under position control, and the spindle accelerates.
+/// under position control, and the spindle accelerates. Von is passed by up to a cycle's velocity, and the last permitted cycle
+/// begins when the time is over.
 pub(super) fn accelerates_beyond(e: &mut Effective<'_>, cycle_ns: u32, of: &Velocities, deceleration: f64, ns: u64) {
     let end = HALF_A_REVOLUTION * 1e9 / f64::from(cycle_ns);
     let on = f64::from(of.on.value);
-    let gained = deceleration * ns as f64 / 1e9;
+    let gained = deceleration * (ns + 2 * u64::from(cycle_ns)) as f64 / 1e9;
     let reached = (on + gained).smaller(f64::from(of.largest.value));
     if on >= end || reached < end {
         return;

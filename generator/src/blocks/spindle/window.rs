@@ -1,7 +1,7 @@
 //! The window around the velocity of position control: wide enough for the steps of the encoder, narrow enough that position
 //! control does not begin at another speed.
 
-use super::limits::{HALF_A_REVOLUTION, rpm, window};
+use super::limits::{rpm, window};
 use super::velocities::{Velocities, asks};
 use crate::config::values::key;
 use crate::parameters::{Name, time_text};
@@ -50,39 +50,6 @@ pub(super) fn settled(e: &mut Effective<'_>, cycle_ns: Option<u32>, gear: u32, o
         wide(e, of, window(off, least), steps);
     }
     Some(least)
-}
-
-/// Largest step of the position command when the interpolator takes over [0.001 deg]: the given one, or the default, which
-/// covers a spindle that accelerates while three samples are missing. The block expects it at the velocity before:
-/// a T^2 (3 + 1)^2 / 2.
-pub(super) fn takeover(e: &mut Effective<'_>, cycle_ns: Option<u32>, deceleration: Option<f64>) -> Option<f64> {
-    let at = key(Name::SpindleTakeoverWindow);
-    let width = e.real(at)?;
-    let (Some(ns), Some(deceleration)) = (cycle_ns, deceleration) else { return Some(width) };
-    let cycle = f64::from(ns) / 1e9;
-    let step = (8.0 * deceleration * cycle * cycle * 1e3).round() / 1e3;
-    let least = step.smaller(HALF_A_REVOLUTION);
-    if e.given(at).is_none() {
-        return Some(width.larger(least));
-    }
-    if width < least {
-        let found = format!(
-            "{} is {}, {} deg: while three samples are missing, a spindle with {} rpm/s (spindle.deceleration) goes {} deg further \
-             than at a constant velocity, and stops with error 46",
-            e.title(at),
-            rounded(width),
-            rounded(width / 1e3),
-            rpm(deceleration),
-            rounded(step / 1e3)
-        );
-        e.warn(
-            codes::NARROW_TAKEOVER,
-            at,
-            found,
-            format!("spindle.takeover_window = {}, or without it", least.ceil().smaller(HALF_A_REVOLUTION)),
-        );
-    }
-    Some(width)
 }
 
 /// Warns of a written window below the steps of the encoder.

@@ -25,6 +25,9 @@ pub(crate) fn lines(axis: &Axis) -> Vec<String> {
     lines
 }
 
+/// The lag at which the gain of a loop in the CNC is measured, well below half a revolution [0.001 deg].
+const MEASURED_LAG: f64 = 60_000.0;
+
 const SENSORLESS: &str = "velocity control at every speed, as a spindle without a position sensor needs it; M19, S[PUTAX], G74 and reset \
                           lead to position control";
 
@@ -73,10 +76,14 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
     )
 }
 
-/// The position lag (1 - w) v / Kv at the velocity at which position control ends: to be measured once.
+/// The position lag (1 - w) v / Kv, to be measured once: at the velocity at which position control ends, in the CNC at one whose lag
+/// without feedforward is no error.
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
-    let largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);
     let kv = f64::from(spindle.kv) / 100.0;
+    let mut largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);
+    if let Changeover::Cnc { .. } = spindle.drive {
+        largest = largest.smaller(MEASURED_LAG * kv);
+    }
     let lag = |weight: f64| digits((1.0 - weight) * largest / 1000.0 / kv);
     let (speed, kv) = (rpm(largest), digits(kv));
     let cycles = spindle.delay_cycles;

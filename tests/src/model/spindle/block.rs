@@ -42,6 +42,7 @@ pub fn coefficients(p: &Parameters) -> Coeffs<f64> {
         default_active: false,
         lead_time_per_percent: p.feedforward.map_or(0.0, |weight| weight / 100.0 / p.kv),
         takeover_window: p.takeover_window,
+        takeover_way: p.takeover_way,
         mode_cycles: p.mode_timeout_cycles,
         start_cycles: p.mode_timeout_cycles + 2,
         brake_cycles: p.brake_timeout_cycles,

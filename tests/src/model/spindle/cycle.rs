@@ -266,12 +266,15 @@ impl Model {
 
     /// Half a turn, and the take-over: where the spindle has not followed the interpolator in the cycle before.
     fn test(&self, inputs: &Inputs) -> Option<u32> {
-        let Entry { state, .. } = self.current();
+        let Entry { state, since, .. } = self.current();
         let follows = matches!(state, POSITION | TO_VELOCITY);
         let steps_too_far = follows && !self.p.in_cnc && inputs.v_interpolator.abs() * self.p.cycle >= 180_000.0;
         let takes_over = follows && self.followed_at + 1 < self.now;
         let step = near(wrap(inputs.x_command) - (self.x + self.v * self.p.cycle));
-        let jumps = takes_over && step.abs() > self.p.takeover_window;
+        // The interpolator may have accelerated in each cycle that it has not been followed, and in this one: 1 + 2 + ... + n.
+        let n = (self.now - since.max(self.followed_at + 1) + 1) as f64;
+        let further = self.p.takeover_way * n * (n + 1.0);
+        let jumps = takes_over && step.abs() > self.p.takeover_window + further;
         if steps_too_far { Some(44) } else { jumps.then_some(46) }
     }
 

@@ -43,6 +43,8 @@ pub struct Parameters {
     pub brake_timeout_cycles: u32,
     /// largest step of the position when the interpolator takes over
     pub takeover_window: f64,
+    /// by `n (n + 1)` times this way the interpolator may be further after n cycles
+    pub takeover_way: f64,
     /// increments per 0.001 deg/s
     pub velocity_scale: f64,
     /// lowest, highest value of `velocity_command`
@@ -73,6 +75,7 @@ impl Parameters {
             mode_timeout_cycles: 20,
             brake_timeout_cycles: 300,
             takeover_window: 1000.0,
+            takeover_way: 12.0,
             velocity_scale: 10.0 / 6.0,
             velocity_range: [i32::MIN, i32::MAX],
         }
@@ -91,6 +94,7 @@ impl Parameters {
         let fast: f64 = if v_on > 0.0 { v_on } else { 600_000.0 };
         // No whole number of steps from Von to Voff: whether one is left would be a matter of rounding.
         let cycles_of_braking = *rng.pick(&[10.03, 60.07, 200.17]);
+        let deceleration = fast / (cycles_of_braking * cycle);
         let small = |rng: &mut Rng, largest| u32::try_from(rng.between(1, largest)).expect("small");
         Self {
             cycle,
@@ -98,7 +102,7 @@ impl Parameters {
             v_on,
             v_off,
             window: (0.01 * v_off).max(*rng.pick(&[2000.0, 36_000.0])),
-            deceleration: fast / (cycles_of_braking * cycle),
+            deceleration,
             nd: small(rng, 11) - 1,
             w: *rng.pick(&[0.0, 0.5, 1.0, 1.2]),
             kv: *rng.pick(&[20.0, 66.66, 100.0, 5.0]),
@@ -112,6 +116,7 @@ impl Parameters {
             mode_timeout_cycles: small(rng, 40),
             brake_timeout_cycles: small(rng, 600),
             takeover_window: *rng.pick(&[1000.0, 200.0, 10_000.0]),
+            takeover_way: deceleration * cycle * cycle / 2.0,
             velocity_scale: *rng.pick(&[10.0 / 6.0, 10.0 / 6.0, 0.001, 500.0]),
             velocity_range: *rng.pick(&[[i32::MIN, i32::MAX], [i32::MIN, i32::MAX], [-32_768, 32_767]]),
         }

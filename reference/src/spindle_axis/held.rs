@@ -1,0 +1,88 @@
+//! What the drive of a position loop got last. It keeps that velocity while a sample is missing, and an error that stops the
+//! spindle begins to brake from it.
+
+use super::{Coeffs, State};
+use crate::position_control::Location;
+use crate::signal::sample_limit;
+use crate::spindle::{self, SpindleState};
+use portable::{Real, in_range, note, portable};
+
+/// The velocity for the drive, without v_add.
+#[portable]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Command<R> {
+    /// position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is missing
+    /// [0.001 deg/s]
+    pub v_command: R,
+    /// additive velocity of the feedforward in the drive's last command; held while a sample is missing [0.001 deg/s]
+    pub v_additive: R,
+}
+
+/// No command.
+#[portable]
+pub fn init<R: Real>(held: &mut Command<R>) {
+    held.v_command = R::ZERO;
+    held.v_additive = R::ZERO;
+}
+
+/// Keeps the command of a cycle under position control.
+#[portable]
+pub fn keep<R: Real>(held: &mut Command<R>, coeffs: &Coeffs<R>, v_command: R, v_additive: R) {
+    if coeffs.axis.position_control.location == Location::Cnc {
+        held.v_command = v_command;
+    }
+    if coeffs.axis.position_control.additive {
+        held.v_additive = v_additive;
+    }
+}
+
+/// The whole velocity that the drive got.
+#[portable]
+pub fn whole<R: Real>(held: &Command<R>, coeffs: &Coeffs<R>) -> R {
+    if coeffs.axis.position_control.additive { held.v_command + held.v_additive } else { held.v_command }
+}
+
+/// An error has opened the loop in the CNC: the spindle brakes from the velocity that the drive got, within 0 to v_spindle.
+/// Otherwise a lag, the feedforward or a spindle that runs ahead would be a step, and could accelerate the spindle.
+#[portable]
+pub fn brake<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
+    let v_whole = whole(&state.held, coeffs);
+    if in_range(v_whole, sample_limit()) {
+        spindle::hold_back(&mut state.spindle, v_whole);
+    } else {
+        note("reached only if the block's memory was corrupted");
+    }
+}
+
+/// The command of a cycle with an open loop: v_spindle alone. A position loop that misses a sample continues with its last
+/// command: the interpolator's velocity differs from it while the spindle accelerates. Every other way to a closed loop leads
+/// through BRAKE or TO_POSITION.
+#[portable]
+pub fn command_of_open<R: Real>(
+    state: &mut State<R>,
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    command: &mut Command<R>,
+    is_position: bool,
+) {
+    let is_in_cnc = coeffs.axis.position_control.location == Location::Cnc;
+    command.v_command = spindle_outputs.v_spindle;
+    command.v_additive = R::ZERO;
+    if is_position {
+        note("a sample is missing: the drive keeps its last command");
+        if is_in_cnc && in_range(state.held.v_command, sample_limit()) {
+            command.v_command = state.held.v_command;
+        }
+        if coeffs.axis.position_control.additive && in_range(state.held.v_additive, sample_limit()) {
+            command.v_additive = state.held.v_additive;
+        }
+    } else if spindle_outputs.spindle_state == SpindleState::Brake
+        || spindle_outputs.spindle_state == SpindleState::ToPosition
+    {
+        state.held.v_command = command.v_command;
+        state.held.v_additive = command.v_additive;
+        if is_in_cnc {
+            state.lag_before = R::ZERO;
+        }
+    }
+}
