@@ -68,11 +68,6 @@ static double lowest; /* lowest command of a drive in velocity control, times th
 static double largest_lag;
 static double fastest; /* of a spindle that something blocks */
 static double slowest; /* of a spindle that something turns */
-#ifdef ADDITIVE
-static bool feeds_forward = true;
-#else
-static bool feeds_forward = false;
-#endif
 static double *lost; /* the input that is lost */
 
 static double wrap(double x)
@@ -205,9 +200,11 @@ static void start(double v, bool is_on, int32_t mode)
     fastest = INFINITY;
     slowest = -INFINITY;
     lost = NULL;
-    inputs.feedforward_active = feeds_forward;
 #ifdef IN_DRIVE
     asked = 0;
+#endif
+#ifdef ADDITIVE
+    inputs.feedforward_active = true;
 #endif
     off_cycles = 0;
     obeyed = is_on && mode == 0;
