@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
- * structure   1b72af2b845220e7c7fa346520b000dd
- * checksum    1d20615ccaf278679db93da09cef0901
+ * structure   60d8526f5db8a5fff33bb9878a1e5e28
+ * checksum    12d75aba53aac17c96e6d34a342e8b22
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_axis.h"
@@ -279,7 +279,7 @@ AXGEN_CODE_SECTION void axis_x_axis_step(
                         state->ipc_preset = false;
                     }
                 }
-                ipc_runs = true;
+                ipc_runs = state->ipc_preset;
             } else {
                 state->ipc_fade = 0u;
                 if (inputs->mode != AXIS_X_AXIS_MODE_OFF) {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  37d81c966bdf57258faadd5ae9237741
- * structure   1b72af2b845220e7c7fa346520b000dd
- * checksum    697c8c067c2d6711ea98858dbd6265c3
+ * structure   60d8526f5db8a5fff33bb9878a1e5e28
+ * checksum    0e75988776ad0c15deba0e0316614c44
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_AXIS_H
@@ -36,10 +36,10 @@ extern "C" {
 #define AXIS_X_AXIS_PARAMETERS_2 0x8faadd5au
 #define AXIS_X_AXIS_PARAMETERS_3 0xe9237741u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_AXIS_STRUCTURE_0 0x1b72af2bu
-#define AXIS_X_AXIS_STRUCTURE_1 0x845220e7u
-#define AXIS_X_AXIS_STRUCTURE_2 0xc7fa3465u
-#define AXIS_X_AXIS_STRUCTURE_3 0x20b000ddu
+#define AXIS_X_AXIS_STRUCTURE_0 0x60d8526fu
+#define AXIS_X_AXIS_STRUCTURE_1 0x5db8a5ffu
+#define AXIS_X_AXIS_STRUCTURE_2 0xf33bb987u
+#define AXIS_X_AXIS_STRUCTURE_3 0x8a1e5e28u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_AXIS_INPUTS_SIZE 64u
 #define AXIS_X_AXIS_OUTPUTS_SIZE 48u

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   95669367a3b3299ce23d8575fd831cb2
- * checksum    b4f18ea6b0356bc28cf33d0df144a8c9
+ * structure   77f0aed3c3c21320f12a4cef414e0c09
+ * checksum    a05180afd9486fcf637b83138c5865a7
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_x_ipc.h"
@@ -501,7 +501,7 @@ AXGEN_CODE_SECTION static void axis_x_ipc_any_cycle(
                         state->ipc_preset = false;
                     }
                 }
-                ipc_runs = true;
+                ipc_runs = state->ipc_preset;
             } else {
                 state->ipc_fade = 0u;
                 if (mode != AXIS_X_IPC_MODE_OFF) {

@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  5f65480341441c4b9aa18bd97f336c06
- * structure   95669367a3b3299ce23d8575fd831cb2
- * checksum    00ad1c12033d8b72d00eb3dddad9f320
+ * structure   77f0aed3c3c21320f12a4cef414e0c09
+ * checksum    b3744d4bd234f9ba3bc405eec7231905
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_X_IPC_H
@@ -49,10 +49,10 @@ extern "C" {
 #define AXIS_X_IPC_PARAMETERS_2 0x9aa18bd9u
 #define AXIS_X_IPC_PARAMETERS_3 0x7f336c06u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_X_IPC_STRUCTURE_0 0x95669367u
-#define AXIS_X_IPC_STRUCTURE_1 0xa3b3299cu
-#define AXIS_X_IPC_STRUCTURE_2 0xe23d8575u
-#define AXIS_X_IPC_STRUCTURE_3 0xfd831cb2u
+#define AXIS_X_IPC_STRUCTURE_0 0x77f0aed3u
+#define AXIS_X_IPC_STRUCTURE_1 0xc3c21320u
+#define AXIS_X_IPC_STRUCTURE_2 0xf12a4cefu
+#define AXIS_X_IPC_STRUCTURE_3 0x414e0c09u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_X_IPC_PARAMS_SIZE 36u
 #define AXIS_X_IPC_OUTPUTS_SIZE 20u

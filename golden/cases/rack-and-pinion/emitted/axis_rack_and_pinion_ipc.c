@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
- * structure   c9d4acbedc3b267d3db7d29c4a0cc981
- * checksum    85843cd77d60b00c8b661b5f534656f3
+ * structure   8f46823ccc58d7430fee0f72ae9832e8
+ * checksum    fcf7413dc82407848c62ce79cf198f3e
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_rack_and_pinion_ipc.h"
@@ -175,7 +175,7 @@ AXGEN_CODE_SECTION void axis_rack_and_pinion_ipc_step(
                         state->preset = false;
                     }
                 }
-                runs = true;
+                runs = state->preset;
             } else {
                 state->fade = 0u;
                 if (inputs->mode != AXIS_RACK_AND_PINION_IPC_MODE_OFF) {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  add150623ccfc280dfd3932ca6046864
- * structure   c9d4acbedc3b267d3db7d29c4a0cc981
- * checksum    3000878c19ab400c4439d1395d84ccf5
+ * structure   8f46823ccc58d7430fee0f72ae9832e8
+ * checksum    f3b3ff178189ae75f51bea984f4d3097
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_RACK_AND_PINION_IPC_H
@@ -48,10 +48,10 @@ extern "C" {
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_2 0xdfd3932cu
 #define AXIS_RACK_AND_PINION_IPC_PARAMETERS_3 0xa6046864u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0xc9d4acbeu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xdc3b267du
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x3db7d29cu
-#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0x4a0cc981u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_0 0x8f46823cu
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_1 0xcc58d743u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_2 0x0fee0f72u
+#define AXIS_RACK_AND_PINION_IPC_STRUCTURE_3 0xae9832e8u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_RACK_AND_PINION_IPC_INPUTS_SIZE 24u
 #define AXIS_RACK_AND_PINION_IPC_OUTPUTS_SIZE 24u

@@ -5,7 +5,7 @@
 // real type   f64
 // cycle time  1000000 ns
 // parameters  add150623ccfc280dfd3932ca6046864
-// checksum    5e1732d7118c6fd1f6d525753097ca5c
+// checksum    000d96babebe683787117cb54280d551
 // licence     this file belongs to the user of axgen; no licence of axgen applies to it
 
 //! Improved position control: v_add, added to the velocity command, acts against vibrations of the axis. The
@@ -165,7 +165,7 @@ pub const BOUND: f64 = 2308249.013526049;
 /// digest of the parameters, as in the head of this file
 pub const PARAMETERS: u128 = 0xadd150623ccfc280dfd3932ca6046864;
 /// digest of the structure: equal for blocks that differ only in the values of their coefficients
-pub const STRUCTURE: u128 = 0xc9d4acbedc3b267d3db7d29c4a0cc981;
+pub const STRUCTURE: u128 = 0x8f46823ccc58d7430fee0f72ae9832e8;
 
 // values of the input mode
 /// the block is off
@@ -376,7 +376,7 @@ pub fn step(state: &mut State, inputs: &Inputs, outputs: &mut Outputs) {
                         state.preset = false;
                     }
                 }
-                runs = true;
+                runs = state.preset;
             } else {
                 state.fade = 0;
                 if inputs.mode != MODE_OFF {

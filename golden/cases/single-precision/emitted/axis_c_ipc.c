@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
- * structure   cc9050558208290afcc2ac91ee00688e
- * checksum    142ea6fc2539ce99c619cbf8a07c1650
+ * structure   e7274e84f9eb7aa9e728b6040983993b
+ * checksum    757d33616e14ccf1dc2d421c5cec166d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_c_ipc.h"
@@ -251,7 +251,7 @@ AXGEN_CODE_SECTION void axis_c_ipc_step(
                         state->preset = false;
                     }
                 }
-                runs = true;
+                runs = state->preset;
             } else {
                 state->fade = 0u;
                 if (inputs->mode != AXIS_C_IPC_MODE_OFF) {

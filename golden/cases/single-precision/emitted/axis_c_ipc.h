@@ -5,8 +5,8 @@
  * real type   float
  * cycle time  1000000 ns
  * parameters  66f0269b36f88be089736648cbf9f148
- * structure   cc9050558208290afcc2ac91ee00688e
- * checksum    b60a753464eaacb69c2a3052faa38946
+ * structure   e7274e84f9eb7aa9e728b6040983993b
+ * checksum    8112e29b713a1bdf043ff128c872bd4a
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_C_IPC_H
@@ -54,10 +54,10 @@ extern "C" {
 #define AXIS_C_IPC_PARAMETERS_2 0x89736648u
 #define AXIS_C_IPC_PARAMETERS_3 0xcbf9f148u
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_C_IPC_STRUCTURE_0 0xcc905055u
-#define AXIS_C_IPC_STRUCTURE_1 0x8208290au
-#define AXIS_C_IPC_STRUCTURE_2 0xfcc2ac91u
-#define AXIS_C_IPC_STRUCTURE_3 0xee00688eu
+#define AXIS_C_IPC_STRUCTURE_0 0xe7274e84u
+#define AXIS_C_IPC_STRUCTURE_1 0xf9eb7aa9u
+#define AXIS_C_IPC_STRUCTURE_2 0xe728b604u
+#define AXIS_C_IPC_STRUCTURE_3 0x0983993bu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_C_IPC_INPUTS_SIZE 20u
 #define AXIS_C_IPC_OUTPUTS_SIZE 16u

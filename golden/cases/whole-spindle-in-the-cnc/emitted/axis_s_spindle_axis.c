@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   e95ca27da8bb481207a8256150be831e
- * checksum    a24d778789800f7ebfea5e8a5989c267
+ * structure   1d7a8ebaaf965f532f5f99a20b3b984d
+ * checksum    841ab487e903994dad11b2dc9dcb847d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -205,7 +205,7 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_init(axis_s_spindle_axis_state *fres
     state->axis_ipc_stage0_filter0_section0_s1 = 0.0;
     state->axis_ipc_stage0_filter0_section0_s2 = 0.0;
     state->lag_before = 0.0;
-    state->v_held = 0.0;
+    state->held_v_command = 0.0;
 }
 
 AXGEN_CODE_SECTION void axis_s_spindle_axis_inputs_init(axis_s_spindle_axis_inputs *inputs)
@@ -270,8 +270,11 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const double spindle_lead_time_per_percent = 0.0001; /* decrease of the lead per percent of the feedforward [s] */
 
     /* 1 deg (key spindle.takeover_window) */
-    /* largest step of the position command when the interpolator takes over [0.001 deg] */
+    /* largest step of the position command when the interpolator takes over, without an acceleration [0.001 deg] */
     static const double spindle_takeover_window = 1000.0;
+    /* deceleration T^2 / 2: by n (n + 1) times this way an interpolator that accelerates is further n cycles after
+     * the last valid sample [0.001 deg] */
+    static const double spindle_takeover_way = 15.0;
 
     /* 100ms (key spindle.mode_timeout) and two cycles */
     static const uint32_t spindle_start_cycles = 102u; /* cycles within which position control begins after the drive is switched on */
@@ -288,6 +291,13 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     static const double lead_limit = 1000000000.0;
 
     /* any other cycle: requests, changes of the state, missing samples, errors */
+    uint32_t missed;
+    if (state->spindle_missing > 4u) {
+        missed = 4u;
+    } else {
+        missed = state->spindle_missing;
+    }
+    const bool had_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_job =
         (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
                 || state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_TURN
@@ -725,7 +735,12 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                         /* reached only if the block's memory was corrupted */
                         spindle_shorter = 0.0;
                     }
-                    spindle_leads = axis_s_spindle_axis_magnitude(spindle_shorter) <= spindle_takeover_window;
+                    const double spindle_takeover_cycles = (double)(state->spindle_missing + 1u);
+                    const double spindle_takeover_further =
+                        spindle_takeover_way * (spindle_takeover_cycles * (spindle_takeover_cycles + 1.0));
+                    spindle_leads =
+                        axis_s_spindle_axis_magnitude(spindle_shorter)
+                            <= spindle_takeover_window + spindle_takeover_further;
                     if (!spindle_leads) {
                         state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_TAKEOVER;
                     }
@@ -785,11 +800,11 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 bool spindle_has_slowed;
                 if (spindle_is_known) {
                     const bool spindle_is_backward = state->spindle_v < 0.0;
-                    double spindle_v_magnitude_2;
+                    double spindle_v_magnitude;
                     if (spindle_is_backward) {
-                        spindle_v_magnitude_2 = -state->spindle_v;
+                        spindle_v_magnitude = -state->spindle_v;
                     } else {
-                        spindle_v_magnitude_2 = state->spindle_v;
+                        spindle_v_magnitude = state->spindle_v;
                     }
                     double spindle_v_along;
                     if (spindle_is_backward) {
@@ -799,7 +814,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                     }
                     spindle_has_slowed =
                         axis_s_spindle_axis_magnitude(state->spindle_v) <= spindle_v_position_control_on
-                            && spindle_v_along <= spindle_v_magnitude_2 + spindle_window
+                            && spindle_v_along <= spindle_v_magnitude + spindle_window
                             && -spindle_v_along <= spindle_window;
                 } else {
                     spindle_has_slowed = false;
@@ -940,19 +955,19 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         }
     }
     if (spindle_holds_back) {
-        double spindle_v_low;
-        double spindle_v_high;
+        double spindle_v_low_2;
+        double spindle_v_high_2;
         if (spindle_v_turning < 0.0) {
-            spindle_v_low = spindle_v_turning;
-            spindle_v_high = 0.0;
+            spindle_v_low_2 = spindle_v_turning;
+            spindle_v_high_2 = 0.0;
         } else {
-            spindle_v_low = 0.0;
-            spindle_v_high = spindle_v_turning;
+            spindle_v_low_2 = 0.0;
+            spindle_v_high_2 = spindle_v_turning;
         }
-        if (state->spindle_v > spindle_v_high) {
-            state->spindle_v = spindle_v_high;
-        } else if (state->spindle_v < spindle_v_low) {
-            state->spindle_v = spindle_v_low;
+        if (state->spindle_v > spindle_v_high_2) {
+            state->spindle_v = spindle_v_high_2;
+        } else if (state->spindle_v < spindle_v_low_2) {
+            state->spindle_v = spindle_v_low_2;
         } else {
             /* no action */
         }
@@ -1039,7 +1054,6 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     const double spindle_x_spindle_2 = state->spindle_x;
     outputs->x_spindle = spindle_x_spindle_2;
     const double spindle_v_spindle_3 = state->spindle_v;
-    outputs->v_spindle = spindle_v_spindle_3;
     uint32_t spindle_error_now;
     if (state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE) {
         spindle_error_now = state->spindle_lasting_error;
@@ -1139,20 +1153,42 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_usual = axis_s_spindle_axis_usual_none;
     }
     state->spindle_usual = spindle_usual;
-    const bool is_moved = state->spindle_lasting_error == AXIS_S_SPINDLE_AXIS_ERROR_NONE && inputs->drive_on;
-    const bool is_position =
-        is_moved
-            && (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
-                || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY);
+    const bool follows =
+        spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_POSITION
+            || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_VELOCITY;
+    const bool has_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
+    double spindle_outputs_v_spindle;
+    if (follows && has_failed && !had_failed) {
+        const double v_whole_2 = state->held_v_command;
+        if (axis_s_spindle_axis_magnitude(v_whole_2) <= axis_s_spindle_axis_sample_limit) {
+            double spindle_v_low_3;
+            double spindle_v_high_3;
+            if (v_whole_2 < 0.0) {
+                spindle_v_low_3 = v_whole_2;
+                spindle_v_high_3 = 0.0;
+            } else {
+                spindle_v_low_3 = 0.0;
+                spindle_v_high_3 = v_whole_2;
+            }
+            if (state->spindle_v > spindle_v_high_3) {
+                state->spindle_v = spindle_v_high_3;
+            } else if (state->spindle_v < spindle_v_low_3) {
+                state->spindle_v = spindle_v_low_3;
+            } else {
+                /* no action */
+            }
+        }
+        spindle_outputs_v_spindle = state->spindle_v;
+    } else {
+        spindle_outputs_v_spindle = spindle_v_spindle_3;
+    }
+    outputs->v_spindle = spindle_outputs_v_spindle;
+    const bool is_position = follows && !has_failed && inputs->drive_on;
     if (is_position && state->spindle_missing == 0u) {
         const double lag_4 = spindle_x_spindle_2 - inputs->x_actual;
-        bool gives_up_2;
         double lag_6;
-        if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_certain_lag) {
-            gives_up_2 = false;
-            lag_6 = lag_4;
-        } else {
-            const double lag_before_2 = state->lag_before;
+        bool gives_up_2;
+        if (missed > 0u || !(axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_certain_lag)) {
             double lag_5;
             if (axis_s_spindle_axis_magnitude(lag_4) <= axis_s_spindle_axis_half_turn) {
                 lag_5 = lag_4;
@@ -1163,8 +1199,16 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 /* reached only if the block's memory was corrupted */
                 lag_5 = 0.0;
             }
-            if (axis_s_spindle_axis_magnitude(lag_before_2) <= axis_s_spindle_axis_lag_limit) {
-                const double lag_step_2 = lag_5 - lag_before_2;
+            if (axis_s_spindle_axis_magnitude(state->lag_before) <= axis_s_spindle_axis_lag_limit) {
+                const double expected_2 = state->lag_before;
+                double expected_3;
+                if (missed > 0u) {
+                    const double half_cycles = (double)(missed + 1u) * 0.5;
+                    expected_3 = expected_2 + spindle_outputs_v_spindle * (spindle_cycle_time * half_cycles);
+                } else {
+                    expected_3 = expected_2;
+                }
+                const double lag_step_2 = lag_5 - expected_3;
                 if (lag_step_2 > axis_s_spindle_axis_half_turn) {
                     lag_6 = lag_5 - axis_s_spindle_axis_full_turn;
                 } else if (lag_step_2 < -axis_s_spindle_axis_half_turn) {
@@ -1177,6 +1221,9 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 lag_6 = lag_5;
             }
             gives_up_2 = !(axis_s_spindle_axis_magnitude(lag_6) <= axis_s_spindle_axis_lag_limit);
+        } else {
+            gives_up_2 = false;
+            lag_6 = lag_4;
         }
         state->lag_before = lag_6;
         const double axis_inputs_x_actual_2 = spindle_x_spindle_2 - lag_6;
@@ -1184,7 +1231,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         double axis_feedforward_v_feedforward_2;
         bool axis_feedforward_fault;
         uint32_t axis_feedforward_error_id;
-        if (axis_s_spindle_axis_magnitude(spindle_v_spindle_3) <= axis_s_spindle_axis_sample_limit) {
+        if (axis_s_spindle_axis_magnitude(spindle_outputs_v_spindle) <= axis_s_spindle_axis_sample_limit) {
             double axis_feedforward_gain_now_2;
             if (inputs->feedforward_active && inputs->feedforward_percentage > 0) {
                 if (inputs->feedforward_percentage >= 100) {
@@ -1196,7 +1243,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             } else {
                 axis_feedforward_gain_now_2 = 0.0;
             }
-            axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_v_spindle_3;
+            axis_feedforward_v_feedforward_2 = axis_feedforward_gain_now_2 * spindle_outputs_v_spindle;
             axis_feedforward_fault = false;
             axis_feedforward_error_id = AXIS_S_SPINDLE_AXIS_ERROR_NONE;
         } else {
@@ -1218,7 +1265,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         const double axis_v_lag_2 = axis_s_spindle_axis_axis_position_control_kv * axis_lag_2;
         const double axis_v_controller_2 = axis_v_lag_2 + axis_feedforward_v_feedforward_2;
         outputs->v_command = axis_v_controller_2;
-        state->v_held = axis_v_controller_2;
+        state->held_v_command = axis_v_controller_2;
         bool axis_ipc_runs;
         uint32_t axis_ipc_reason;
         if (!(axis_s_spindle_axis_magnitude(inputs->v_motor) <= axis_s_spindle_axis_sample_limit)) {
@@ -1249,7 +1296,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                             state->axis_ipc_preset = false;
                         }
                     }
-                    axis_ipc_runs = true;
+                    axis_ipc_runs = state->axis_ipc_preset;
                 } else {
                     state->axis_ipc_fade = 0u;
                     if (inputs->mode != AXIS_S_SPINDLE_AXIS_MODE_OFF) {
@@ -1385,14 +1432,24 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         if (gives_up_2) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            double spindle_v_magnitude_3;
-            if (state->spindle_v < 0.0) {
-                spindle_v_magnitude_3 = -state->spindle_v;
-            } else {
-                spindle_v_magnitude_3 = state->spindle_v;
-            }
-            if (axis_s_spindle_axis_magnitude(axis_v_controller_2) <= spindle_v_magnitude_3) {
-                state->spindle_v = axis_v_controller_2;
+            const double v_whole_3 = state->held_v_command;
+            if (axis_s_spindle_axis_magnitude(v_whole_3) <= axis_s_spindle_axis_sample_limit) {
+                double spindle_v_low_4;
+                double spindle_v_high_4;
+                if (v_whole_3 < 0.0) {
+                    spindle_v_low_4 = v_whole_3;
+                    spindle_v_high_4 = 0.0;
+                } else {
+                    spindle_v_low_4 = 0.0;
+                    spindle_v_high_4 = v_whole_3;
+                }
+                if (state->spindle_v > spindle_v_high_4) {
+                    state->spindle_v = spindle_v_high_4;
+                } else if (state->spindle_v < spindle_v_low_4) {
+                    state->spindle_v = spindle_v_low_4;
+                } else {
+                    /* no action */
+                }
             }
             error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {
@@ -1407,24 +1464,25 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         outputs->v_feedforward = 0.0;
         state->axis_ipc_fade = 0u;
         state->axis_ipc_preset = false;
-        double v_open;
+        double command_v_command;
         if (is_position) {
-            if (axis_s_spindle_axis_magnitude(state->v_held) <= axis_s_spindle_axis_sample_limit) {
-                /* a sample is missing: the drive keeps its last command */
-                v_open = state->v_held;
+            /* a sample is missing: the drive keeps its last command */
+            if (axis_s_spindle_axis_magnitude(state->held_v_command) <= axis_s_spindle_axis_sample_limit) {
+                command_v_command = state->held_v_command;
             } else {
-                v_open = spindle_v_spindle_3;
+                command_v_command = spindle_outputs_v_spindle;
             }
         } else {
             if (spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_BRAKE
                     || spindle_cycle_control_3 == AXIS_S_SPINDLE_AXIS_SPINDLE_STATE_TO_POSITION) {
+                state->held_v_command = spindle_outputs_v_spindle;
                 state->lag_before = 0.0;
-                state->v_held = spindle_v_spindle_3;
             }
-            v_open = spindle_v_spindle_3;
+            command_v_command = spindle_outputs_v_spindle;
         }
-        outputs->v_command = v_open;
-        const double open_increments_2 = axis_s_spindle_axis_axis_position_control_manipulated_scale * v_open;
+        outputs->v_command = command_v_command;
+        const double open_increments_2 =
+            axis_s_spindle_axis_axis_position_control_manipulated_scale * command_v_command;
         if (axis_s_spindle_axis_magnitude(open_increments_2) <= axis_s_spindle_axis_manipulated_range_upper_limit) {
             outputs->manipulated_variable = axis_s_spindle_axis_nearest(open_increments_2);
             outputs->limited = false;
@@ -1489,7 +1547,6 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
             gives_up = false;
             lag_3 = lag;
         } else {
-            const double lag_before = state->lag_before;
             double lag_2;
             if (axis_s_spindle_axis_magnitude(lag) <= axis_s_spindle_axis_half_turn) {
                 lag_2 = lag;
@@ -1500,8 +1557,9 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
                 /* reached only if the block's memory was corrupted */
                 lag_2 = 0.0;
             }
-            if (axis_s_spindle_axis_magnitude(lag_before) <= axis_s_spindle_axis_lag_limit) {
-                const double lag_step = lag_2 - lag_before;
+            if (axis_s_spindle_axis_magnitude(state->lag_before) <= axis_s_spindle_axis_lag_limit) {
+                const double expected = state->lag_before;
+                const double lag_step = lag_2 - expected;
                 if (lag_step > axis_s_spindle_axis_half_turn) {
                     lag_3 = lag_2 - axis_s_spindle_axis_full_turn;
                 } else if (lag_step < -axis_s_spindle_axis_half_turn) {
@@ -1534,7 +1592,7 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         const double axis_v_lag = axis_s_spindle_axis_axis_position_control_kv * axis_lag;
         const double axis_v_controller = axis_v_lag + axis_feedforward_v_feedforward;
         outputs->v_command = axis_v_controller;
-        state->v_held = axis_v_controller;
+        state->held_v_command = axis_v_controller;
         /* DIRECT (P-AXIS-00753) from v_motor, weight 2/1 = 2 (P-AXIS-00754/00755) */
         /* BANDPASS CRIT_DAMPING order 1 (P-AXIS-00849, 00848, 00750): centre frequency 53 Hz (P-AXIS-00751),
          * quality factor 10 (P-AXIS-00752), -3 dB at 50.41374 and 55.71374 Hz */
@@ -1601,14 +1659,24 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
         if (gives_up) {
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
-            double spindle_v_magnitude;
-            if (state->spindle_v < 0.0) {
-                spindle_v_magnitude = -state->spindle_v;
-            } else {
-                spindle_v_magnitude = state->spindle_v;
-            }
-            if (axis_s_spindle_axis_magnitude(axis_v_controller) <= spindle_v_magnitude) {
-                state->spindle_v = axis_v_controller;
+            const double v_whole = state->held_v_command;
+            if (axis_s_spindle_axis_magnitude(v_whole) <= axis_s_spindle_axis_sample_limit) {
+                double spindle_v_low;
+                double spindle_v_high;
+                if (v_whole < 0.0) {
+                    spindle_v_low = v_whole;
+                    spindle_v_high = 0.0;
+                } else {
+                    spindle_v_low = 0.0;
+                    spindle_v_high = v_whole;
+                }
+                if (state->spindle_v > spindle_v_high) {
+                    state->spindle_v = spindle_v_high;
+                } else if (state->spindle_v < spindle_v_low) {
+                    state->spindle_v = spindle_v_low;
+                } else {
+                    /* no action */
+                }
             }
             error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {

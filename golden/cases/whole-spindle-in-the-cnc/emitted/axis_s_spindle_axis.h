@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   e95ca27da8bb481207a8256150be831e
- * checksum    b292e4e3a902ee0e4516e4af09c406cc
+ * structure   1d7a8ebaaf965f532f5f99a20b3b984d
+ * checksum    1ae6a574e87025529bdfaafb5a0830c6
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0xe95ca27du
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xa8bb4812u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x07a82561u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x50be831eu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x1d7a8ebau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xaf965f53u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x2f5f99a2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x0b3b984du
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
@@ -234,7 +234,7 @@ typedef struct {
     double lag_before;
     /* position control in the CNC: velocity of the drive's last command, without v_add; held while a sample is
      * missing [0.001 deg/s] */
-    double v_held;
+    double held_v_command;
 } axis_s_spindle_axis_state;
 
 /* Tasks and interrupts: each function accesses only the structs that are passed to it. It uses no global variables, calls no
