@@ -22,7 +22,6 @@ fn designed(cycle: &str, keys: &str) -> Coeffs<f64> {
     Excitation::design(&Designed::from(set_of(&set).axes[0].axis.clone()))
 }
 
-/// The block in operation.
 struct Running {
     coeffs: Coeffs<f64>,
     state: State,
@@ -116,7 +115,6 @@ fn the_button_and_the_motor_end_it() {
     }
 }
 
-/// xorshift.
 struct Random(u64);
 
 impl Random {

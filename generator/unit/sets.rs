@@ -13,7 +13,6 @@ pub(crate) struct Set {
     pub(crate) prototype: Prototype,
     /// of a band-pass
     pub(crate) order: usize,
-    /// centre frequency [Hz]
     pub(crate) f0: f64,
     /// quality factor, 1 to 10
     pub(crate) q_factor: f64,

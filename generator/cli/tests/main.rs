@@ -37,7 +37,6 @@ fn is_exhaustive() -> bool {
     std::env::var_os("AXGEN_EXHAUSTIVE").is_some_and(|value| !value.is_empty() && value != "0" && value != "false")
 }
 
-/// What came of a command.
 struct Run {
     code: i32,
     out: String,
@@ -50,7 +49,6 @@ impl Run {
     }
 }
 
-/// Runs the command in a folder.
 fn axgen(folder: impl AsRef<Path>, arguments: &[&str]) -> Run {
     let output = Command::new(AXGEN).current_dir(folder).args(arguments).output().unwrap();
     let [out, err] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());

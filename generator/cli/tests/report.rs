@@ -14,7 +14,6 @@ use std::path::Path;
 /// The most bytes of a report, for each axis.
 const MOST: usize = 1_000_000;
 
-/// The page of a set.
 fn page(folder: impl AsRef<Path>, arguments: &[&str]) -> String {
     let run = axgen(folder, &[&["report"], arguments].concat());
     assert_eq!(run.code, 0, "{}", run.err);
@@ -63,7 +62,6 @@ fn assert_sound(page: &str) {
     });
 }
 
-/// The rows of the tables of a name.
 fn rows(page: &str, name: &str) -> Vec<Vec<String>> {
     let mut found = Vec::new();
     parsed(page, |document| {

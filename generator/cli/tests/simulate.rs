@@ -32,7 +32,6 @@ fn example(damping: &str) -> TempDir {
     folder
 }
 
-/// The numbers of a row.
 pub fn row(text: &str, name: &str) -> Vec<f64> {
     let row = text.lines().find_map(|line| line.trim_start().strip_prefix(name).filter(|rest| rest.starts_with(' ')));
     let row = row.unwrap_or_else(|| panic!("no row {name}: {text}"));

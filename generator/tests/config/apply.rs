@@ -55,7 +55,6 @@ const TOP: &str = "# the set\ncycle_time = \"1ms\" # of the task\n\n[axis.x]\nko
 const BEHIND: &str = "\n# another axis\n[axis.y]\nkopf.achs_nr = 2\ngetriebe = [{ dynamik.vb_max = 4000 }]\n\n\
     [axis.y.lr_param.improved_position_control]\nenable = \"OFF\"\n";
 
-/// Two tables.
 const TABLES: &str = include_str!("applied/tables.toml");
 
 /// The same as an array.

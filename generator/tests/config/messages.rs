@@ -4,7 +4,6 @@ use super::{IPC, canopen, direct, in_cnc, indirect, read, said, said_of_set, ser
 use generator::config::ListOptions;
 use std::path::{Path, PathBuf};
 
-/// The data files.
 pub fn files() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/config/messages");
     let entries = folder.read_dir().expect("the messages");

@@ -33,7 +33,6 @@ fn read_list(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
     read("x.lis", &[("x.lis", text.as_ref())], &options)
 }
 
-/// A set `set.toml`.
 fn read_set(text: impl AsRef<[u8]>) -> (Option<Set>, Report) {
     read("set.toml", &[("set.toml", text.as_ref())], &ListOptions::default())
 }
@@ -53,7 +52,6 @@ fn said(text: &str) -> String {
     short(&read_list(text.replace("ipc.", IPC)).1)
 }
 
-/// What is said about a set.
 fn said_of_set(text: &str) -> String {
     short(&read_set(text).1)
 }

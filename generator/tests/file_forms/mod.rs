@@ -20,7 +20,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// A set with all its files.
 struct Case {
     name: String,
     set: Set,

@@ -2,9 +2,7 @@
 
 use super::xml::Element;
 
-/// What an element may be.
 pub struct Rule {
-    /// its name
     pub element: &'static str,
     /// its attributes: all of them have to be there
     pub attributes: &'static [Attribute],
@@ -24,15 +22,12 @@ pub const fn rule(element: &'static str, attributes: &'static [Attribute], insid
 
 /// What is inside an element.
 pub enum Inside {
-    /// nothing
     Nothing,
-    /// text
     Text,
     /// elements in this order: one of these names, so often
     Elements(&'static [(&'static [&'static str], Times)]),
 }
 
-/// How often.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Times {
     Once,

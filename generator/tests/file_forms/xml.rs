@@ -2,21 +2,17 @@
 
 use roxmltree::{Document, Node};
 
-/// An element.
 #[derive(Debug, Default)]
 pub struct Element {
-    /// its name
     pub name: String,
     /// names and values, in their order
     pub attributes: Vec<(String, String)>,
-    /// the elements inside it
     pub children: Vec<Self>,
     /// the text directly inside it, without what only separates elements
     pub text: String,
 }
 
 impl Element {
-    /// An attribute.
     pub fn attribute(&self, name: &str) -> &str {
         let found = self.attributes.iter().find(|(key, _)| key == name);
         found.map_or_else(|| panic!("<{}> has no {name}", self.name), |(_, value)| value)
@@ -37,7 +33,6 @@ impl Element {
     }
 }
 
-/// The outermost element.
 pub fn read(file: &str) -> Result<Element, String> {
     let document = Document::parse(file).map_err(|error| error.to_string())?;
     if document.descendants().any(|node| node.is_pi()) {

@@ -8,7 +8,6 @@ use generator::response_file::{From, read};
 use stability::Complex64;
 
 const DIGITS: &[u8; 85] = b"0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ!#$`()*+-/:;=?@[]^_{|}~";
-/// Letters of a line.
 const WIDTH: usize = 200;
 
 fn base_85(numbers: &[f64]) -> String {

@@ -12,7 +12,6 @@ use crate::blocks::{Block, Designed, blocks};
 use crate::unit::sets::axis;
 use portable::RealKind;
 
-/// The one block of an axis.
 fn block(axis: &Axis) -> Block {
     blocks(&Designed::from(axis.clone())).expect("no defect").remove(0)
 }

@@ -15,12 +15,10 @@ pub fn is_written() -> bool {
     std::env::var_os("UPDATE_EXPECT").is_some_and(|value| value == "1")
 }
 
-/// The rows by their input.
 pub fn read() -> BTreeMap<String, Seen> {
     cells().into_iter().map(|[_, input, said, exit]| (input, Seen { said, exit: exit.parse().unwrap() })).collect()
 }
 
-/// The cells of every row.
 fn cells() -> Vec<[String; 4]> {
     let text = fs::read_to_string(PATH).unwrap();
     let (_, table) = text.split_once(HEAD).expect("the document has its table");

@@ -6,7 +6,6 @@
 /// A row of the document, and a test: what the input is, and the making of it in a folder, which gives the arguments.
 macro_rules! rows {
     ($($name:ident: $input:literal => $given:expr;)+) => {
-        /// The rows of this file.
         pub const ROWS: &[crate::hostile::row::Row] = &[$(crate::hostile::row::Row { input: $input, given: $given }),+];
 
         $(#[test]

@@ -12,7 +12,6 @@ use std::sync::LazyLock;
 use std::time::{Duration, SystemTime};
 use tempfile::TempDir;
 
-/// An input.
 pub struct Row {
     /// what it is, for the document
     pub input: &'static str,
@@ -20,12 +19,10 @@ pub struct Row {
     pub given: fn(&Path) -> Vec<String>,
 }
 
-/// What happened.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Seen {
     /// the first error; of a success the first line
     pub said: String,
-    /// the exit code
     pub exit: i32,
 }
 

@@ -11,7 +11,6 @@ use std::time::Duration;
 /// No input may keep the command busy for longer.
 const LIMITS: Limits = Limits { time: Duration::from_secs(10), memory: 1_048_576 };
 
-/// Runs the command.
 pub fn axgen<'a>(folder: &Path, arguments: impl IntoIterator<Item = &'a str>) -> Run {
     let output = limited::run(folder, arguments, Stdio::null(), &LIMITS);
     let err = String::from_utf8(output.stderr).unwrap();
@@ -19,7 +18,6 @@ pub fn axgen<'a>(folder: &Path, arguments: impl IntoIterator<Item = &'a str>) ->
     Run { code, out: String::from_utf8(output.stdout).unwrap(), err }
 }
 
-/// All that is below a folder.
 pub fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found: Vec<PathBuf> = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {

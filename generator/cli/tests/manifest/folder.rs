@@ -12,7 +12,6 @@ use tempfile::TempDir;
 /// What somebody writes into a file: it is never lost.
 pub const MINE: &str = "mine\n";
 
-/// The folder of the files.
 pub const OUT: &str = "generated";
 
 pub struct Folder(TempDir);

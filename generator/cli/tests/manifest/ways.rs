@@ -11,7 +11,6 @@ pub struct Way {
     pub satisfied: Vec<String>,
 }
 
-/// All rows.
 pub fn ways() -> Vec<Way> {
     let table: toml::Table = include_str!("ways.toml").parse().unwrap();
     table["way"].as_array().unwrap().iter().map(|row| way(row.as_table().unwrap())).collect()

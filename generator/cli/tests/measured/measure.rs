@@ -32,7 +32,6 @@ fn csv(columns: &Columns, of: &[usize]) -> String {
     plant::csv(&NAMES, columns, of)
 }
 
-/// Measures a text.
 fn measure(text: &str, more: &[&str]) -> Run {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("r.csv"), text).unwrap();

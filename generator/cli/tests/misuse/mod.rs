@@ -10,7 +10,6 @@ use std::process::Command;
 /// Of the misuses that were looked for, so many may be said without what to do instead.
 const WITHOUT_REMEDY: usize = 10;
 
-/// A row of the table.
 struct Row {
     kind: String,
     what: String,
@@ -86,7 +85,6 @@ fn run(line: &str, files: &BTreeMap<String, String>) -> Said {
     Said { exit, is_silent: exit == 0 && err.is_empty(), has_remedy: false, text: out + &err }
 }
 
-/// Runs the command of a row.
 fn of_row(row: &Row, given: &BTreeMap<String, String>) -> Said {
     let mut files = given.clone();
     files.extend(row.files.clone());

@@ -13,7 +13,6 @@ use std::sync::LazyLock;
 /// Two axes of one kind: X follows the motor and the command, Y has other frequencies.
 const SET: &str = include_str!("axes.toml");
 
-/// A folder with the set.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("axes.toml"), SET).unwrap();
@@ -50,7 +49,6 @@ impl Recording {
         recording
     }
 
-    /// Only these columns.
     fn only(&self, names: &[&str]) -> Self {
         let at: Vec<usize> = names.iter().map(|name| self.at(name)).collect();
         let row = |row: &Vec<f64>| at.iter().map(|at| row[*at]).collect();

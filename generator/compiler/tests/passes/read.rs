@@ -32,7 +32,6 @@ fn variant(path: &str, index: u32) -> Constant {
     constant(path, Literal::Variant(of).at_run_time(), Origin::Variant(of))
 }
 
-/// A program without statements.
 fn empty(real: RealKind) -> Program {
     Program {
         block: "small",

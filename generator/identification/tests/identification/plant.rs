@@ -177,7 +177,6 @@ pub fn random_axis(seed: u64) -> Plant {
     }
 }
 
-/// Degrees.
 pub fn degrees(value: Complex64) -> f64 {
     libm::atan2(value.im, value.re).to_degrees()
 }

@@ -5,7 +5,6 @@ use nc::Command::{self, Dwell, End, Home, Move, Stop, Turn};
 use nc::Direction::Positive;
 use nc::{Axis, Target, read};
 
-/// Where the moves of a program go.
 fn ends(text: &str) -> Vec<Vec<(String, f64)>> {
     let of = |command: &Command| match command {
         Move { axes, .. } => Some(axes.iter().map(|(axis, to)| (axis.to_string(), *to)).collect()),
