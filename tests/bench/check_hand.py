@@ -253,6 +253,8 @@ class Axis:
                 v_add = v_limited
             elif self.fade > 0:
                 v_add = v_limited * (float(self.fade) * c["fade_step"])
+            # The cycle that ends the fade in OFF runs no stage.
+            limited = limited and self.preset
         return {
             "v_add": v_add,
             "v_add_calculated": v_add_calculated,

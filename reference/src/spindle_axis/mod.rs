@@ -118,7 +118,8 @@ pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, v
 /// The lag is near half a turn: the error stays, the loop opens in the next cycle, and the spindle brakes.
 #[portable]
 pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
-    held::brake(state, coeffs);
+    let v_whole = held::whole(&state.held, coeffs);
+    spindle::hold_back(&mut state.spindle, v_whole);
     state.spindle.lasting_error = error_lag();
     state.spindle.usual = spindle::usual_none();
 }
@@ -268,12 +269,14 @@ pub fn any_cycle<R: Real>(
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
     let follows = follows_position(coeffs, spindle_outputs.spindle_state);
     let has_failed = state.spindle.lasting_error != error_none();
-    if coeffs.axis.position_control.location == Location::Cnc && follows && has_failed && !had_failed {
+    let is_in_cnc = coeffs.axis.position_control.location == Location::Cnc;
+    if is_in_cnc && follows && has_failed && !had_failed {
         held::brake(state, coeffs);
         spindle_outputs.v_spindle = state.spindle.v;
     }
-    // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only.
-    let is_position = follows && !has_failed && inputs.drive_on;
+    // A spindle that is stopped, or continues without the interpolator, moves by its velocity command only. With the drive off
+    // the state is TO_POSITION.
+    let is_position = follows && !has_failed && (is_in_cnc || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs, missed);
     } else {

@@ -37,8 +37,13 @@ fn zeros<'t>(text: &'t str, outputs: &[String]) -> Vec<(usize, &'t str)> {
     lines
 }
 
-/// Lines that only an overwritten position reaches: no inputs do. `flipped_bits` judges them.
-const OVERWRITTEN_ALONE: [&str; 2] = ["axis:         #x_drive := 0.0;", "position_control:         #x_drive := 0.0;"];
+/// Lines that only an overwritten position reaches, which `flipped_bits` judges; and the fade-out of a spindle in OFF, which no case
+/// has: those of `ipc` and `axis` show it.
+const UNSEEN: [&str; 3] = [
+    "axis:         #x_drive := 0.0;",
+    "position_control:         #x_drive := 0.0;",
+    "spindle_axis:                         #v_add_calculated := 0.0;",
+];
 
 #[test]
 fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
@@ -71,5 +76,5 @@ fn a_zero_of_the_other_sign_is_seen_in_the_outputs() {
             (planted, seen)
         });
     assert!(planted.len() > 8, "{planted:?}");
-    assert_eq!(planted.difference(&seen).collect::<Vec<_>>(), OVERWRITTEN_ALONE, "no case sees it");
+    assert_eq!(planted.difference(&seen).collect::<Vec<_>>(), UNSEEN, "no case sees it");
 }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   1d7a8ebaaf965f532f5f99a20b3b984d
- * checksum    841ab487e903994dad11b2dc9dcb847d
+ * structure   762585d23a3830da6dd8f98974e24cbc
+ * checksum    8e36cadbb72448533178f897b253306d
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -1183,7 +1183,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
         spindle_outputs_v_spindle = spindle_v_spindle_3;
     }
     outputs->v_spindle = spindle_outputs_v_spindle;
-    const bool is_position = follows && !has_failed && inputs->drive_on;
+    const bool is_position = follows && !has_failed;
     if (is_position && state->spindle_missing == 0u) {
         const double lag_4 = spindle_x_spindle_2 - inputs->x_actual;
         double lag_6;
@@ -1433,23 +1433,21 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
             const double v_whole_3 = state->held_v_command;
-            if (axis_s_spindle_axis_magnitude(v_whole_3) <= axis_s_spindle_axis_sample_limit) {
-                double spindle_v_low_4;
-                double spindle_v_high_4;
-                if (v_whole_3 < 0.0) {
-                    spindle_v_low_4 = v_whole_3;
-                    spindle_v_high_4 = 0.0;
-                } else {
-                    spindle_v_low_4 = 0.0;
-                    spindle_v_high_4 = v_whole_3;
-                }
-                if (state->spindle_v > spindle_v_high_4) {
-                    state->spindle_v = spindle_v_high_4;
-                } else if (state->spindle_v < spindle_v_low_4) {
-                    state->spindle_v = spindle_v_low_4;
-                } else {
-                    /* no action */
-                }
+            double spindle_v_low_4;
+            double spindle_v_high_4;
+            if (v_whole_3 < 0.0) {
+                spindle_v_low_4 = v_whole_3;
+                spindle_v_high_4 = 0.0;
+            } else {
+                spindle_v_low_4 = 0.0;
+                spindle_v_high_4 = v_whole_3;
+            }
+            if (state->spindle_v > spindle_v_high_4) {
+                state->spindle_v = spindle_v_high_4;
+            } else if (state->spindle_v < spindle_v_low_4) {
+                state->spindle_v = spindle_v_low_4;
+            } else {
+                /* no action */
             }
             error_now_4 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {
@@ -1660,23 +1658,21 @@ AXGEN_CODE_SECTION void axis_s_spindle_axis_step(
             state->spindle_usual = axis_s_spindle_axis_usual_none;
             state->spindle_lasting_error = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
             const double v_whole = state->held_v_command;
-            if (axis_s_spindle_axis_magnitude(v_whole) <= axis_s_spindle_axis_sample_limit) {
-                double spindle_v_low;
-                double spindle_v_high;
-                if (v_whole < 0.0) {
-                    spindle_v_low = v_whole;
-                    spindle_v_high = 0.0;
-                } else {
-                    spindle_v_low = 0.0;
-                    spindle_v_high = v_whole;
-                }
-                if (state->spindle_v > spindle_v_high) {
-                    state->spindle_v = spindle_v_high;
-                } else if (state->spindle_v < spindle_v_low) {
-                    state->spindle_v = spindle_v_low;
-                } else {
-                    /* no action */
-                }
+            double spindle_v_low;
+            double spindle_v_high;
+            if (v_whole < 0.0) {
+                spindle_v_low = v_whole;
+                spindle_v_high = 0.0;
+            } else {
+                spindle_v_low = 0.0;
+                spindle_v_high = v_whole;
+            }
+            if (state->spindle_v > spindle_v_high) {
+                state->spindle_v = spindle_v_high;
+            } else if (state->spindle_v < spindle_v_low) {
+                state->spindle_v = spindle_v_low;
+            } else {
+                /* no action */
             }
             error_now_2 = AXIS_S_SPINDLE_AXIS_ERROR_LAG;
         } else {

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   1d7a8ebaaf965f532f5f99a20b3b984d
- * checksum    1ae6a574e87025529bdfaafb5a0830c6
+ * structure   762585d23a3830da6dd8f98974e24cbc
+ * checksum    34f803d14e130aa9c3311c3fd8a87c85
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x1d7a8ebau
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xaf965f53u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x2f5f99a2u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x0b3b984du
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x762585d2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x3a3830dau
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x6dd8f989u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x74e24cbcu
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
