@@ -131,6 +131,7 @@ class Axis:
                 self.fade -= 1
             if i.mode == OFF and self.fade == 0:
                 self.preset = False
+                return 0
         v = self.stages(i.v_motor)
         if abs(v) <= c["limit"]:
             if abs(v) <= c["rest"]:
