@@ -810,6 +810,6 @@ codes! {
          time as spindle.mode_timeout.";
     LAG_UNSEEN = "AX537", "a position lag that can grow unseen",
         "The block spindle_axis stops the spindle with error_id 48 where the loop in the CNC lags by 170 deg. It compares the lag \
-         with that of the last valid sample. While three samples are missing, the lag of a blocked spindle grows by the way of four \
-         cycles. If that is a turn or more, the spindle can turn the other way without an error.";
+         with that of the last valid sample. While three samples are missing, the lag of a blocked spindle grows by the way of \
+         four cycles. If that is a turn or more, the spindle can turn the other way without an error.";
 }

@@ -113,21 +113,6 @@ OFTEN double control(
     return state->v_held;
 }
 
-/* An error opens the loop: the spindle brakes from what the drive got, between 0 and its own velocity. */
-SELDOM void brake_from(hand_spindle *spindle, double v_held)
-{
-    if (!in_range(v_held)) {
-        return;
-    }
-    const double low = v_held < 0.0 ? v_held : 0.0;
-    const double high = v_held < 0.0 ? 0.0 : v_held;
-    if (spindle->v > high) {
-        spindle->v = high;
-    } else if (spindle->v < low) {
-        spindle->v = low;
-    }
-}
-
 /* The additive velocity in any cycle of a spindle that follows its position; gives the error of improved position control. */
 OFTEN uint32_t improve(
     axis_state *restrict state,
@@ -187,7 +172,7 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
     hand_cycle cycle = change_over(spindle, inputs);
     const bool is_closed = cycle.control == POSITION || cycle.control == TO_VELOCITY;
     if (is_closed && spindle->lasting_error != 0u && !had_failed) {
-        brake_from(spindle, state->v_held);
+        hold_back(spindle, state->v_held); /* brakes from what the drive got */
     }
     bool gives_up = false;
     double v_command = spindle->v;
@@ -231,7 +216,7 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
         limited = limited || increments > 0.0 || increments <= lowest;
     }
     if (gives_up) {
-        brake_from(spindle, state->v_held);
+        hold_back(spindle, state->v_held);
         spindle->lasting_error = 48u;
         cycle.error_id = 48u;
     }
@@ -298,7 +283,7 @@ OFTEN void run_in_position(
     outputs->v_add_calculated = v_add;
     put_out(spindle, outputs, x, v, v_command + v_add, limited, true);
     if (gives_up) {
-        brake_from(spindle, state->v_held);
+        hold_back(spindle, state->v_held);
         spindle->lasting_error = 48u;
         outputs->error_id = 48u;
         outputs->fault = true;

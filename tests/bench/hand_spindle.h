@@ -196,6 +196,18 @@ OFTEN bool is_half_turn(double v)
     return in_drive && fabs(v) >= 90000000.0;
 }
 
+/* The velocity command, not beyond another velocity, in its direction. */
+OFTEN void hold_back(hand_spindle *spindle, double v)
+{
+    const double low = v < 0.0 ? v : 0.0;
+    const double high = v < 0.0 ? 0.0 : v;
+    if (spindle->v > high) {
+        spindle->v = high;
+    } else if (spindle->v < low) {
+        spindle->v = low;
+    }
+}
+
 /* Whether the interpolator does not go on from where the spindle is, where it takes over. */
 OFTEN bool jumps(const hand_spindle *spindle, const axis_inputs *inputs)
 {
@@ -474,13 +486,7 @@ OFTEN uint32_t follow(hand_spindle *spindle, const axis_inputs *inputs)
     if (look(spindle, inputs->v_actual)) {
         v_turning = turning(spindle);
         spindle->asks_velocity = !is_found || fabs(v_turning) > 0.0;
-        const double low = v_turning < 0.0 ? v_turning : 0.0;
-        const double high = v_turning < 0.0 ? 0.0 : v_turning;
-        if (spindle->v > high) {
-            spindle->v = high;
-        } else if (spindle->v < low) {
-            spindle->v = low;
-        }
+        hold_back(spindle, v_turning);
     }
     if (!is_found) {
         return 18u;

@@ -20,7 +20,7 @@ use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable};
 use crate::spindle::SpindleState;
-use crate::{axis, ipc, process_data, spindle};
+use crate::{axis, ipc, position_control, spindle};
 use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, within};
 
 /// Coefficients.
@@ -92,8 +92,8 @@ pub fn half_turn<R: Real>() -> R {
     R::lit(180_000.0)
 }
 
-/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. While `missed`
-/// samples were missing, it has grown by something between nothing, of a spindle that follows, and the whole way of a blocked one.
+/// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. `missed` samples
+/// were missing: meanwhile the lag of a spindle that follows has not grown, and that of a blocked one by the whole way.
 #[portable]
 pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, v_spindle: R, missed: u32) -> R {
     let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };
@@ -203,23 +203,25 @@ pub fn open<R: Real>(
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
     axis::follow(&mut state.axis, &coeffs.axis, &axis_inputs, &mut axis_outputs, error_none());
+    let mut control_outputs = position_control::Outputs::<R>::default();
     if coeffs.axis.position_control.location == Location::Cnc {
         axis_outputs.v_command = command.v_command;
-        let mut open_datum = process_data::Datum::default();
         let open_increments = coeffs.axis.position_control.manipulated_scale * command.v_command;
-        process_data::round(&mut open_datum, &coeffs.axis.position_control.manipulated_range, open_increments);
-        axis_outputs.manipulated_variable = open_datum.value;
-        axis_outputs.limited = open_datum.limited;
+        axis_outputs.manipulated_variable = position_control::rounded(
+            &mut control_outputs,
+            &coeffs.axis.position_control.manipulated_range,
+            open_increments,
+        );
     }
     if coeffs.axis.position_control.additive {
-        let mut added_datum = process_data::Datum::default();
         let added_increments = coeffs.axis.position_control.velocity_scale * command.v_additive;
-        process_data::round(&mut added_datum, &coeffs.axis.position_control.velocity_range, added_increments);
-        axis_outputs.additive_velocity = added_datum.value;
-        if added_datum.limited {
-            axis_outputs.limited = true;
-        }
+        axis_outputs.additive_velocity = position_control::rounded(
+            &mut control_outputs,
+            &coeffs.axis.position_control.velocity_range,
+            added_increments,
+        );
     }
+    axis_outputs.limited = control_outputs.limited;
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     outputs.error_id = spindle_outputs.error_id;
     outputs.fault = spindle_outputs.error_id != error_none();

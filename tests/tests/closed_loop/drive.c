@@ -4,12 +4,14 @@
  *                    spindle turned backwards, the longest time to standstill, runs that did not arrive in POSITION
  *   drive lag RPM    M3 with a speed, no feedforward: prints the last error, the lowest command of the drive, the last speed,
  *                    and the largest lag of a cycle of the closed loop without an error [deg]
- *   drive blocked RPM [LOST]  the same, and the spindle is blocked within 4 to 12 ms, 164 times: prints the lowest command, and the
- *                    runs without error 48; with LOST, at once, and without x_actual in LOST cycles
+ *   drive blocked RPM [LOST]
+ *                    the same, and the spindle is blocked within 4 to 12 ms, 164 times: prints the lowest command, and the runs
+ *                    without error 48; with LOST, it is blocked at once, and x_actual is lost in LOST cycles
  *   drive lost RPM   one, two or three samples of one signal are lost while the spindle accelerates to a speed: prints by how
  *                    many increments the command changed in them at most, and in how many runs an error followed
- *   drive stopped RPM  the same, and four samples of one signal are lost, or the cycle time is wrong: prints by how much the error
- *                    raised the command [rpm], and the runs without an error
+ *   drive stopped RPM
+ *                    the same, and more than three samples of one signal are lost, or the cycle time is wrong: prints by how much
+ *                    the error raised the command [rpm], and the runs without an error
  *   drive ahead RPM  something turns the spindle by another 500 rpm: prints the lowest command, and the last error
  *
  * -DAXIS=axis_s -DHEADER='"axis_s_spindle_axis.h"', -DIN_DRIVE where the drive controls the position, -DADDITIVE where the drive

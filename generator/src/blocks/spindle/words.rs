@@ -76,8 +76,8 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
     )
 }
 
-/// The position lag (1 - w) v / Kv, to be measured once: at the velocity at which position control ends, in the CNC at one whose lag
-/// without feedforward is no error.
+/// The position lag (1 - w) v / Kv, to be measured once: at the velocity at which position control ends. In the CNC the velocity
+/// is lower if the lag without feedforward would be an error.
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
     let kv = f64::from(spindle.kv) / 100.0;
     let mut largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);

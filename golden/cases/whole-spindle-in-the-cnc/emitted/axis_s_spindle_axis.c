@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   762585d23a3830da6dd8f98974e24cbc
- * checksum    8e36cadbb72448533178f897b253306d
+ * structure   80581383f0e0dff095472fe9807829b2
+ * checksum    e961a413bd26bcc5e8404228010acd71
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
