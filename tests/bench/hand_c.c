@@ -76,7 +76,7 @@ OFTEN double run_stage(axis_state *restrict state, double v_motor, bool *limited
 }
 
 /* The lag as an angle, on the side of the one before. Without samples it has grown by up to the whole way. */
-OFTEN double continued(double lag, double before, double v, uint32_t missed)
+OFTEN double continued(double lag, double before, double v_missed, uint32_t missed)
 {
     const double angle = fabs(lag) <= 180000.0 ? lag : shortest(lag);
     if (!(fabs(before) <= 170000.0)) {
@@ -84,7 +84,7 @@ OFTEN double continued(double lag, double before, double v, uint32_t missed)
     }
     double expected = before;
     if (missed > 0u) {
-        expected += v * (cycle_time * ((double)(missed + 1u) * 0.5));
+        expected += v_missed * (cycle_time * ((double)(missed + 1u) * 0.5));
     }
     if (fabs(angle - expected) <= 180000.0) {
         return angle;
@@ -97,7 +97,7 @@ OFTEN double control(
     axis_state *restrict state,
     double x,
     double x_actual,
-    double v,
+    double v_missed,
     double v_feedforward,
     uint32_t missed,
     bool *gives_up)
@@ -105,7 +105,7 @@ OFTEN double control(
     double lag = x - x_actual;
     *gives_up = false;
     if (missed > 0u || !(fabs(lag) <= 60000.0)) {
-        lag = continued(lag, state->lag, v, missed);
+        lag = continued(lag, state->lag, v_missed, missed);
         *gives_up = !(fabs(lag) <= 170000.0);
     }
     state->lag = lag;
@@ -168,6 +168,7 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
 {
     hand_spindle *restrict spindle = &state->spindle;
     const uint32_t missed = spindle->missing;
+    const double v_missed = spindle->v;
     const bool had_failed = spindle->lasting_error != 0u;
     hand_cycle cycle = change_over(spindle, inputs);
     const bool is_closed = cycle.control == POSITION || cycle.control == TO_VELOCITY;
@@ -183,7 +184,7 @@ SELDOM void any(axis_state *restrict state, const axis_inputs *restrict inputs, 
     const bool follows = in_loop && spindle->missing == 0u;
     if (follows) {
         v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * spindle->v;
-        v_command = control(state, spindle->x, inputs->x_actual, spindle->v, v_feedforward, missed, &gives_up);
+        v_command = control(state, spindle->x, inputs->x_actual, v_missed, v_feedforward, missed, &gives_up);
         const bool improves = cycle.loop_closed && !inputs->reset;
         const uint32_t error_id = improve(state, inputs, outputs, improves, &v_add, &limited);
         if (error_id != 0u) {
@@ -274,7 +275,7 @@ OFTEN void run_in_position(
     const double x = wrap(inputs->x_command);
     const double v_feedforward = feedforward_gain(inputs->feedforward_active, inputs->feedforward_percentage) * v;
     bool gives_up;
-    const double v_command = control(state, x, inputs->x_actual, v, v_feedforward, 0u, &gives_up);
+    const double v_command = control(state, x, inputs->x_actual, 0.0, v_feedforward, 0u, &gives_up);
     bool limited;
     const double v_add = run_stage(state, inputs->v_motor, &limited);
     outputs->v_command = v_command;

@@ -18,7 +18,7 @@ pub use signals::{Inputs, Outputs};
 
 use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
-use crate::signal::{error_lag, error_none, error_unstable};
+use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
 use crate::spindle::SpindleState;
 use crate::{axis, ipc, position_control, spindle};
 use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, within};
@@ -93,15 +93,20 @@ pub fn half_turn<R: Real>() -> R {
 }
 
 /// The lag that continues from the previous one: beyond half a turn the shortest way would turn the spindle back. `missed` samples
-/// were missing: meanwhile the lag of a spindle that follows has not grown, and that of a blocked one by the whole way.
+/// were missing, after the velocity `v_missed`: meanwhile the lag of a spindle that follows has not grown, and that of a blocked one
+/// by the whole way.
 #[portable]
-pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, v_spindle: R, missed: u32) -> R {
+pub fn continued<R: Real>(state: &State<R>, coeffs: &Coeffs<R>, difference: R, missed: u32, v_missed: R) -> R {
     let mut lag = if within(difference, half_turn()) { difference } else { shortest(difference) };
     if in_range(state.lag_before, lag_limit()) {
         let mut expected = state.lag_before;
         if missed > 0u32 {
-            let half_cycles = from_u32::<R>(missed + 1u32) * R::lit(0.5);
-            expected = expected + v_spindle * (coeffs.spindle.cycle_time * half_cycles);
+            if in_range(v_missed, sample_limit()) {
+                let half_cycles = from_u32::<R>(missed + 1u32) * R::lit(0.5);
+                expected = expected + v_missed * (coeffs.spindle.cycle_time * half_cycles);
+            } else {
+                note("reached only if the block's memory was corrupted");
+            }
         }
         let lag_step = lag - expected;
         if lag_step > half_turn() {
@@ -124,8 +129,8 @@ pub fn give_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>) {
     state.spindle.usual = spindle::usual_none();
 }
 
-/// The axis follows the spindle's commands. `missed`: samples that were missing before this cycle. Returns whether the lag is
-/// near half a turn.
+/// The axis follows the spindle's commands. `missed`: samples that were missing before this cycle, after the velocity `v_missed`.
+/// Returns whether the lag is near half a turn.
 #[portable]
 pub fn act<R: Real>(
     state: &mut State<R>,
@@ -134,6 +139,7 @@ pub fn act<R: Real>(
     spindle_outputs: &spindle::Outputs<R>,
     axis_outputs: &mut axis::Outputs<R>,
     missed: u32,
+    v_missed: R,
 ) -> bool {
     let mut axis_inputs = axis::Inputs::<R>::default();
     axis_inputs.x_command = spindle_outputs.x_spindle;
@@ -141,7 +147,7 @@ pub fn act<R: Real>(
     if coeffs.axis.position_control.location == Location::Cnc {
         let mut lag = spindle_outputs.x_spindle - inputs.x_actual;
         if missed > 0u32 || !within(lag, certain_lag()) {
-            lag = continued(state, coeffs, lag, spindle_outputs.v_spindle, missed);
+            lag = continued(state, coeffs, lag, missed, v_missed);
             gives_up = !within(lag, lag_limit());
         }
         state.lag_before = lag;
@@ -237,9 +243,10 @@ pub fn close<R: Real>(
     spindle_outputs: &spindle::Outputs<R>,
     outputs: &mut Outputs<R>,
     missed: u32,
+    v_missed: R,
 ) {
     let mut axis_outputs = axis::Outputs::<R>::default();
-    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, missed);
+    let gives_up = act(state, coeffs, inputs, spindle_outputs, &mut axis_outputs, missed, v_missed);
     put_out(coeffs, spindle_outputs, &axis_outputs, outputs);
     let mut error_now = if axis_outputs.fault { axis_outputs.error_id } else { spindle_outputs.error_id };
     if gives_up {
@@ -266,6 +273,7 @@ pub fn any_cycle<R: Real>(
 ) {
     // The spindle repairs a corrupted count only below.
     let missed = if state.spindle.missing > 4u32 { 4u32 } else { state.spindle.missing };
+    let v_missed = state.spindle.v;
     let had_failed = state.spindle.lasting_error != error_none();
     let mut spindle_outputs = spindle::Outputs::<R>::default();
     spindle::any_cycle(&mut state.spindle, &coeffs.spindle, spindle_inputs, &mut spindle_outputs);
@@ -280,7 +288,7 @@ pub fn any_cycle<R: Real>(
     // the state is TO_POSITION.
     let is_position = follows && !has_failed && (is_in_cnc || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
-        close(state, coeffs, inputs, &spindle_outputs, outputs, missed);
+        close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
     } else {
         let mut command = Command::<R>::default();
         held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
@@ -302,7 +310,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
     if in_position {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
-        close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32);
+        close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32, R::ZERO);
         put_out_changeover(&spindle_outputs, outputs);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();

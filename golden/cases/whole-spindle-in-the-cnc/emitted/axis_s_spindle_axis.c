@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   80581383f0e0dff095472fe9807829b2
- * checksum    e961a413bd26bcc5e8404228010acd71
+ * structure   28a0b87a48a7f09c3c7cbfb5ed8b4143
+ * checksum    600207c97d8673cbf4f6ac642d3dfff1
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #include "axis_s_spindle_axis.h"
@@ -297,6 +297,7 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
     } else {
         missed = state->spindle_missing;
     }
+    const double v_missed = state->spindle_v;
     const bool had_failed = state->spindle_lasting_error != AXIS_S_SPINDLE_AXIS_ERROR_NONE;
     const bool spindle_is_job =
         (state->spindle_present_kind == AXIS_S_SPINDLE_AXIS_JOB_STOP
@@ -1203,8 +1204,13 @@ AXGEN_CODE_SECTION static void axis_s_spindle_axis_any_cycle(
                 const double expected_2 = state->lag_before;
                 double expected_3;
                 if (missed > 0u) {
-                    const double half_cycles = (double)(missed + 1u) * 0.5;
-                    expected_3 = expected_2 + spindle_outputs_v_spindle * (spindle_cycle_time * half_cycles);
+                    if (axis_s_spindle_axis_magnitude(v_missed) <= axis_s_spindle_axis_sample_limit) {
+                        const double half_cycles = (double)(missed + 1u) * 0.5;
+                        expected_3 = expected_2 + v_missed * (spindle_cycle_time * half_cycles);
+                    } else {
+                        /* reached only if the block's memory was corrupted */
+                        expected_3 = expected_2;
+                    }
                 } else {
                     expected_3 = expected_2;
                 }

@@ -5,8 +5,8 @@
  * real type   double
  * cycle time  1000000 ns
  * parameters  bc62a8c6d749e75180c425117a9eb9de
- * structure   80581383f0e0dff095472fe9807829b2
- * checksum    5daafc3f116b46fb405dc8e8c24ece44
+ * structure   28a0b87a48a7f09c3c7cbfb5ed8b4143
+ * checksum    ff3ca89a369eaf967176ea8b1898b9f4
  * licence     this file belongs to the user of axgen; no licence of axgen applies to it
  */
 #ifndef AXIS_S_SPINDLE_AXIS_H
@@ -39,10 +39,10 @@ extern "C" {
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_2 0x80c42511u
 #define AXIS_S_SPINDLE_AXIS_PARAMETERS_3 0x7a9eb9deu
 /* digest of the structure: equal for blocks that differ only in the values of their coefficients */
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x80581383u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0xf0e0dff0u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x95472fe9u
-#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0x807829b2u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_0 0x28a0b87au
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_1 0x48a7f09cu
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_2 0x3c7cbfb5u
+#define AXIS_S_SPINDLE_AXIS_STRUCTURE_3 0xed8b4143u
 /* sizes of the structs [byte], if a bool has one byte and each member is aligned to its own size */
 #define AXIS_S_SPINDLE_AXIS_INPUTS_SIZE 88u
 #define AXIS_S_SPINDLE_AXIS_OUTPUTS_SIZE 96u
