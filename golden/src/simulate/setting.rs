@@ -97,7 +97,7 @@ impl Setting {
     fn machine(&self) -> Box<dyn Machine> {
         match &self.moving {
             Moving::Plant(_) => Box::new(plant(self.cycle).at_rest()),
-            Moving::Drive(drive) => Box::new(Ripple::new(drive.machine(), self.frequencies.clone())),
+            Moving::Drive(drive) => Box::new(Ripple::new(drive.machine(), self.frequencies.clone(), drive.is_in_cnc())),
         }
     }
 
