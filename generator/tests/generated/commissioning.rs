@@ -26,8 +26,7 @@ fn page(keys: &str, ipc: &str) -> String {
         "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n{keys}\n\
          [axis.X.lr_param.improved_position_control]\n{ipc}\n"
     );
-    let Ok([(name, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
-    assert_eq!(name, "axis_x_commissioning.md");
+    let Ok([(_, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
     page
 }
 

@@ -41,7 +41,12 @@ impl ResponseFilter {
             rest <= NEGLIGIBLE * all
         });
         let length = (impulse.len() - late.count()).max(2);
-        let taps: Vec<f64> = impulse[1..length].iter().rev().copied().collect();
+        let mut taps: Vec<f64> = impulse[1..length].iter().rev().copied().collect();
+        if gain.is_some() {
+            // No controller outside corrects the position: the axis must come to rest where it is commanded.
+            let sum: f64 = taps.iter().sum();
+            taps.iter_mut().for_each(|tap| *tap /= sum);
+        }
         Self { cycle, gain, commands: vec![0.0; taps.len()], taps, now: Measured::default() }
     }
 
