@@ -36,7 +36,7 @@ pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
 
 /// The machine in the loop.
 pub(super) enum Moving {
-    Drive(AxisDrive),
+    Drive(Box<AxisDrive>),
     Plant(Box<OfPlant>),
 }
 
@@ -63,7 +63,7 @@ impl Setting {
             Moved::Drive => {
                 let drive = AxisDrive::of(designed, Setup::DELAY, kv);
                 let kv = drive.position_gain;
-                (Moving::Drive(drive), kv, usual.larger(BEFORE + PERIODS / lowest))
+                (Moving::Drive(Box::new(drive)), kv, usual.larger(BEFORE + PERIODS / lowest))
             }
         };
         let speed = Sequence::DEMONSTRATION.speed.smaller(axis.ipc.v_max / UM);
