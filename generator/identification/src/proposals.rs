@@ -192,12 +192,13 @@ fn proposal(kind: Kind, search: &Search<'_, '_>, found: &Judged) -> Option<Propo
 }
 
 /// First stages without a response: 10 % of the largest weights, Ms within 2, with a drive of 1.5 cycles and 3 ms. Modes and
-/// frequencies [Hz] of the vibrations; one stage for each. `None` if there is no vibration, or more than there are stages.
+/// frequencies [Hz] of the vibrations; one stage for each; Kv [1/s] of a position loop in the CNC, or in the drive. `None` if there
+/// is no vibration, or more than there are stages.
 #[must_use]
 pub fn first(
     vibrations: &[(Mode, f64)],
     cycle_time: f64,
-    position_gain: Option<f64>,
+    [position_gain, gain_in_drive]: [Option<f64>; 2],
     stages: &Stages<'_>,
 ) -> Option<Vec<(Shape, f64)>> {
     (1..=MOST_STAGES).contains(&vibrations.len()).then_some(())?;
@@ -207,7 +208,8 @@ pub fn first(
     };
     let mut of: Vec<(Shape, f64)> = vibrations.iter().map(shape).collect();
     let drive = Drive::Delay { cycles: UNKNOWN[0], time_constant: Some(UNKNOWN[1]) };
-    let points = Points::new(controller(stages, &of, cycle_time, position_gain), &[drive]);
+    let controller = Controller { gain_in_drive, ..controller(stages, &of, cycle_time, position_gain) };
+    let points = Points::new(controller, &[drive]);
     let [_, largest] = Loop::new(&points, drive).largest_parts();
     let factor = FIRST * largest.smaller(most(&of));
     of.iter_mut().for_each(|(_, weight)| *weight = factor);

@@ -149,6 +149,7 @@ pub(crate) fn controller<'a>(
         stage: Box::new(move |t| std::array::from_fn(|i| responses.get(i).map_or(crate::ZERO, |of| of(t)))),
         bands,
         position_gain,
+        gain_in_drive: None,
     }
 }
 

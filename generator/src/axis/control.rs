@@ -53,6 +53,12 @@ impl Control {
         self.location.is_none_or(|location| location == Location::Cnc)
     }
 
+    /// A gain of the position controller, where it is: in the CNC, and in the drive.
+    #[must_use]
+    pub fn placed(&self, gain: Option<f64>) -> [Option<f64>; 2] {
+        if self.commands_by_position() { [gain, None] } else { [None, gain] }
+    }
+
     pub(crate) fn velocity_unit(&self) -> &'static str {
         if self.is_rotary { "0.001 deg/s" } else { "um/s" }
     }

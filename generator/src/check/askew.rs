@@ -28,6 +28,7 @@ pub(super) fn advise(slave: &Axis, master: &Axis, place: &Place, report: &mut Re
     gains(slave, master, place, report);
     leads(slave, master, place, report);
     excitations(slave, master, place, report);
+    counters(slave, master, place, report);
 }
 
 /// Warns of unequal gains of the position controllers.
@@ -90,4 +91,18 @@ fn excitations(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) 
     report.push(
         said.instead("the same keys `excitation` for both axes, and one button that starts both in the same cycle"),
     );
+}
+
+/// Warns of an axis that alone stops after skipped or doubled calls.
+fn counters(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
+    if slave.counts_calls == master.counts_calls {
+        return;
+    }
+    let (counts, other) = if slave.counts_calls { (slave, master) } else { (master, slave) };
+    let found = format!(
+        "{} stops with error 9 after skipped or doubled calls (cycle_counter), and {} goes on: the gantry is pulled askew",
+        counts.name, other.name
+    );
+    let said = Diagnostic::warning(codes::GANTRY_COUNTER, place.clone(), found);
+    report.push(said.instead(format!("cycle_counter = true for {} too, or for none of them", other.name)));
 }

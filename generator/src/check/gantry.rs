@@ -2,7 +2,7 @@
 //! motion are in `askew`.
 
 use super::askew;
-use crate::axis::{Axis, Location, PositionControl, Ratio, Velocity};
+use crate::axis::{Axis, Enable, Location, PositionControl, Ratio, Velocity};
 use crate::codes;
 use crate::config::{given::GivenAxis, values::key};
 use crate::design::scale;
@@ -125,7 +125,7 @@ fn compare(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     }
 }
 
-/// Warns of a slave that cannot follow what its master adds: it would skew the gantry.
+/// Reports a slave that cannot follow what its master adds: it would skew the gantry. A warning as long as the master is OFF.
 fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
     let is_shut = |control: &PositionControl| control.location != Location::Cnc && control.velocity.is_none();
     if slave.control.position_control.as_ref().is_some_and(is_shut) && master.ipc.is_active() {
@@ -133,9 +133,12 @@ fn way_out(slave: &Axis, master: &Axis, place: &Place, report: &mut Report) {
             "{} follows {}, which has improved position control, and its own process data have no additive velocity",
             slave.name, master.name
         );
+        let said = match master.ipc.enable {
+            Enable::Off => Diagnostic::warning(codes::NO_WAY_OUT_YET, place.clone(), found),
+            Enable::On | Enable::DryRun => Diagnostic::error(codes::NO_WAY_OUT, place.clone(), found),
+        };
         report.push(
-            Diagnostic::error(codes::NO_WAY_OUT, place.clone(), found)
-                .allowed("an additive velocity command in the process data of the slave too")
+            said.allowed("an additive velocity command in the process data of the slave too")
                 .instead("process_data.additive_velocity = \"INT32\" for this axis, if the drive has it"),
         );
     }

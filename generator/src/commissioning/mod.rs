@@ -7,6 +7,7 @@ mod first;
 mod names;
 mod rows;
 mod stage;
+mod unconnected;
 
 use crate::axis::Axis;
 use crate::blocks::ipc::closed_loop::{self, Known};
@@ -20,6 +21,7 @@ use portable::Extreme;
 use rows::{Limit, PARTS, limits};
 use stability::{Loop, MAX_MS};
 use stage::Stage;
+use unconnected::Unconnected;
 
 /// Largest difference of a measured velocity from the commanded one [%]: less than any wrong unit causes, more than a
 /// rounding or a lag.
@@ -50,6 +52,8 @@ struct Page {
     names: Names,
     /// whether the block to call contains the block `ipc`
     is_inside: bool,
+    /// its command before it is connected
+    unconnected: Unconnected,
     /// whether it is the whole axis of a spindle
     is_spindle: bool,
     /// other blocks to call, which do not contain the block `ipc`
@@ -135,6 +139,7 @@ fn page(designed: &Designed, parameters: String, targets: &[Target]) -> Page {
         kind,
         names: Names::new(axis, kind, targets),
         is_inside,
+        unconnected: Unconnected::new(axis),
         is_spindle: is_inside && axis.control.spindle.is_some(),
         others: if is_inside { String::new() } else { others(axis) },
         has_notices: is_tunable || axis.ipc.takes_sets() || axis.ipc.watch,

@@ -38,6 +38,8 @@ pub struct Controller<'a> {
     pub bands: Vec<Band>,
     /// gain of the position controller Kv [1/s], if its loop is closed around this one
     pub position_gain: Option<f64>,
+    /// gain of the position controller Kv [1/s] in the drive: its loop is a part of P
+    pub gain_in_drive: Option<f64>,
 }
 
 /// The position controller in the loop, Kv T/(z - 1), at t = tan(pi f T): 1/(z - 1) = (1 - j t)/(2 j t) = -1/2 - j/(2 t). The
@@ -90,7 +92,7 @@ impl<'a> Points<'a> {
             }
             frequencies.push(centre * FIRST);
         }
-        if let Some(gain) = controller.position_gain {
+        if let Some(gain) = controller.position_gain.or(controller.gain_in_drive) {
             frequencies.extend([0.01, 0.1, 0.3, 1.0, 3.0, 10.0].map(|part| part * gain / (2.0 * PI)));
         }
         let steps = libm::ceil(IN_A_TURN * (delay_cycles + 1.0) / 2.0);

@@ -77,12 +77,13 @@ impl<'a> Loop<'a> {
         if degrees > 0.0 { degrees - 360.0 } else { degrees }
     }
 
-    /// The lag of the drive alone at a frequency [Hz], in degrees, from 0 to 360.
+    /// The lag of the drive alone at a frequency [Hz], in degrees, from 0 to 360. Its own position controller leads by up to 90.
     #[must_use]
     pub fn lag(&self, hz: f64) -> f64 {
         let at = self.driven.at_hz(hz);
         let degrees = -angle(at.1.response).to_degrees();
-        if degrees < 0.0 { degrees + 360.0 } else { degrees }
+        let least = if self.controller.gain_in_drive.is_some() { -90.0 } else { 0.0 };
+        if degrees < least { degrees + 360.0 } else { degrees }
     }
 
     /// The loop at its points.

@@ -22,6 +22,8 @@ pub struct Response {
     lowest: Complex64,
     /// [s]
     delay: f64,
+    /// the position loop of the drive: its gain [1/s], and the part of P that is a delay before it [s]
+    position: Option<[f64; 2]>,
 }
 
 impl Response {
@@ -38,7 +40,14 @@ impl Response {
         let straight: Vec<Complex64> = hz.iter().zip(response).map(|(f, p)| p * turned(TAU * f * delay)).collect();
         let lines = straight.iter().zip(bends(hz, &straight)).map(|(value, bend)| [*value, bend]).collect();
         let error = response.iter().zip(standard_error).map(|(p, error)| error / magnitude(*p)).collect();
-        Self { hz: hz.to_vec(), lines, error, lowest: response[0], delay }
+        Self { hz: hz.to_vec(), lines, error, lowest: response[0], delay, position: None }
+    }
+
+    /// The same drive, if it controls the position with this gain Kv [1/s], from an additive velocity: P/(1 + Kv P0/(j w)), P0
+    /// is P without its delay on the bus [s].
+    #[must_use]
+    pub fn in_position_loop(self, gain: f64, delay: f64) -> Self {
+        Self { position: Some([gain, delay]), ..self }
     }
 
     /// The frequencies of its lines [Hz].
@@ -75,7 +84,10 @@ impl Response {
             let error = self.error[above - 1] + part * (self.error[above] - self.error[above - 1]);
             (delayed(between(self.lines[above - 1], self.lines[above], to - from, part)), error)
         };
-        Value { response, uncertainty: 2.0 * error }
+        let Some([gain, delay]) = self.position else { return Value { response, uncertainty: 2.0 * error } };
+        let s = Complex64::new(0.0, TAU * hz);
+        let left = s / (s + response * turned(TAU * hz * delay) * gain);
+        Value { response: response * left, uncertainty: 2.0 * error * magnitude(left) }
     }
 }
 

@@ -38,15 +38,22 @@ fn said_of(form: &str, given: &str) -> String {
         "SERCOS spindle" => axis(&sercos(given)),
         "CANopen spindle" => axis(&canopen(given)),
         "CNC spindle" => axis(&in_cnc(given)),
-        "list with gear steps" => said_of_gear_steps(given),
+        "list with gear steps" => {
+            let list = "getriebe[0].kv 1000\ngetriebe[2].kv 3000\ngetriebe[0].dynamik.vb_max 500000\ngetriebe[1].dynamik.vb_max 400000";
+            said_with(&format!("list = 'x.lis', {given}"), "x.lis", list)
+        }
+        "axis with a response of 10 cycles" => {
+            let line = |k: i32| format!("{},0,{}\n", 0.5 * f64::from(k), -1.8 * f64::from(k));
+            let lines: Vec<String> = (1..200).map(line).collect();
+            said_with(given, "x.csv", &("frequency [Hz],magnitude [dB],phase [deg]\n".to_owned() + &lines.concat()))
+        }
         other => panic!("no such form: {other}"),
     }
 }
 
-/// Keys of a set for an axis whose list has three gear steps.
-fn said_of_gear_steps(keys: &str) -> String {
-    let list = b"getriebe[0].kv 1000\ngetriebe[2].kv 3000\ngetriebe[0].dynamik.vb_max 500000\ngetriebe[1].dynamik.vb_max 400000";
-    let set = format!("cycle_time = '1ms'\naxis.X = {{ list = 'x.lis', {keys} }}");
-    let files: [(&str, &[u8]); 2] = [("set.toml", set.as_bytes()), ("x.lis", list)];
+/// Keys of a set for an axis that names a file.
+fn said_with(keys: &str, file: &str, text: &str) -> String {
+    let set = format!("cycle_time = '1ms'\naxis.X = {{ {keys} }}");
+    let files: [(&str, &[u8]); 2] = [("set.toml", set.as_bytes()), (file, text.as_bytes())];
     short(&read("set.toml", &files, &ListOptions::default()).1)
 }

@@ -7,15 +7,10 @@ use generator::generate::pages;
 use generator::set_change::judge;
 use generator::target::of_names;
 
-/// The pages of a set, each with its name.
+/// The pages of a set for two targets, each with its name.
 fn of_set(set: &str) -> Vec<(String, String)> {
-    of_set_for(set, &["c", "st"])
-}
-
-/// The pages of a set for these targets.
-fn of_set_for(set: &str, targets: &[&str]) -> Vec<(String, String)> {
     let read = set_of(set);
-    let targets = of_names(|name| targets.contains(&name));
+    let targets = of_names(|name| ["c", "st"].contains(&name));
     let pages = pages(&read, &[], &targets, |made| (made.file.name, made.file.text));
     for (name, page) in &pages {
         assert_eq!(has_right_checksum(page), Some(true), "{name}");
@@ -27,17 +22,11 @@ fn of_set_for(set: &str, targets: &[&str]) -> Vec<(String, String)> {
 
 /// A set of one axis: its keys, its improved position control.
 fn page(keys: &str, ipc: &str) -> String {
-    page_with("", keys, ipc)
-}
-
-/// The same with more parameters of its gear step.
-fn page_with(gear: &str, keys: &str, ipc: &str) -> String {
     let set = format!(
-        "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000{gear} }}]\n{keys}\n\
+        "cycle_time = \"500us\"\n[axis.X]\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n{keys}\n\
          [axis.X.lr_param.improved_position_control]\n{ipc}\n"
     );
-    let Ok([(name, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
-    assert_eq!(name, "axis_x_commissioning.md");
+    let Ok([(_, page)]) = <[_; 1]>::try_from(of_set(&set)) else { panic!("one page") };
     page
 }
 
@@ -49,36 +38,28 @@ const STAGE: &str = "mode = \"DIRECT\", filter = [{ order = 1, fg_f0 = 40.0, q_f
 
 #[test]
 fn a_page_belongs_to_an_axis_that_acts_itself() {
-    let axis = |name: &str, more: &str, stage: &str| {
+    let axis = |keys: &str, stage: &str| {
         format!(
-            "[axis.{name}]\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n{more}\n\
-             [axis.{name}.lr_param.improved_position_control]\nv_add_max_fact = 100\n{stage}\n"
+            "[axis.{keys}\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n\
+             lr_param.improved_position_control = {{ v_add_max_fact = 100{stage} }}\n"
         )
     };
-    let set = [
-        "cycle_time = \"1ms\"\n".to_owned(),
-        axis("M", "kopf.achs_nr = 1", &format!("enable = \"ON\"\nstage = [{{ {STAGE} }}]")),
-        axis("S", "kopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1", &format!("stage = [{{ {STAGE} }}]")),
-        axis("N", "kopf.achs_nr = 3", ""),
-    ];
-    let pages = of_set(&set.concat());
+    let (stage, slave) = (format!(", stage = [{{ {STAGE} }}]"), "S]\nkopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1");
+    let axes = axis("M]\nkopf.achs_nr = 1", &(", enable = \"ON\"".to_owned() + &stage)) + &axis(slave, &stage);
+    let pages = of_set(&format!("cycle_time = \"1ms\"\n{axes}{}", axis("N]\nkopf.achs_nr = 3", "")));
     let [(master, page), (other, _)] = &pages[..] else { panic!("not the gantry slave") };
     assert_eq!([master, other], ["axis_m_commissioning.md", "axis_n_commissioning.md"]);
-    assert_says(page, &["each slave (`S`) too. Its input `v_add_master`", "`v_add` of each slave (`S`) is"]);
+    assert_says(
+        page,
+        &["each slave (`S`) too, each after its own check. Unconnected,", "`v_add` of each slave (`S`) is"],
+    );
 }
 
 /// Without a stage the page leads to the first ones; without the block `excitation` to that block.
 #[test]
 fn the_page_of_an_axis_without_a_stage() {
-    let set = |keys: &str| {
-        let mut pages =
-            of_set(&format!("cycle_time = \"500us\"\n[axis.X]\n{keys}\ngetriebe = [{{ dynamik.vb_max = 250000 }}]\n"));
-        assert_eq!(pages.len(), 1);
-        pages.remove(0).1
-    };
-    let page = set("excitation = { amplitude = 3000, bits = 10, clock = 8, periods = 5 }");
     assert_says(
-        &page,
+        &page("excitation = { amplitude = 3000, bits = 10, clock = 8, periods = 5 }", ""),
         &[
             "It must be 500000 ns.",
             "| largest `v_excite` | 3000 um/s |",
@@ -93,7 +74,7 @@ fn the_page_of_an_axis_without_a_stage() {
             "axgen tune SET --axis X --recording moves.csv --excited excited.csv --excitation 10x8 --apply recommended",
         ],
     );
-    let page = set("");
+    let page = page("", "");
     assert_says(
         &page,
         &["excitation = { periods = 8 }", "axgen tune SET --axis X --recording moves.csv --apply first"],
@@ -128,36 +109,23 @@ fn numbers_are_those_of_the_axis() {
 }
 
 #[test]
-fn a_generated_limit_is_a_whole_parameter() {
-    let page = page("", &format!("v_add_max_fact = 7\nstage = [{{ {STAGE} }}]"));
-    // 10 % and more of 7: the next whole number.
-    assert_says(
-        &page,
-        &["| limit [um/s] | `v_add_max_fact` |\n| --- | --- |\n| 250 | 1 |\n| 500 | 2 |\n| 750 | 3 |\n| 1250 | 5 |\n"],
-    );
-}
-
-#[test]
-fn a_limit_of_0_is_told_before_anybody_waits_for_an_effect() {
-    let page = page("", &format!("stage = [{{ {STAGE} }}]"));
-    assert_says(
-        &page,
-        &["**3.3** The limit of this axis is 0, because `lr_param.improved_position_control.v_add_max_fact` is 0."],
-    );
-}
-
-#[test]
-fn a_capped_weight_is_stepped_from_what_acts() {
-    let ipc = format!("v_add_max_fact = 10\nstage = [{{ {STAGE}, weight_fact_num = 900, weight_fact_denom = 100 }}]");
-    assert_says(&page("", &ipc), &["| 4.4.1 | 0.7 | 7 | 10 |", "| 4.4.6 | 7 | 7 | 1 |"]);
-}
-
-#[test]
-fn a_weight_of_large_numbers_stays_within_the_parameters() {
-    let ipc = format!(
-        "v_add_max_fact = 10\nstage = [{{ {STAGE}, weight_fact_num = 4294967291, weight_fact_denom = 4294967294 }}]"
-    );
-    assert_says(&page("", &ipc), &["| 4.4.1 | 0.1 | 100000 | 1000000 |", "| 4.4.6 | 1 | 4294967291 | 4294967294 |"]);
+fn limits_and_weights_are_whole_parameters_in_their_ranges() {
+    for (ipc, says) in [
+        // 10 % and more of 7: the next whole number.
+        (
+            "v_add_max_fact = 7",
+            "| limit [um/s] | `v_add_max_fact` |\n| --- | --- |\n| 250 | 1 |\n| 500 | 2 |\n| 750 | 3 |\n| 1250 | 5 |\n",
+        ),
+        ("", "**3.3** The limit of this axis is 0, because `lr_param.improved_position_control.v_add_max_fact` is 0."),
+        // A capped weight is stepped from what acts.
+        (", weight_fact_num = 900, weight_fact_denom = 100", "| 4.4.1 | 0.7 | 7 | 10 |"),
+        (", weight_fact_num = 900, weight_fact_denom = 100", "| 4.4.6 | 7 | 7 | 1 |"),
+        (", weight_fact_num = 4294967291, weight_fact_denom = 4294967294", "| 4.4.1 | 0.1 | 100000 | 1000000 |"),
+        (", weight_fact_num = 4294967291, weight_fact_denom = 4294967294", "| 4.4.6 | 1 | 4294967291 | 4294967294 |"),
+    ] {
+        let (limit, weight) = if ipc.starts_with(',') { ("v_add_max_fact = 10", ipc) } else { (ipc, "") };
+        assert_says(&page("", &format!("{limit}\nstage = [{{ {STAGE}{weight} }}]")), &[says]);
+    }
 }
 
 #[test]
@@ -180,12 +148,14 @@ fn a_filter_of_the_command_is_seen_at_the_load() {
 #[test]
 fn a_block_that_holds_the_others_is_the_one_to_call() {
     let keys = "vorsteuer.vorsteuerung = \"VEL\"\nkenngr.antr_typ = 4";
-    let page = page_with(", kv = 3000", keys, &format!("v_add_max_fact = 10\nstage = [{{ {STAGE} }}]"));
+    let page = page(keys, &format!("v_add_max_fact = 10\nstage = [{{ {STAGE} }}]"));
     assert_says(
         &page,
         &[
             "The block `axis_x_axis` holds the block `axis_x_ipc`. Call `axis_x_axis` only.",
             "do not add `v_add` once more",
+            "The mean of `manipulated_variable` must have the sign of\nthe velocity command that the drive receives, and be within 2 %",
+            "to the drive only with `x_command` equal to `x_actual` and `feedforward_active` FALSE.\nThere is no ramp",
             "`axis_x_axis_self_test`",
             "axgen run trial/SET --axis X --block axis --engine st --compare recorded.csv",
         ],
@@ -232,11 +202,10 @@ fn each_row_of_a_page_is_a_parameter_set_for_its_block() {
 fn what_may_change_while_the_axis_moves() {
     let ipc = format!("enable = \"DRYRUN\"\nv_add_max_fact = 100\nstage = [{{ {STAGE} }}]");
     let manual = "The manual of the controller changes parameters at standstill only.";
-    let weights = page("tunable = \"weights\"\nfade = \"50ms\"", &ipc);
+    let of = |word: &str| page(&format!("tunable = \"{word}\"\nfade = \"50ms\""), &ipc);
     let acts = "each change acts over 50 ms, and\n  no number makes a weight or the limit larger than designed. Load a new block at standstill.";
-    assert_says(&weights, &[manual, acts]);
-    let sets = page("tunable = \"all\"\nfade = \"50ms\"", &ipc);
+    assert_says(&of("weights"), &[manual, acts]);
     let fades = "the block fades `v_add` out before it takes\n  the set, fades it in again in 50 ms, and takes no limit above its own.";
-    assert_says(&sets, &[manual, fades]);
+    assert_says(&of("all"), &[manual, fades]);
     assert!(!page("", &ipc).contains(manual));
 }

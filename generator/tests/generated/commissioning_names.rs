@@ -81,24 +81,16 @@ fn known(set: &Set, axis: &str, target: Target) -> BTreeSet<String> {
     files.into_iter().flatten().collect()
 }
 
+const OTHERS: &str =
+    "SET trial trial/SET trial/params.csv recorded.csv moves.csv excited.csv Ms recommended first excitation list";
+
 /// What of the page's words in backquotes names no signal: files, commands, parameters of a set with their paths.
 fn is_of_the_set(name: &str) -> bool {
     name.starts_with("axgen ")
         || name.starts_with("--")
         || name.starts_with("lr_param.")
-        || [
-            "SET",
-            "trial",
-            "trial/SET",
-            "trial/params.csv",
-            "recorded.csv",
-            "moves.csv",
-            "excited.csv",
-            "left at best",
-            "Ms",
-        ]
-        .contains(&name)
-        || ["recommended", "first", "excitation", "list"].contains(&name)
+        || name == "left at best"
+        || OTHERS.split(' ').any(|other| other == name)
         || OF_RECORDINGS.contains(&name)
         || KEYS.contains(&name.split(" = ").next().unwrap())
         || name.chars().all(|letter| letter.is_ascii_hexdigit()) && name.len() > 8

@@ -106,6 +106,7 @@ fn margins(measured: &Measured) -> Vec<f64> {
         stage: Box::new(stages),
         bands: bands.to_vec(),
         position_gain: None,
+        gain_in_drive: None,
     };
     let points = Points::new(controller, &[Drive::Measured(&measured.response)]);
     let closed = Loop::new(&points, Drive::Measured(&measured.response));

@@ -14,6 +14,9 @@ use portable::Extreme;
 /// Time constant of a usual velocity loop [s].
 pub const TIME_CONSTANT: f64 = 5e-3;
 
+/// Cycles of a drive that controls the position, in one of the controller.
+const PARTS: u32 = 32;
+
 /// The parameters of such an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Setup {
@@ -23,13 +26,20 @@ pub struct Setup {
     pub delay: f64,
     /// Tc [s]; 0 for none
     pub time_constant: f64,
+    /// Kv [1/s] of a drive that controls the position: it subtracts its present position, not the one that the command has
+    pub position_gain: Option<f64>,
 }
 
 impl Setup {
     /// A drive with only a delay: half a cycle in addition to the hold.
-    pub const DELAY: Self = Self { cycle: 1e-3, delay: 1.5, time_constant: 0.0 };
+    pub const DELAY: Self = Self { cycle: 1e-3, delay: 1.5, time_constant: 0.0, position_gain: None };
     /// A delay of half a cycle in addition to the hold, with the time constant of a usual velocity loop.
     pub const DELAY_AND_LAG: Self = Self { time_constant: TIME_CONSTANT, ..Self::DELAY };
+
+    /// Cycles of the drive in one of the controller.
+    fn parts(&self) -> u32 {
+        if self.position_gain.is_some() { PARTS } else { 1 }
+    }
 }
 
 /// The axis in operation.
@@ -59,7 +69,7 @@ impl Drive {
             setup,
             line: Line::new(cycles(whole), 0.0),
             fraction: (part > 0.0).then(|| Fraction::new(part)),
-            follows: Follows::time_constant(setup.cycle, setup.time_constant),
+            follows: Follows::time_constant(setup.cycle / f64::from(setup.parts()), setup.time_constant),
             velocity: Velocity::default(),
             now: Measured::default(),
         }
@@ -86,12 +96,20 @@ impl Machine for Drive {
     }
 
     fn step(&mut self, v_cmd: f64) -> Measured {
-        let mut late = self.line.next(v_cmd);
+        let gain = self.setup.position_gain.unwrap_or(0.0);
+        // The command of a controller with this gain contains the position that it has read: a drive with its own controller gets
+        // the command of the position.
+        let mut late = self.line.next(v_cmd + gain * self.now.x);
         if let Some(fraction) = &mut self.fraction {
             late = fraction.next(late);
         }
-        let (before, v, cycle) = (self.now, self.velocity.next(self.follows, late), self.setup.cycle);
-        self.now = Measured { x: before.x + v * cycle, v_motor: v, v_load: v, a_load: (v - before.v_motor) / cycle };
+        let (before, cycle, parts) = (self.now, self.setup.cycle, self.setup.parts());
+        let Measured { mut x, .. } = before;
+        for _ in 0..parts {
+            x += self.velocity.next(self.follows, late - gain * x) * (cycle / f64::from(parts));
+        }
+        let v = self.velocity.v;
+        self.now = Measured { x, v_motor: v, v_load: v, a_load: (v - before.v_motor) / cycle };
         self.now
     }
 }

@@ -2,7 +2,7 @@
 //! loop alone.
 
 use generator::analysis;
-use generator::axis::{DirectSource, DriveModel, Mode, Stage};
+use generator::axis::{Axis, DirectSource, DriveModel, Mode, Stage};
 use generator::blocks::Designed;
 use stability::{Band, Complex64, Controller, Drive, Loop, Margins, Points, STAGES};
 use std::borrow::Cow;
@@ -18,7 +18,7 @@ pub(crate) fn margins(designed: &Designed, model: &DriveModel) -> Margins {
     let designed = &*of_motor(designed);
     match analysis::analyze(designed, model).drives.into_iter().next() {
         Some(of) if is_on(designed) => of.margins,
-        _ => of_position(designed.axis.cycle_time(), model),
+        _ => of_position(&designed.axis, model),
     }
 }
 
@@ -48,7 +48,8 @@ pub(crate) fn is_on(designed: &Designed) -> bool {
 }
 
 /// The position loop alone.
-fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
+fn of_position(axis: &Axis, model: &DriveModel) -> Margins {
+    let (cycle_time, [position_gain, gain_in_drive]) = (axis.cycle_time(), axis.control.placed(model.position_gain));
     let drive = match &model.response {
         Some(measured) => Drive::Measured(&measured.response),
         None => Drive::Delay { cycles: model.delay_cycles.unwrap_or(1.0), time_constant: model.time_constant },
@@ -60,7 +61,8 @@ fn of_position(cycle_time: f64, model: &DriveModel) -> Margins {
         stage: Box::new(|_| [Complex64::new(0.0, 0.0); STAGES]),
         // The approximate corner frequency of a position loop.
         bands: vec![Band { centre: nyquist / 50.0, width: nyquist / 50.0 }],
-        position_gain: model.position_gain,
+        position_gain,
+        gain_in_drive,
     };
     let points = Points::new(controller, &[drive]);
     Loop::new(&points, drive).margins()

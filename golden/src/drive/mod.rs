@@ -27,23 +27,30 @@ impl AxisDrive {
     /// The drive that the axis states, or the given one; and likewise a gain of the position controller [1/s].
     pub(crate) fn of(designed: &Designed, otherwise: Setup, position_gain: f64) -> Self {
         let (cycle, stated) = (designed.axis.cycle_time(), &designed.axis.drive);
+        let position_gain = stated.position_gain.unwrap_or(position_gain);
+        let [_, in_drive] = designed.axis.control.placed(Some(position_gain));
         let setup = match stated.is_given() {
             true => Setup {
                 cycle,
                 delay: stated.delay_cycles.unwrap_or(Setup::DELAY.delay),
                 time_constant: stated.time_constant.unwrap_or(0.0),
+                position_gain: in_drive,
             },
-            false => Setup { cycle, ..otherwise },
+            false => Setup { cycle, position_gain: in_drive, ..otherwise },
         };
-        let position_gain = stated.position_gain.unwrap_or(position_gain);
         let model = DriveModel {
             delay_cycles: Some(setup.delay),
             time_constant: (setup.time_constant > 0.0).then_some(setup.time_constant),
             response: stated.response.clone(),
             position_gain: Some(position_gain),
         };
-        let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle));
+        let filter = model.response.as_ref().map(|measured| ResponseFilter::new(&measured.response, cycle, in_drive));
         Self { model, position_gain, setup, filter }
+    }
+
+    /// Whether the position controller is in the CNC.
+    pub(crate) fn is_in_cnc(&self) -> bool {
+        self.setup.position_gain.is_none()
     }
 
     /// The machine at rest.

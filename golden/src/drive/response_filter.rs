@@ -19,6 +19,8 @@ const LANES: usize = 8;
 #[derive(Clone, Debug)]
 pub struct ResponseFilter {
     cycle: f64,
+    /// Kv [1/s] of a drive that controls the position
+    gain: Option<f64>,
     /// the impulse response, the latest value first; the last one acts one cycle after its command
     taps: Vec<f64>,
     /// all commands, preceded by one zero per tap
@@ -30,8 +32,8 @@ impl ResponseFilter {
     /// At rest, from the inverse transform of the response on an even grid from 0 Hz to the Nyquist frequency. The part of
     /// the response before its command, or in the same cycle, is impossible for a machine: it is left out.
     #[must_use]
-    pub fn new(response: &Response, cycle: f64) -> Self {
-        let impulse = impulse(response, cycle);
+    pub fn new(response: &Response, cycle: f64, gain: Option<f64>) -> Self {
+        let impulse = impulse(|hz| without_loop(response, gain, hz), cycle);
         let all: f64 = impulse.iter().map(|value| value.abs()).sum();
         let mut rest = 0.0;
         let late = impulse.iter().rev().take_while(|value| {
@@ -39,8 +41,13 @@ impl ResponseFilter {
             rest <= NEGLIGIBLE * all
         });
         let length = (impulse.len() - late.count()).max(2);
-        let taps: Vec<f64> = impulse[1..length].iter().rev().copied().collect();
-        Self { cycle, commands: vec![0.0; taps.len()], taps, now: Measured::default() }
+        let mut taps: Vec<f64> = impulse[1..length].iter().rev().copied().collect();
+        if gain.is_some() {
+            // No controller outside corrects the position: the axis must come to rest where it is commanded.
+            let sum: f64 = taps.iter().sum();
+            taps.iter_mut().for_each(|tap| *tap /= sum);
+        }
+        Self { cycle, gain, commands: vec![0.0; taps.len()], taps, now: Measured::default() }
     }
 
     /// The largest difference from the measured response at its lines, relative to its largest magnitude; and the frequency
@@ -50,7 +57,7 @@ impl ResponseFilter {
         let (mut worst, mut at, mut largest) = (0.0, 0.0, f64::MIN_POSITIVE);
         let lines = response.frequencies().iter().filter(|hz| **hz * self.cycle <= 0.5);
         for hz in lines {
-            let wanted = response.value(*hz);
+            let wanted = without_loop(response, self.gain, *hz);
             let difference = magnitude(self.value(*hz) - wanted);
             largest = magnitude(wanted).larger(largest);
             if difference > worst {
@@ -68,6 +75,15 @@ impl ResponseFilter {
     }
 }
 
+/// The response without the factor j w/(j w + Kv) of the position loop, which is closed in each cycle.
+fn without_loop(response: &Response, gain: Option<f64>, hz: f64) -> Complex64 {
+    match gain {
+        Some(gain) if hz > 0.0 => response.value(hz) * Complex64::new(1.0, -gain / (TAU * hz)),
+        Some(_) => Complex64::new(1.0, 0.0),
+        None => response.value(hz),
+    }
+}
+
 fn turned(angle: f64) -> Complex64 {
     let (sin, cos) = libm::sincos(angle);
     Complex64::new(cos, sin)
@@ -75,13 +91,13 @@ fn turned(angle: f64) -> Complex64 {
 
 /// The first half of the inverse transform: the second one would be before the command.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand cycles")]
-fn impulse(response: &Response, cycle: f64) -> Vec<f64> {
+fn impulse(response: impl Fn(f64) -> Complex64, cycle: f64) -> Vec<f64> {
     let half = ((LENGTH / cycle) as usize).clamp(LANES, MOST).next_power_of_two() / 2;
     let length = 2 * half;
     let turns: Vec<Complex64> = (0..length).map(|n| turned(TAU * n as f64 / length as f64)).collect();
     let lines: Vec<Complex64> = (0..=half)
         .map(|k| {
-            let value = response.value(k as f64 / (length as f64 * cycle));
+            let value = response(k as f64 / (length as f64 * cycle));
             // The lines at both ends occur once, the others also as their mirror images.
             if k == 0 || k == half { value } else { value * 2.0 }
         })
@@ -112,9 +128,15 @@ impl Machine for ResponseFilter {
     }
 
     fn step(&mut self, v_cmd: f64) -> Measured {
-        self.commands.push(v_cmd);
+        let gain = self.gain.unwrap_or(0.0);
+        // As in the machine `Drive`: the command of the position, not of its deviation.
+        self.commands.push(v_cmd + gain * self.now.x);
         let latest = &self.commands[self.commands.len() - self.taps.len()..];
-        let (before, v) = (self.now, product(latest, &self.taps));
+        let (before, mut v) = (self.now, product(latest, &self.taps));
+        if gain > 0.0 {
+            // dx/dt = v - Kv x over a cycle; its mean.
+            v = (v / gain - before.x) * (1.0 - libm::exp(-gain * self.cycle)) / self.cycle;
+        }
         let (x, a_load) = (before.x + v * self.cycle, (v - before.v_motor) / self.cycle);
         self.now = Measured { x, v_motor: v, v_load: v, a_load };
         self.now

@@ -12,6 +12,8 @@ pub struct Ripple<M> {
     /// [Hz]
     frequencies: Vec<f64>,
     cycles: f64,
+    /// whether the position contains the ripple
+    in_position: bool,
     /// present velocity of the ripple
     v: f64,
     x: f64,
@@ -19,8 +21,8 @@ pub struct Ripple<M> {
 
 impl<M: Machine> Ripple<M> {
     /// At rest except for the ripple.
-    pub fn new(machine: M, frequencies: Vec<f64>) -> Self {
-        Self { machine, frequencies, cycles: 0.0, v: 0.0, x: 0.0 }
+    pub fn new(machine: M, frequencies: Vec<f64>, in_position: bool) -> Self {
+        Self { machine, frequencies, in_position, cycles: 0.0, v: 0.0, x: 0.0 }
     }
 
     fn on(&self, of: Measured) -> Measured {
@@ -45,8 +47,11 @@ impl<M: Machine> Machine for Ripple<M> {
         self.cycles += 1.0;
         let time = self.cycles * self.cycle();
         self.v = self.frequencies.iter().map(|hz| AMPLITUDE * libm::sin(TAU * hz * time)).sum();
-        // The position includes the ripple's velocity: the position controller sees the ripple too.
-        self.x += self.v * self.cycle();
+        // The position includes the ripple's velocity: a position controller in the CNC sees the ripple too. With one in the drive,
+        // the ripple is what that one leaves.
+        if self.in_position {
+            self.x += self.v * self.cycle();
+        }
         let measured = self.machine.step(v_cmd);
         self.on(measured)
     }

@@ -36,7 +36,7 @@ pub(super) fn only(designed: &Designed, stage: Option<usize>) -> Designed {
 
 /// The machine in the loop.
 pub(super) enum Moving {
-    Drive(AxisDrive),
+    Drive(Box<AxisDrive>),
     Plant(Box<OfPlant>),
 }
 
@@ -63,7 +63,7 @@ impl Setting {
             Moved::Drive => {
                 let drive = AxisDrive::of(designed, Setup::DELAY, kv);
                 let kv = drive.position_gain;
-                (Moving::Drive(drive), kv, usual.larger(BEFORE + PERIODS / lowest))
+                (Moving::Drive(Box::new(drive)), kv, usual.larger(BEFORE + PERIODS / lowest))
             }
         };
         let speed = Sequence::DEMONSTRATION.speed.smaller(axis.ipc.v_max / UM);
@@ -97,7 +97,7 @@ impl Setting {
     fn machine(&self) -> Box<dyn Machine> {
         match &self.moving {
             Moving::Plant(_) => Box::new(plant(self.cycle).at_rest()),
-            Moving::Drive(drive) => Box::new(Ripple::new(drive.machine(), self.frequencies.clone())),
+            Moving::Drive(drive) => Box::new(Ripple::new(drive.machine(), self.frequencies.clone(), drive.is_in_cnc())),
         }
     }
 

@@ -63,7 +63,7 @@ impl Task<'_> {
         let (load, error) = (load.as_deref(), error.as_deref());
         let record = figures::Record { channels: &channels, v_motor, load, error, ramps: &self.ramps };
         let stages = responses(self.axis.cycle_time());
-        let (cycle_time, position_gain) = (self.axis.cycle_time(), self.axis.drive.position_gain);
+        let (cycle_time, [position_gain, _]) = (self.axis.cycle_time(), self.gains());
         let task =
             proposals::Task { cycle_time, position_gain, lines, record, vibrations: &vibrations, stages: &*stages };
         let found = match given {
@@ -151,11 +151,16 @@ impl Task<'_> {
         Some(all)
     }
 
+    /// Kv of a position loop in the CNC, and in the drive: a response from an additive velocity contains the second one.
+    fn gains(&self) -> [Option<f64>; 2] {
+        self.axis.control.placed(self.axis.drive.position_gain)
+    }
+
     /// Without a response; says what to measure next.
     pub(super) fn first(&self, verdicts: &mut Vec<Verdict>) -> Vec<Proposal> {
         let (cycle, stages) = (self.axis.cycle_time(), responses(self.axis.cycle_time()));
         let vibrations: Vec<_> = self.chosen.iter().map(|chosen| (chosen.mode, chosen.hz)).collect();
-        let Some(found) = first(&vibrations, cycle, self.axis.drive.position_gain, &*stages) else {
+        let Some(found) = first(&vibrations, cycle, self.gains(), &*stages) else {
             verdicts.push(self.said(Refused::Vibrations(vibrations.len())));
             return Vec::new();
         };

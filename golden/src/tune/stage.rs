@@ -62,5 +62,6 @@ pub(super) fn controller(stages: &[Stage], cycle_time: f64, position_gain: Optio
         }),
         bands: stages.iter().flat_map(|stage| &stage.filter).filter_map(band).collect(),
         position_gain,
+        gain_in_drive: None,
     }
 }

@@ -25,6 +25,16 @@ struct Plain {
     e: f64,
     /// Kv T
     position: f64,
+    /// position [s], velocity: each after a cycle, of both before it and of the command that arrives; if the drive controls the position
+    inside: Option<[[f64; 3]; 2]>,
+}
+
+/// The exponential of the differential equation of a drive with its position controller.
+fn inside(kv: f64, cycle: f64, time_constant: Option<f64>) -> [[f64; 3]; 2] {
+    let rate = 1.0 / time_constant.unwrap_or(1e-7);
+    let equation = DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.0, -kv * rate, -rate, rate, 0.0, 0.0, 0.0]);
+    let after = (equation * cycle).exp();
+    [0, 1].map(|row| [0, 1, 2].map(|column| after[(row, column)]))
 }
 
 fn sections(of: &Coeffs<f64>) -> Vec<Section> {
@@ -53,13 +63,14 @@ impl Plain {
         let active: Vec<_> = designed.ipc.stage.iter().filter(|of| of.mode != Mode::NotActive).collect();
         // Where Kv is not given, SET_POINT is in a loop with its default.
         let is_inside = active.iter().any(|of| of.mode == Mode::SetPoint);
-        let gain = designed.axis.drive.position_gain.or(is_inside.then_some(10.0));
+        let [gain, own] = designed.axis.control.placed(designed.axis.drive.position_gain.or(is_inside.then_some(10.0)));
         Self {
             weights: active.iter().map(|of| -of.gain).collect(),
             stages: active.iter().map(|of| (sections(of), of.mode == Mode::SetPoint)).collect(),
             delay,
             e: time_constant.map_or(0.0, |time| (-cycle / time).exp()),
             position: gain.map_or(0.0, |gain| gain * cycle),
+            inside: own.map(|kv| inside(kv, cycle, time_constant)),
         }
     }
 
@@ -68,7 +79,9 @@ impl Plain {
         let mut after = before.to_vec();
         let line = before.len() - self.delay - 2;
         let [speed, position] = [line + self.delay, line + self.delay + 1];
-        let v_motor = self.e * before[speed] + (1.0 - self.e) * before[line + self.delay - 1];
+        let u = before[line + self.delay - 1];
+        let own = self.inside.map(|of| of.map(|[x, v, c]| x * before[position] + v * before[speed] + c * u));
+        let v_motor = own.map_or(self.e * before[speed] + (1.0 - self.e) * u, |[_, v]| v);
         let v_command = self.position * before[position];
         let (mut v_cmd, mut at) = (v_command, 0);
         for ((sections, is_set_point), weight) in self.stages.iter().zip(&self.weights) {
@@ -83,7 +96,8 @@ impl Plain {
             v_cmd -= weight * x;
         }
         after[speed] = v_motor;
-        after[position] = if self.position > 0.0 { before[position] - v_motor } else { 0.0 };
+        let sum = if self.position > 0.0 { before[position] - v_motor } else { 0.0 };
+        after[position] = own.map_or(sum, |[x, _]| x);
         for place in (line + 1..line + self.delay).rev() {
             after[place] = before[place - 1];
         }
@@ -114,8 +128,13 @@ impl Plain {
     /// 1 + L at a frequency, as a part of the sampling frequency.
     fn distance(&self, part: f64) -> f64 {
         let back = Complex::new(0.0, -2.0 * PI * part).exp();
-        let drive = back.powu(u32::try_from(self.delay).expect("a small delay")) * (1.0 - self.e)
-            / (Complex::new(1.0, 0.0) - back * self.e);
+        let delay = back.powu(u32::try_from(self.delay).expect("a small delay"));
+        let one = Complex::new(1.0, 0.0);
+        let drive = delay
+            * self.inside.map_or((one - back * self.e).inv() * (1.0 - self.e), |[[xx, xv, x], [vx, vv, v]]| {
+                (back * vx * x + (one - back * xx) * v)
+                    / ((one - back * xx) * (one - back * vv) - back * back * xv * vx)
+            });
         let position = back / (Complex::new(1.0, 0.0) - back) * self.position;
         let stages = self.stages.iter().zip(&self.weights).map(|((sections, is_set_point), weight)| {
             let each = sections.iter().map(|[b0, b1, b2, a1, a2]| {
@@ -163,8 +182,11 @@ fn gelfand(mut matrix: DMatrix<f64>) -> f64 {
 fn random(rng: &mut Rng) -> (Designed, DriveModel, Plain) {
     let stages: Vec<String> = (0..rng.between(1, 3)).map(|_| stage(rng, 150.0)).collect();
     let word = if rng.chance(40) { "SET_POINT" } else { "INDIRECT" };
-    let keys = if rng.chance(50) { ", kv = 2000" } else { "" };
+    let is_own = word == "INDIRECT" && rng.clone().chance(50); // a clone: the other axes stay what they were
+    let keys = if rng.chance(50) { [", kv = 2000", ", kv = 20000"][usize::from(is_own)] } else { "" };
     let set = format!("cycle_time = \"1ms\"\n{}", axis("X", keys, "DRYRUN", &stages)).replace("INDIRECT", word);
+    let own = "kenngr.antr_typ = 2\nprocess_data.additive_velocity = \"INT32\"\n";
+    let set = set.replace("[axis.X]\n", &format!("[axis.X]\n{}", if is_own { own } else { "" }));
     let (axes, report) = read(&set);
     let designed = axes.unwrap_or_else(|| panic!("{report}\n{set}")).remove(0);
     let delay = rng.between(1, 5);

@@ -242,7 +242,7 @@ fn useless_stages_are_said_to_be() {
 
 #[test]
 fn first_stages_without_a_response() {
-    let of = |vibrations: &[(Mode, f64)]| first(vibrations, CYCLE, None, &stages);
+    let of = |vibrations: &[(Mode, f64)]| first(vibrations, CYCLE, [None; 2], &stages);
     assert_eq!(of(&[]), None);
     assert_eq!(of(&[(Mode::Direct, 30.0); 4]), None);
     let found = of(&[(Mode::Direct, 53.0), (Mode::Indirect, 11.0)]).unwrap();

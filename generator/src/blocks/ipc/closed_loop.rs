@@ -140,6 +140,7 @@ pub(crate) fn position_words(designed: &Designed) -> Option<String> {
     Some(match (has_position_loop(designed), control.location) {
         (true, Some(_)) => format!("{kv}, position control in the CNC"),
         (true, None) => format!("{kv}, position control in the CNC assumed"),
+        (false, Some(_)) if !control.commands_by_position() => format!("{kv}, position control in the drive"),
         (false, _) => kv,
     })
 }
@@ -150,7 +151,8 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], stated_gain: 
     let mut responses = [const { None }; STAGES];
     let mut weight = [0.0; STAGES];
     let mut bands = Vec::new();
-    let (cycle_time, position_gain) = (designed.axis.cycle_time(), position_gain(designed, stated_gain));
+    let cycle_time = designed.axis.cycle_time();
+    let [position_gain, gain_in_drive] = designed.axis.control.placed(position_gain(designed, stated_gain));
     for design in stages(designed) {
         let response = response::Stage::new(&Coeffs { gain: -1.0, ..design.coeffs });
         // v_command = -Kv T/(z - 1) v_motor
@@ -173,6 +175,7 @@ pub(crate) fn points<'d>(designed: &'d Designed, drives: &[Known], stated_gain: 
         stage: Box::new(move |t| responses.each_ref().map(|of| of.as_ref().map_or(ZERO, |of| at(of, t)))),
         bands,
         position_gain,
+        gain_in_drive,
     };
     Some(Points::new(controller, &drives.iter().map(Known::drive).collect::<Vec<_>>()))
 }

@@ -34,7 +34,12 @@ pub(crate) fn read(
     });
     let measured = read.map_err(|report| e.report.extend(report)).ok()?;
     e.report.extend(measured.said);
-    Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(measured.response) })
+    let (From::Command { delay } | From::Current { delay, .. }) = from;
+    let response = match designed.axis.control.placed(designed.axis.drive.position_gain) {
+        [_, Some(gain)] => measured.response.in_position_loop(gain, delay),
+        [_, None] => measured.response,
+    };
+    Some(MeasuredDrive { file: name.to_owned(), response: Arc::new(response) })
 }
 
 /// An error: a default for the input of the response would be a guess.

@@ -2,14 +2,16 @@
 
 use super::closed_loop::{acts_through_position, points};
 use super::stage::StageDesign;
-use super::unstable::{calmer, drives, name, place, through, without_set_point};
-use crate::axis::Mode;
+use super::unstable::{best, calmer, drives, name, place, through, without_set_point};
 use crate::blocks::designed::Designed;
 use crate::codes;
 use crate::number::{rounded, significant};
 use crate::rules::effective::Effective;
 use portable::Extreme;
 use stability::{Loop, MAX_MS};
+
+/// With a smaller ratio of Ms with SET_POINT to that without it, the other stages are the reason.
+const CLEARLY: f64 = 1.1;
 
 /// Warns of each stage once; of one in a loop that oscillates, which has been reported, not again.
 pub(super) fn advise(designed: &Designed, oscillates: bool, e: &mut Effective<'_>) {
@@ -48,12 +50,12 @@ pub(super) fn advise(designed: &Designed, oscillates: bool, e: &mut Effective<'_
     }
 }
 
-/// Ms of a loop from which SET_POINT takes the reserve: without it there is some.
+/// Ms of a loop from which SET_POINT takes the reserve: without it there is clearly more.
 fn restless(designed: &Designed, closed: &Loop<'_>) -> Option<String> {
     let ms = |closed: &Loop<'_>| closed.margins().ms.map_or(f64::INFINITY, |[ms, _]| ms);
     let (with, without) = (ms(closed), ms(&without_set_point(designed, closed)));
     let text = || if with.is_finite() { significant(with, 3) } else { "without a bound".to_owned() };
-    (with > MAX_MS && without <= MAX_MS).then(text)
+    (with > MAX_MS && with > CLEARLY * without).then(text)
 }
 
 /// SET_POINT multiplies the command by 1 - w H: above twice its best weight it amplifies the vibration.
@@ -69,11 +71,4 @@ fn amplifies(e: &mut Effective<'_>, design: &StageDesign) {
         let instead = Some(format!("about {}, the best weight at this damping", rounded(best)));
         e.warn(codes::SET_POINT, place(design.index), found, instead);
     }
-}
-
-/// The best weight of SET_POINT.
-fn best(design: &StageDesign) -> Option<f64> {
-    let Mode::SetPoint { osc_damping } = design.stage.mode else { return None };
-    let four_d_squared = 4.0 * osc_damping * osc_damping;
-    Some(four_d_squared / (four_d_squared + 1.0))
 }

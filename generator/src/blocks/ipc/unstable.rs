@@ -145,7 +145,14 @@ pub(super) fn calmer(designed: &Designed, closed: &Loop<'_>, design: &StageDesig
     let down = |value: f64| down_to(value, 3);
     // With the weights of the others the loop may not be calm even without this stage.
     let weight = match calm > 0.0 {
-        true => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
+        true => match best(design).filter(|best| *best < calm) {
+            Some(best) => format!(
+                "a weight of at most {}, the best one at this damping; the loop stays calm up to {} (Ms <= {MAX_MS})",
+                down(best),
+                down(calm)
+            ),
+            None => format!("a weight of at most {}, up to which the loop stays calm (Ms <= {MAX_MS})", down(calm)),
+        },
         false => {
             let [own, others] = [design.stage.weight() * calm_part, calm_part * 100.0].map(down);
             format!("a weight of {own}, and {others} % of the other weights")
@@ -156,6 +163,13 @@ pub(super) fn calmer(designed: &Designed, closed: &Loop<'_>, design: &StageDesig
         true => format!("{weight}; or antr.operation_mode DRIVE_POSITION_CONTROL, if the drive controls the position"),
         false => weight,
     }
+}
+
+/// The best weight of SET_POINT against the vibration; `None` for another mode.
+pub(super) fn best(design: &StageDesign) -> Option<f64> {
+    let Mode::SetPoint { osc_damping } = design.stage.mode else { return None };
+    let four_d_squared = 4.0 * osc_damping * osc_damping;
+    Some(four_d_squared / (four_d_squared + 1.0))
 }
 
 /// An error where the block starts ON, else a warning.

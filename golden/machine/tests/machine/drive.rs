@@ -40,11 +40,20 @@ fn a_delay_leaves_the_amplitude_and_is_as_late_as_it_says() {
 /// `(1 - e) / (1 - e z^-1)` with e = exp(-Ts / Tc), in addition to the delay.
 #[test]
 fn a_time_constant_multiplies_it_after_its_hold() {
-    let Setup { cycle, delay, time_constant } = Setup::DELAY_AND_LAG;
+    let Setup { cycle, delay, time_constant, .. } = Setup::DELAY_AND_LAG;
     let (e, w) = ((-cycle / time_constant).exp(), TAU * 0.05);
     let [re, im] = [1.0 - e * w.cos(), e * w.sin()];
     let lag = delay + im.atan2(re) / w;
     assert_response(Setup::DELAY_AND_LAG, 0.05, [(1.0 - e) / re.hypot(im), lag], 0.01);
+}
+
+/// With the delay of 16 ms in its loop, a Kv of 100/s would be unstable.
+#[test]
+fn a_drive_with_its_own_position_loop_stands_at_what_is_added() {
+    let mut drive = Drive::new(Setup { cycle: 4e-3, delay: 4.0, position_gain: Some(100.0), ..Setup::DELAY });
+    let mut x = 0.0;
+    (0..100).for_each(|_| x = drive.step(5.0 - 100.0 * x).x);
+    assert!((x - 0.05).abs() < 1e-9, "{x}");
 }
 
 #[test]
