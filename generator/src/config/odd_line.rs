@@ -112,9 +112,10 @@ fn is_word(text: &str) -> bool {
     text.starts_with(|letter: char| letter.is_ascii_alphabetic())
 }
 
-/// Whether a text after a blank may continue a path.
+/// Whether a text after a blank may continue a path; by bytes, because it is asked of every parameter of another function.
 fn is_of_path(path: &str, text: &str) -> bool {
-    is_word(text) || text.starts_with(['_', '[', ']', '.']) || path.ends_with('[') && !text.is_empty()
+    let Some(first) = text.as_bytes().first() else { return false };
+    matches!(first, b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'[' | b']' | b'.') || path.as_bytes().last() == Some(&b'[')
 }
 
 /// The name and the text of a path that may have blanks, also instead of underscores, and the rest of the line.

@@ -33,7 +33,9 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
         }
     }
     let mut unclosed = unclosed(text);
-    // What the parser says about the lines below follows from it, and about the lines above what cannot be explained otherwise.
+    // What the parser says about the lines below follows from it; where something is closed that was not opened, what it says about
+    // the lines above too, unless that is explained otherwise.
+    let is_cause = unclosed.as_ref().is_some_and(|(at, ..)| text[*at..].starts_with([']', '}']));
     let last = unclosed.as_ref().map_or(text.len(), |(at, ..)| *at);
     let last = text[..last].rfind('\n').map_or(0, |end| end + 1);
     let mut said = Vec::new();
@@ -51,7 +53,9 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
                 said.push(error(at, on_a_line(&found)).instead(on_a_line(&instead)));
                 unclosed = unclosed.filter(|_| start < last);
             }
-            None if unclosed.is_none() => said.push(error(column, format!("no TOML: {words}"))),
+            None if unclosed.is_none() || start < last && !is_cause => {
+                said.push(error(column, format!("no TOML: {words}")))
+            }
             None => {}
         }
     }

@@ -54,7 +54,7 @@ fn comment() -> impl Strategy<Value = Vec<u8>> {
         2 => prop::sample::select(&b"\"'\\#()=\t"[..]),
         1 => any::<u8>().prop_filter("a line end", |byte| *byte != b'\n' && *byte != b'\r'),
     ];
-    (prop::sample::select(&["#", "(", "# axgen", "# Axgen: "][..]), prop::collection::vec(byte, 0..40))
+    (prop::sample::select(&["#", "(", "# Axgen: "][..]), prop::collection::vec(byte, 0..40))
         .prop_map(|(sign, bytes)| [sign.as_bytes(), &bytes].concat())
 }
 
