@@ -126,7 +126,7 @@ impl Reading<'_> {
                     self.list.report.push(twice(own.path, first, self.source.place(path_at)));
                 }
             }
-            Err(said) => self.list.report.push(said),
+            Err(said) => self.list.report.extend(said),
         }
     }
 

@@ -5,7 +5,7 @@ use super::path::{self, Path};
 use super::value::{self, Refused, shown};
 use super::values::{Key, Setting, Values, key};
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place};
+use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Parameter, Scope, Value, path_with};
 
 /// The beginning of such a comment.
@@ -40,14 +40,14 @@ impl OwnKey<'_> {
     }
 
     /// The key, its path template and its value, or the message about the comment; `places`: those of the path and of the value.
-    pub(super) fn read(&self, places: [Place; 2]) -> Result<(Key, &'static str, Value), Diagnostic> {
+    pub(super) fn read(&self, places: [Place; 2]) -> Result<(Key, &'static str, Value), Report> {
         let [place, value_place] = places;
         let Some((key, spelling)) = self.key() else {
             let keys = || Name::ALL.into_iter().filter(|name| is_own(*name)).map(|name| name.parameter().path);
             let known = closest::nearest(self.path, keys()).map(|known| closest::with_indices_of(known, self.path));
             let found = format!("{} is not a key that a comment `# axgen:` can have", shown(self.path));
             let said = Diagnostic::error(codes::UNKNOWN, place, found).allowed(keys().collect::<Vec<_>>().join(", "));
-            return Err(said.instead(known.unwrap_or_else(|| "a comment with another beginning".to_owned())));
+            return Err(said.instead(known.unwrap_or_else(|| "a comment with another beginning".to_owned())).into());
         };
         let parameter = key.0.parameter();
         let value = self.text.map_or_else(
@@ -62,7 +62,8 @@ impl OwnKey<'_> {
             |text| value_of(parameter, text),
         );
         let fit = value.and_then(|value| unfit(key.0, &value).map_or(Ok(value), Err));
-        fit.map(|value| (key, spelling, value)).map_err(|refused| refused.diagnostic(key.0, self.path, value_place))
+        fit.map(|value| (key, spelling, value))
+            .map_err(|refused| refused.diagnostic(key.0, self.path, value_place).into())
     }
 }
 
