@@ -70,7 +70,7 @@ codes! {
          --force, where the command has it, replaces a file that it does not read.";
     SAMPLES = "AX015", "a mistake in a CSV file of samples",
         "The first line has the names of signals, each further line a value of each. Reals are decimal, or 0x and the digits of \
-         their bits; BOOL is 0 or 1.";
+         their bits; BOOL is 0 or 1, or TRUE or FALSE.";
     CASE = "AX016", "a golden case that cannot be used",
         "The case's case.toml, its set or its stimulus is wrong, it does not show what it says that it shows, or its \
          folder takes no files.";
@@ -157,6 +157,13 @@ codes! {
         "A list has parameters of other functions, which are passed over. One that differs in a letter or two from a parameter of \
          axgen's without a value is probably that parameter, mistyped: its default would be used. Correct the name, or give the \
          parameter its value.";
+    OWN_KEYS = "AX121", "keys of axgen in the comments of a list",
+        "`axgen export` writes keys that no controller knows as comments, `# axgen: fade 200ms`, and only `axgen import` reads them. \
+         Where the list is read directly, its blocks are those of an axis without these keys: import the list, or write the keys \
+         into the set that names it. A list whose comment has another cycle time than the given one is an error.";
+    UNFIT_TEXT = "AX122", "a text that no list can hold",
+        "`axgen export` writes the text into a line of the list. A line end in it would begin another line, with a parameter that \
+         the set does not have, and `]]>` would end the list in a TwinCAT project.";
 
     NUMBER = "AX201", "not a number",
         "A number is decimal, with a point and an exponent where a real number is allowed, or hexadecimal with 0x. NaN and \
@@ -519,8 +526,8 @@ codes! {
         "With its feedforward the loop in the CNC lags little. Without it (G137, or a smaller percentage of G136) the lag is v \
          / Kv, and the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a \
          lower v_velocity_control_on, or vorsteuer.default_active TRUE (P-AXIS-00255).";
-    NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps",
-        "An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is \
+    NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps, or than 1 % of Voff",
+        "Below 1 % of Voff the window is replaced by that. An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is \
          within spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
     WITHOUT_ERRORS = "AX451", "a frequency response without standard errors",
         "The margins are those of exactly this response. With coherence and the number of averages, or with a standard \

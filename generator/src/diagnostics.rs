@@ -48,6 +48,18 @@ impl Place {
     }
 }
 
+/// A text in which everything is escaped that could end a line, control a terminal or change the direction of the letters.
+pub(crate) fn on_a_line(text: &str) -> String {
+    let mut line = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '"' | '\'' | '\\' => line.push(letter),
+            other => line.extend(other.escape_debug()),
+        }
+    }
+    line
+}
+
 #[must_use = "it is said only if it goes into a report"]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {

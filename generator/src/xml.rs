@@ -1,6 +1,7 @@
 //! XML of a file, parsed in bounded time: a text that would take a parser minutes is refused before. No element is known
 //! here.
 
+use crate::diagnostics::on_a_line;
 use roxmltree::{Document, ParsingOptions};
 
 /// The reason why a text is not read, at a position or for the whole text.
@@ -33,7 +34,7 @@ pub(crate) fn parse(text: &str) -> Result<Document<'_>, Refused> {
     let options = ParsingOptions { allow_dtd: false, nodes_limit: 10_000_000, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
         let place = Some((error.pos().row as usize, error.pos().col as usize));
-        Refused { found: format!("the file is broken XML: {error}"), place }
+        Refused { found: format!("the file is broken XML: {}", on_a_line(&error.to_string())), place }
     })
 }
 

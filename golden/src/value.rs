@@ -33,7 +33,7 @@ fn bits(digits: &str, count: usize) -> Option<u64> {
 
 pub(crate) fn allowed(ty: Type, real: RealKind) -> &'static str {
     match (ty, real) {
-        (Type::Bool, _) => "0 or 1",
+        (Type::Bool, _) => "0 or 1, TRUE or FALSE",
         (Type::I32, _) => "an integer from -2147483648 to 2147483647",
         (Type::U32, _) => "an integer from 0 to 4294967295",
         (Type::Real, RealKind::F64) => "a decimal number, or 0x and 16 hexadecimal digits",

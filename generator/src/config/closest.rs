@@ -37,6 +37,31 @@ pub(crate) fn with_indices_of(template: &str, written: &str) -> String {
     path_with(template, std::array::from_fn(|_| numbers.next().unwrap_or(0)))
 }
 
+/// A path in the form of a set, at the place of a wrong path: what is below the tables that both have.
+pub(crate) fn in_a_set(known: &str, written: &str) -> String {
+    let above: Vec<&str> = written.rsplit_once('.').map_or(vec![], |(above, _)| above.split('.').collect());
+    let parts: Vec<&str> = known.split('.').collect();
+    let is_here = parts.len() > above.len() && parts.starts_with(&above);
+    match is_here {
+        true => keys(&parts[above.len()..]),
+        false => format!("{}, below the axis itself", keys(&parts)),
+    }
+}
+
+/// `filter = [{ fg_f0 = ... }]` for `filter[0].fg_f0`; a key alone has no value.
+fn keys(parts: &[&str]) -> String {
+    let name = |part: &str| part.split('[').next().unwrap_or_default().to_owned();
+    let [part, below @ ..] = parts else { return String::new() };
+    match (indices(part)[0], part.contains('['), below) {
+        (_, _, []) => name(part),
+        (_, false, _) => format!("{}.{}", part, keys(below)),
+        (index, true, _) => {
+            let value = if below.iter().any(|part| part.contains('[')) { "" } else { " = ..." };
+            format!("{} = [{}{{ {}{value} }}]", name(part), "{}, ".repeat(index as usize), keys(below))
+        }
+    }
+}
+
 /// The first parameter below a structure, with the indices of the written structure.
 pub(crate) fn first_below(written: &str) -> Option<String> {
     let start = path::without_indices(written) + ".";
@@ -66,51 +91,88 @@ pub(crate) fn is_ours(parts: [&str; 2]) -> bool {
 /// The path of axgen's that differs from a path of another function in a letter, or in two of a long name, and in nothing else.
 /// `length`: that of the path without the numbers of its indices; `end`: the name of its last part.
 pub(crate) fn nearly(written: &str, length: usize, end: &str) -> Option<String> {
-    let most = match end.len() {
-        0..SHORT => return None,
-        SHORT..LONG => 1,
-        LONG.. => 2,
-    };
-    let drawer = &BY_FIRST_LETTERS[first_letters(written, end)];
-    let mut alike = drawer.iter().filter(|of| of.whole.text.len().abs_diff(length) <= most).peekable();
-    alike.peek()?;
+    let most = if end.len() < LONG { 1 } else { MOST };
+    let [first, last] = &*DRAWERS;
+    let drawers = [&first[first_letters(written, end)], &last[last_letters(written)]];
+    // The usual case, tested first.
+    let bit = 1_u128.checked_shl(u32::try_from(length).ok()?)?;
+    if drawers.iter().all(|drawer| drawer.lengths & bit == 0) {
+        return None;
+    }
+    let paths = drawers.into_iter().flat_map(|drawer| &drawer.paths);
+    let alike = paths.filter(|of| of.whole.text.len().abs_diff(length) <= most);
     // Each letter of difference changes the set by two letters at most.
-    let letters = set_of_letters(end);
+    let letters = set_of_letters(written);
     let mut alike = alike.filter(|of| (of.letters ^ letters).count_ones() as usize <= 2 * most).peekable();
     alike.peek()?;
     let plain = path::without_indices(written);
-    let near = alike.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
+    let is_comparable = |of: &&&Candidate| end.len() >= SHORT || end == of.end.text || is_doubled(end, of.end.text);
+    let near = alike.filter(is_comparable);
+    let near = near.filter_map(|of| Some((distance(Letters::new(&plain), of.whole, most)?, of.template)));
     near.min_by_key(|(distance, _)| *distance).map(|(_, template)| with_indices_of(template, written))
 }
 
-/// Shorter names of other functions have one letter other than one of axgen's: `kp` and `kv`.
+/// Shorter names of other functions have one letter other than one of axgen's, `kp` and `kv`, but not one of its letters twice.
 const SHORT: usize = 4;
 /// Shorter ones have two: `a_max` and `vb_max`.
 const LONG: usize = 8;
 
-/// The paths by the first letters of the whole and of its last name, which are seldom mistyped: a list has many paths of other
-/// functions, and comparing letters is slow.
-static BY_FIRST_LETTERS: LazyLock<Vec<Vec<&Candidate>>> = LazyLock::new(|| {
-    let mut all = vec![Vec::new(); 32 * 32];
-    TEMPLATES.iter().for_each(|of| all[first_letters(of.whole.text, of.end.text)].push(of));
-    all
+/// Whether a name is another one with one of its letters doubled.
+fn is_doubled(name: &str, other: &str) -> bool {
+    let bytes = name.as_bytes();
+    (1..bytes.len()).any(|at| bytes[at] == bytes[at - 1] && [&name[..at], &name[at + 1..]].concat() == other)
+}
+
+/// Letters that may differ.
+const MOST: usize = 2;
+
+/// Some of axgen's paths, and a bit for each length that is near that of one of them.
+#[derive(Clone, Default)]
+struct Drawer {
+    paths: Vec<&'static Candidate>,
+    lengths: u128,
+}
+
+/// The paths by the first letters of the whole and of its last name, and by the last two letters: one wrong letter is not in
+/// both. A list has many paths of other functions, and comparing letters is slow.
+static DRAWERS: LazyLock<[Vec<Drawer>; 2]> = LazyLock::new(|| {
+    let by = |drawer: fn(&Candidate) -> usize| {
+        let mut all = vec![Drawer::default(); 32 * 32];
+        for of in TEMPLATES.iter() {
+            let (drawer, length) = (&mut all[drawer(of)], of.whole.text.len());
+            drawer.paths.push(of);
+            (length - MOST..=length + MOST).for_each(|length| drawer.lengths |= 1 << length);
+        }
+        all
+    };
+    [by(|of| first_letters(of.whole.text, of.end.text)), by(|of| last_letters(of.whole.text))]
 });
 
 fn first_letters(path: &str, end: &str) -> usize {
-    let [path, end] = [path, end].map(|name| usize::from(name.as_bytes().first().unwrap_or(&0) & 31));
-    path * 32 + end
+    drawer([path, end].map(|name| name.as_bytes().first()))
 }
 
-/// A bit for each letter of a name, regardless of case.
-fn set_of_letters(name: &str) -> u32 {
-    name.bytes().fold(0, |set, letter| set | 1 << (letter & 31))
+fn last_letters(path: &str) -> usize {
+    let mut letters = path.as_bytes().iter().rev();
+    drawer([letters.next(), letters.next()])
+}
+
+/// The number of two letters, regardless of case.
+fn drawer(letters: [Option<&u8>; 2]) -> usize {
+    let [first, second] = letters.map(|letter| usize::from(letter.unwrap_or(&0) & 31));
+    first * 32 + second
+}
+
+/// A bit for each letter of a path, regardless of case; without digits, which are mostly indices.
+fn set_of_letters(path: &str) -> u32 {
+    path.bytes().fold(0, |set, letter| if letter.is_ascii_digit() { set } else { set | 1 << (letter & 31) })
 }
 
 struct Candidate {
     template: &'static str,
     whole: Letters<'static>,
     end: Letters<'static>,
-    /// those of the end
+    /// those of the whole
     letters: u32,
 }
 
@@ -119,9 +181,10 @@ static STRUCTURES: LazyLock<Vec<Candidate>> = LazyLock::new(|| candidates(path::
 
 fn candidates(templates: impl Iterator<Item = &'static str>) -> Vec<Candidate> {
     let candidate = |template| {
-        let whole = path::without_indices(template).leak();
+        // An array of tables is written without brackets.
+        let whole = path::without_indices(template).leak().trim_end_matches("[]");
         let end = last(whole);
-        Candidate { template, whole: Letters::new(whole), end: Letters::new(end), letters: set_of_letters(end) }
+        Candidate { template, whole: Letters::new(whole), end: Letters::new(end), letters: set_of_letters(whole) }
     };
     templates.map(candidate).collect()
 }

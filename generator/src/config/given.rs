@@ -7,7 +7,7 @@ use super::project::{self, AxisList};
 use super::set::{self, AxisTable};
 use super::value::{self, shown};
 use super::values::{Setting, Values, key};
-use super::{axis_name, file, file::Load, other_kind, source::Source};
+use super::{axis_name, file, file::Load, other_kind, own_key, source::Source};
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::{codes, parameters::Name};
 use rayon::prelude::*;
@@ -97,14 +97,21 @@ fn of_set(path: &Path, source: &Arc<Source>, options: &ListOptions, load: Load<'
     }
     let Some(table) = set::parse(source, &mut report) else { return Err(report) };
     let (top, axes) = set::top(source, table.get_ref(), &mut report);
-    let axes = axes.par_iter().map(|axis| of_axis(source, *axis, path, load)).collect();
+    let cycle_time = top.get(key(Name::CycleTime));
+    let axes = axes.par_iter().map(|axis| of_axis(source, *axis, path, cycle_time, load)).collect();
     let no_cycle_time = Diagnostic::error(codes::CYCLE_TIME, source.whole(), "the set has no cycle time")
         .instead("cycle_time = \"1ms\", if that is its cycle");
     Ok(Given { top, no_cycle_time, is_list: false, axes, report })
 }
 
 /// The keys of an axis over the values of its list.
-fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>) -> GivenAxis {
+fn of_axis(
+    source: &Arc<Source>,
+    axis: AxisTable<'_>,
+    set: &Path,
+    cycle_time: Option<&Setting>,
+    load: Load<'_>,
+) -> GivenAxis {
     let mut report = Report::default();
     let keys = set::values_of(source, axis, &mut report);
     let home = source.place(axis.name_at);
@@ -116,6 +123,7 @@ fn of_axis(source: &Arc<Source>, axis: AxisTable<'_>, set: &Path, load: Load<'_>
         Some(Ok(list)) => {
             let list = read_as_list(&list);
             given.report.extend(list.report);
+            given.report.diagnostics.extend(own_key::unread(&list.own, &keys, cycle_time));
             given.report.diagnostics.extend(other_axis(axis.name, &list.foreign));
             given.foreign = list.foreign;
             given.values = list.complete.then(|| list.values.overridden_by(keys));
@@ -158,7 +166,7 @@ fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<
     if options.name.is_some() {
         lists = vec![project::of_axis(lists, options.name.as_deref())?];
     }
-    let axes: Vec<GivenAxis> = lists.iter().map(|list| of_list(path, list, options, &mut report)).collect();
+    let axes: Vec<GivenAxis> = lists.iter().map(|list| of_list(path, list, options, &top, &mut report)).collect();
     let mut names = BTreeSet::new();
     for axis in axes.iter().filter(|axis| !names.insert(axis.name.to_ascii_lowercase())) {
         let found = format!("the project has two axes `{}`", axis.name);
@@ -169,9 +177,10 @@ fn of_lists(path: &Path, source: &Arc<Source>, options: &ListOptions) -> Result<
     Ok(Given { top, no_cycle_time, is_list: axes.len() == 1, axes, report })
 }
 
-fn of_list(path: &Path, list: &AxisList, options: &ListOptions, report: &mut Report) -> GivenAxis {
+fn of_list(path: &Path, list: &AxisList, options: &ListOptions, top: &Values, report: &mut Report) -> GivenAxis {
     let name = name_of(path, list, options, report);
-    let List { values, foreign, mut report, complete } = read_as_list(list);
+    let List { values, own, foreign, mut report, complete } = read_as_list(list);
+    report.diagnostics.extend(own_key::unread(&own, &Values::default(), top.get(key(Name::CycleTime))));
     let values = complete.then_some(values);
     report.diagnostics.extend(values.iter().flat_map(|values| foreign.mistyped(values)));
     GivenAxis { name, home: list.source.whole(), foreign, report, values }

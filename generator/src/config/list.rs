@@ -6,7 +6,7 @@ use super::path::{self, Path};
 use super::project::AxisList;
 use super::value::{self, Refused};
 use super::values::{Key, Setting, Values};
-use super::{closest, odd_line, source::Source};
+use super::{closest, odd_line, own_key, source::Source};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Kind, Name, Parameter, Scope, Value, path_with};
@@ -15,6 +15,8 @@ use std::sync::Arc;
 pub(crate) struct List {
     /// the parameters that are in the table
     pub(crate) values: Values,
+    /// axgen's own keys, in comments
+    pub(crate) own: Values,
     pub(crate) foreign: OtherFunctions,
     pub(crate) report: Report,
     /// false if it is another kind of file, and was not read to its end
@@ -28,6 +30,7 @@ pub(crate) fn read(list: &AxisList) -> List {
     let mut reading = Reading {
         list: List {
             values: Values::default(),
+            own: Values::default(),
             foreign: OtherFunctions::default(),
             report: list.said.clone().map(Report::from).unwrap_or_default(),
             complete: true,
@@ -79,7 +82,10 @@ impl Reading<'_> {
         let commented = self.commented.take();
         self.commented = (!comment.is_empty()).then_some(false);
         match content {
-            Content::Remark { .. } => true,
+            Content::Remark { .. } => {
+                self.own_key(comment_at, comment);
+                true
+            }
             Content::Statement(statement) if statement.is_end() => {
                 self.is_after_end = true;
                 true
@@ -99,6 +105,28 @@ impl Reading<'_> {
                 }
                 is_kept
             }
+        }
+    }
+
+    /// A comment with one of axgen's own keys.
+    fn own_key(&mut self, at: usize, comment: &[u8]) {
+        let Some(own) = own_key::in_comment(comment) else { return };
+        let (source, [path_at, value_at]) = (self.source, [at + own.path_at, at + own.text_at]);
+        let places = [path_at, value_at].map(|at| source.place(at));
+        if let Path::OutOfRange { name, .. } = path::find(own.path) {
+            let [place, _] = places;
+            self.list.report.push(out_of_range(name, own.path, place));
+            return;
+        }
+        match own.read(places) {
+            Ok((key, spelling, value)) => {
+                let source = Arc::clone(source);
+                let setting = Setting { value: Some(value), refused: None, spelling, source, path_at, value_at };
+                if let Some(first) = self.list.own.insert(key, setting) {
+                    self.list.report.push(twice(own.path, first, self.source.place(path_at)));
+                }
+            }
+            Err(said) => self.list.report.extend(said),
         }
     }
 
@@ -189,9 +217,7 @@ impl Reading<'_> {
             Some(Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place(), found) })
         };
         match path::ending_with(last, written) {
-            _ if let Some(instead) = odd_line::with_underscores(statement) => {
-                unknown("not known: its name has `_` where the line has blanks", Some(instead))
-            }
+            _ if let Some((what, instead)) = odd_line::joined(statement) => unknown(what, Some(instead)),
             Some(known) => unknown("not known", Some(closest::with_indices_of(known, written))),
             // The usual case, tested first, because comparing letters is slow.
             None if !structure.is_some_and(closest::is_ours) => {
@@ -268,11 +294,14 @@ impl Reading<'_> {
             }
         }
         if let Some(first) = self.list.values.insert(key, setting) {
-            let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
-            let said = Diagnostic::error(codes::GIVEN_TWICE, source.place(path_at), found);
-            self.list.report.push(said.instead("one of the two lines"));
+            self.list.report.push(twice(written, first, source.place(path_at)));
         }
     }
+}
+
+fn twice(written: &str, first: &Setting, place: Place) -> Diagnostic {
+    let found = format!("`{written}` is given twice, first in line {}", first.path_place().line);
+    Diagnostic::error(codes::GIVEN_TWICE, place, found).instead("one of the two lines")
 }
 
 fn after_comment(source: &Source, at: usize) -> Diagnostic {
@@ -289,7 +318,11 @@ fn value_of(parameter: &Parameter, path: &str, text: &str) -> Result<Value, Refu
         let instead = Some(format!("{path} {}", rest.trim_ascii_start()));
         refused(codes::LINE, format!("is {}: a list has no `=`", value::shown(text)), instead)
     } else if text.contains([' ', '\t']) && !matches!(parameter.kind, Kind::Flags(_)) {
-        refused(codes::LINE, format!("is {}: more than one value", value::shown(text)), value::without_groups(text))
+        refused(
+            codes::LINE,
+            format!("is {}: more than one value", value::shown(text)),
+            value::meant_number(parameter, text),
+        )
     } else {
         value::of_text(parameter, text)
     }

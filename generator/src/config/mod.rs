@@ -7,6 +7,7 @@
 //! lines        a list's bytes <-> the parts of its lines
 //! list, set    lines or tables -> (path, text)
 //! toml_fault   errors of TOML's parser, in words
+//! own_key      axgen's own keys in comments of a list
 //! odd_line     lines without a parameter           other_kind files that are not lists
 //! other_functions  used parameters of other functions
 //! shape        a path -> its parts and indices      path     path -> parameter and indices
@@ -28,6 +29,7 @@ pub(crate) mod nc_axis;
 pub(crate) mod odd_line;
 pub(crate) mod other_functions;
 pub(crate) mod other_kind;
+pub(crate) mod own_key;
 pub(crate) mod path;
 pub(crate) mod project;
 pub(crate) mod set;

@@ -53,18 +53,33 @@ fn child<'d, 'i>(of: Node<'d, 'i>, name: &str) -> Option<Node<'d, 'i>> {
     of.children().find(|child| child.has_tag_name(name))
 }
 
-/// A number of an axis and its position in the file, by the path of elements and the attribute.
-fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Option<(f64, usize)> {
-    let node = path.iter().try_fold(axis, |node, name| child(node, name))?;
-    let attribute = node.attribute_node(attribute)?;
-    let value = attribute.value().parse().ok().filter(|value: &f64| value.is_finite())?;
-    Some((value, attribute.range().start))
+/// A number of an axis that is at least 0, and its position in the file, by the path of elements and the attribute. The error
+/// is a text that is none; `None` without the attribute.
+fn number(axis: Node<'_, '_>, path: &[&str], attribute: &str) -> Result<(f64, usize), Option<String>> {
+    let node = path.iter().try_fold(axis, |node, name| child(node, name)).ok_or(None)?;
+    let attribute = node.attribute_node(attribute).ok_or(None)?;
+    let value = attribute.value().parse().ok().filter(|value: &f64| value.is_finite() && *value >= 0.0);
+    let unreadable = || Some(format!("{} {}", attribute.name(), shown(attribute.value())));
+    Ok((value.ok_or_else(unreadable)?, attribute.range().start))
+}
+
+/// The scale of the encoder [mm per increment], its resolution, and the position of its numerator.
+fn scale(axis: Node<'_, '_>) -> Result<(f64, [f64; 2], usize), Option<String>> {
+    let of = |attribute| number(axis, &["Encoder", "EncPara"], attribute);
+    let denominator = of("ScaleFactorDenominator").or_else(|unreadable| match unreadable {
+        None => Ok((1.0, 0)),
+        unreadable => Err(unreadable),
+    });
+    let ((numerator, at), (denominator, _)) = (of("ScaleFactorNumerator")?, denominator?);
+    let scale = numerator / denominator;
+    let resolution = resolution(scale).ok_or_else(|| Some(format!("a scale of {scale} mm per increment")))?;
+    Ok((scale, resolution, at))
 }
 
 /// An axis as lines of a list, each in the line of the file that contains its value.
 fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source: &Arc<Source>) -> NcAxis {
     let mut taken: Vec<(u32, String)> = Vec::new();
-    let (mut said, mut missing) = (Vec::new(), Vec::new());
+    let (mut said, mut left) = (Vec::new(), Vec::new());
     let row = |at: usize| document.text_pos_at(at).row;
     let mut take = |at: usize, lines: &[(&str, f64)]| {
         let text: Vec<String> = lines.iter().map(|(path, value)| format!("{path} {value}")).collect();
@@ -72,31 +87,30 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
         text.join(", ")
     };
     match number(axis, &["AxisPara", "Velo"], "Maximum") {
-        Some((velocity, at)) => {
+        Ok((velocity, at)) => {
             let line = take(at, &[("getriebe[0].dynamik.vb_max", (velocity * VELOCITY).round())]);
             said.push(format!("Velo Maximum {velocity} mm/s is {line} (P-AXIS-00212)"));
         }
-        None => missing.push("Velo Maximum: write getriebe[0].dynamik.vb_max"),
+        Err(text) => left.push(("Velo", "Maximum", text, "getriebe[0].dynamik.vb_max")),
     }
     match number(axis, &["Controller", "CtrPara", "PID"], "PosKp") {
-        Some((kv, at)) => {
+        Ok((kv, at)) => {
             let line = take(at, &[("getriebe[0].kv", (kv * KV).round())]);
             said.push(format!("PID PosKp {kv}/s is {line} (P-AXIS-00099)"));
         }
-        None => missing.push("PID PosKp: write getriebe[0].kv"),
+        Err(text) => left.push(("PID", "PosKp", text, "getriebe[0].kv")),
     }
-    let numerator = number(axis, &["Encoder", "EncPara"], "ScaleFactorNumerator");
-    let denominator = number(axis, &["Encoder", "EncPara"], "ScaleFactorDenominator").map_or(1.0, |(value, _)| value);
-    match numerator
-        .and_then(|(numerator, at)| Some((numerator / denominator, resolution(numerator / denominator)?, at)))
-    {
-        Some((scale, [increments, path], at)) => {
+    match scale(axis) {
+        Ok((scale, [increments, path], at)) => {
             let line = take(at, &[("getriebe[0].wegaufz", increments), ("getriebe[0].wegaufn", path)]);
             said.push(format!("EncPara scale {scale} mm per increment is {line} (P-AXIS-00234, 00233)"));
         }
-        None => {
-            missing.push("EncPara ScaleFactorNumerator: write getriebe[0].wegaufz and wegaufn, if a spindle needs them")
-        }
+        Err(text) => left.push((
+            "EncPara",
+            "ScaleFactorNumerator",
+            text,
+            "getriebe[0].wegaufz and wegaufn, if a spindle needs them",
+        )),
     }
     let is_inverse = |path: &[&str]| {
         let node = path.iter().try_fold(axis, |node, name| child(node, name));
@@ -114,17 +128,30 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
     NcAxis {
         source: Source::converted(&source.name, text(&taken), source.encoding),
         name: name.map(axis_name::of_words).filter(|name| axis_name::is_allowed(name)),
-        said: note(place, name, &said, &missing, cycle),
+        said: note(place, name, &said, &left, cycle),
     }
 }
 
-/// The message about the axis: what was taken, and what is missing.
-fn note(place: Place, name: Option<&str>, said: &[String], missing: &[&str], cycle: Option<u64>) -> Diagnostic {
+/// A value that was not taken: its element and its attribute, the text that is no value, and what to write.
+type Left = (&'static str, &'static str, Option<String>, &'static str);
+
+/// The message about the axis: what was taken, what is missing, and what cannot be read.
+fn note(place: Place, name: Option<&str>, said: &[String], left: &[Left], cycle: Option<u64>) -> Diagnostic {
     let name = name.map(|name| format!(" {}", shown(name))).unwrap_or_default();
     let taken = if said.is_empty() { "nothing could be taken".to_owned() } else { said.join("; ") };
     let mut found = format!("axis{name} of TwinCAT NC, which has no axis list: {taken}");
-    if !missing.is_empty() {
-        found += &format!("; not in the file, for TwinCAT leaves out what has its default: {}", missing.join("; "));
+    let of = |(element, attribute, text, write): &Left, is_missing: bool| match text {
+        None => is_missing.then(|| format!("{element} {attribute}: write {write}")),
+        Some(text) => (!is_missing).then(|| format!("{element} {text}: write {write}")),
+    };
+    for (what, is_missing) in [
+        ("not in the file, for TwinCAT leaves out what has its default", true),
+        ("in the file, and no number that can be taken", false),
+    ] {
+        let those: Vec<_> = left.iter().filter_map(|left| of(left, is_missing)).collect();
+        if !those.is_empty() {
+            found += &format!("; {what}: {}", those.join("; "));
+        }
     }
     let cycle = cycle.map_or_else(
         || "the cycle time of the NC's SAF task".to_owned(),

@@ -31,7 +31,16 @@ pub(super) fn is_prose(line: &Statement<'_>) -> bool {
         && !has_path
         && !line.path.contains(['[', ']', '='])
         && !line.value.starts_with('=')
-        && with_underscores(line).is_none()
+        && joined(line).is_none()
+        && !is_end_of_path(line)
+}
+
+/// Whether the first word is the end of a path and the rest a value of it: `kv 2000`.
+fn is_end_of_path(line: &Statement<'_>) -> bool {
+    let Some(known) = path::ending_with(line.path, line.path) else { return false };
+    let Path::Known { name, .. } = path::find(&closest::with_indices_of(known, line.path)) else { return false };
+    let spelled = value::spelled(name.parameter(), line.value);
+    !line.value.is_empty() && !is_word(spelled.after) && value::of_text(name.parameter(), spelled.text).is_ok()
 }
 
 /// The text after the end of a comment `/* ... */`, which belongs to the comment.
@@ -71,6 +80,9 @@ pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
             Some("the path before it, in the same line".to_owned()),
         );
     }
+    if let Some((_, instead)) = joined(line) {
+        return (format!("{written} is not a path: it ends at a blank"), Some(instead));
+    }
     if let Some(path) = closest::of_id(line.path) {
         return (format!("{written} is the id of a parameter, no path"), Some(format!("{path} {}", line.value)));
     }
@@ -80,31 +92,47 @@ pub(super) fn malformed(line: &Statement<'_>) -> (String, Option<String>) {
     (format!("{written} is not a path"), instead)
 }
 
-/// A line whose path has blanks instead of underscores, with underscores: `weight fact denom 200`.
-pub(super) fn with_underscores(line: &Statement<'_>) -> Option<String> {
+/// A line whose path has blanks, without them: `weight fact denom 200`, `getriebe [0].kv 2000`; first what is wrong.
+pub(super) fn joined(line: &Statement<'_>) -> Option<(&'static str, String)> {
     // A number after the path is its value.
-    if !is_word(line.value) {
+    if !is_of_path(line.path, line.value) {
         return None;
     }
     let (_, path, rest) = known(line).filter(|(_, path, _)| path != line.path)?;
-    Some(format!("{path} {rest}").trim_ascii_end().to_owned())
+    let has_underscores = path.matches('_').count()
+        > line.path.matches('_').count() + line.value.matches('_').count() - rest.matches('_').count();
+    let what = match has_underscores {
+        true => "not known: its name has `_` where the line has blanks",
+        false => "not known: it has a blank in its path",
+    };
+    Some((what, format!("{path} {rest}").trim_ascii_end().to_owned()))
 }
 
 fn is_word(text: &str) -> bool {
     text.starts_with(|letter: char| letter.is_ascii_alphabetic())
 }
 
-/// The name and the text of a path that may have blanks instead of underscores, and the rest of the line.
+/// Whether a text after a blank may continue a path; by bytes, because it is asked of every parameter of another function.
+fn is_of_path(path: &str, text: &str) -> bool {
+    let Some(first) = text.as_bytes().first() else { return false };
+    matches!(first, b'A'..=b'Z' | b'a'..=b'z' | b'_' | b'[' | b']' | b'.') || path.as_bytes().last() == Some(&b'[')
+}
+
+/// The name and the text of a path that may have blanks, also instead of underscores, and the rest of the line.
 fn known<'l>(line: &Statement<'l>) -> Option<(Name, String, &'l str)> {
     if let Path::Known { name, .. } = path::find(line.path) {
         return Some((name, line.path.to_owned(), line.value));
     }
+    if !is_of_path(line.path, line.value) {
+        return None;
+    }
     // axgen's names are shorter than the bound, which keeps a long line cheap.
-    let (mut path, mut rest) = (if is_word(line.value) { line.path.to_owned() } else { return None }, line.value);
-    while path.len() < 128 && is_word(rest) {
+    let (mut path, mut rest) = (line.path.to_owned(), line.value);
+    while path.len() < 128 && is_of_path(&path, rest) {
         let word = &rest[..value::end_of_word(rest)];
         rest = rest[word.len()..].trim_ascii_start();
-        path.extend(["_", word]);
+        let is_joined = path.ends_with(['_', '[', '.']) || word.starts_with(['_', '[', ']', '.']);
+        path.extend([if is_joined { "" } else { "_" }, word]);
         if let Path::Known { name, .. } = path::find(&path) {
             return Some((name, path, rest));
         }

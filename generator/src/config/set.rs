@@ -2,7 +2,7 @@
 
 use super::path::{self, Path};
 use super::values::{Setting, Values};
-use super::{axis_name, closest, list, other_kind, source::Source, toml_fault, value};
+use super::{axis_name, closest, list, other_kind, own_key, source::Source, toml_fault, value};
 use crate::codes;
 use crate::diagnostics::{Diagnostic, Place, Report};
 use crate::parameters::{Name, Scope, path_with};
@@ -157,7 +157,10 @@ fn setting(
     let with_radix = value::with_radix(name.parameter(), &source.bytes[span.clone()], &source.bytes[span.end..]);
     let read = match with_radix {
         Some(refused) => Err(vec![(span.start, refused)]),
-        None => value::of_toml(name.parameter(), value),
+        None => value::of_toml(name.parameter(), value).and_then(|read| match own_key::unfit(name, &read) {
+            Some(unfit) => Err(vec![(span.start, unfit)]),
+            None => Ok(read),
+        }),
     };
     // An unreadable value in a list may belong to another function. A set is written for axgen: an unreadable key is an
     // error.
@@ -183,7 +186,7 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
     }
     let (what, instead) = match path::find(path) {
         Path::Known { name, index, misprint: true, .. } => {
-            ("a misprint of the manual", Some(path_with(name.parameter().path, index)))
+            ("a misprint of the manual", Some(closest::in_a_set(&path_with(name.parameter().path, index), path)))
         }
         Path::Known { name, .. } => {
             let instead = format!("`{}` before the first table", name.parameter().path);
@@ -193,7 +196,7 @@ fn unknown(path: &str, value: &DeValue<'_>, place: Place) -> Diagnostic {
             let is_table = matches!(value, DeValue::Table(_) | DeValue::Array(_));
             let alike = path::with_other_indices(path).map(|known| closest::with_indices_of(known, path));
             let meant = closest::of_id(path).or(alike).or_else(|| closest::path(path, is_table));
-            ("not known", meant)
+            ("not known", meant.map(|meant| closest::in_a_set(&meant, path)))
         }
     };
     Diagnostic { instead, ..Diagnostic::error(codes::UNKNOWN, place, format!("{shown} is {what}")) }

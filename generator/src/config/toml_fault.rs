@@ -2,9 +2,9 @@
 //! write instead. Nothing that TOML accepts is parsed here.
 
 use super::source::Source;
-use super::value::{is_number, on_a_line, shown};
+use super::value::{grouped, is_number, shown};
 use crate::codes;
-use crate::diagnostics::Diagnostic;
+use crate::diagnostics::{Diagnostic, on_a_line};
 use std::collections::BTreeMap;
 
 /// A place in a line, what was found there, and what to write instead.
@@ -32,17 +32,112 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
             break;
         }
     }
-    let of_line = |(start, (column, words)): (usize, (usize, String))| {
+    let mut unclosed = unclosed(text);
+    // What the parser says about the lines below follows from it; where something is closed that was not opened, what it says about
+    // the lines above too, unless that is explained otherwise.
+    let is_cause = unclosed.as_ref().is_some_and(|(at, ..)| text[*at..].starts_with([']', '}']));
+    let last = unclosed.as_ref().map_or(text.len(), |(at, ..)| *at);
+    let last = text[..last].rfind('\n').map_or(0, |end| end + 1);
+    let mut said = Vec::new();
+    for (start, (column, words)) in lines.into_iter().take_while(|(start, _)| *start <= last).take(LINES) {
         let line = text[start..].lines().next().unwrap_or_default();
         let error = |at: usize, found| Diagnostic::error(codes::SYNTAX, source.place(start + at), found);
         let is_comment = line.trim_start().starts_with('#');
-        let fault = if is_comment || line.len() > LONGEST { None } else { fault(line, column.min(line.len()), &words) };
+        let fault = match () {
+            () if is_comment || line.len() > LONGEST => None,
+            () if line.trim().starts_with('{') && text[..start].trim().is_empty() => Some(json(line)),
+            () => fault(line, column.min(line.len()), &words),
+        };
         match fault {
-            Some((at, found, instead)) => error(at, on_a_line(&found)).instead(on_a_line(&instead)),
-            None => error(column, format!("no TOML: {words}")),
+            Some((at, found, instead)) => {
+                said.push(error(at, on_a_line(&found)).instead(on_a_line(&instead)));
+                unclosed = unclosed.filter(|_| start < last);
+            }
+            None if unclosed.is_none() || start < last && !is_cause => {
+                said.push(error(column, format!("no TOML: {words}")))
+            }
+            None => {}
         }
-    };
-    lines.into_iter().take(LINES).map(of_line).collect()
+    }
+    said.extend(
+        unclosed.map(|(at, found, instead)| Diagnostic::error(codes::SYNTAX, source.place(at), found).instead(instead)),
+    );
+    said
+}
+
+fn json(line: &str) -> Fault {
+    let found = "`{` begins no line of TOML: the file seems to be JSON".to_owned();
+    (line.len() - line.trim_start().len(), found, "key = value, and [axis.X] above what belongs to an axis".to_owned())
+}
+
+/// A bracket that is not closed or closes nothing, or a string that is not closed within brackets or over lines.
+fn unclosed(text: &str) -> Option<Fault> {
+    let closing = |open: char| if open == '[' { ']' } else { '}' };
+    let without_end =
+        |&(at, open): &(usize, char)| (at, format!("`{open}` without its end"), closing(open).to_string());
+    let mut open: Vec<(usize, char)> = Vec::new();
+    let mut at = 0;
+    while let Some(sign) = text[at..].chars().next() {
+        let rest = &text[at..];
+        at += sign.len_utf8();
+        match sign {
+            '#' => at = text[at..].find('\n').map_or(text.len(), |end| at + end),
+            '"' | '\'' => match end_of_string(rest, sign) {
+                Some(end) => at += end - 1,
+                None if open.is_empty() && !is_of_lines(rest, sign) => {
+                    at = text[at..].find('\n').map_or(text.len(), |end| at + end);
+                }
+                None => {
+                    let end = if is_of_lines(rest, sign) { sign.to_string().repeat(3) } else { sign.to_string() };
+                    return Some((at - 1, "a string without its end".to_owned(), format!("{end} at its end")));
+                }
+            },
+            '[' | '{' => open.push((at - 1, sign)),
+            ']' | '}' => match open.pop() {
+                Some((_, opened)) if closing(opened) == sign => {}
+                Some(opened) => return Some(without_end(&opened)),
+                None => {
+                    return Some((at - 1, format!("`{sign}` closes nothing"), format!("the line without `{sign}`")));
+                }
+            },
+            '\n' if begins_statement(&text[at..], open.last()) => return open.last().map(without_end),
+            _ => {}
+        }
+    }
+    open.last().map(without_end)
+}
+
+fn is_of_lines(text: &str, quote: char) -> bool {
+    text.starts_with(&quote.to_string().repeat(3))
+}
+
+/// The end of the string at the start of a text, after its quote.
+fn end_of_string(text: &str, quote: char) -> Option<usize> {
+    let is_long = is_of_lines(text, quote);
+    let quotes = quote.to_string().repeat(if is_long { 3 } else { 1 });
+    let mut is_escaped = false;
+    let start = quotes.len();
+    for (at, sign) in text[start..].char_indices() {
+        match sign {
+            '\n' if !is_long => return None,
+            _ if is_escaped => is_escaped = false,
+            '\\' if quote == '"' => is_escaped = true,
+            _ if text[start + at..].starts_with(&quotes) => return Some(start + at + quotes.len()),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Whether a line within brackets is the name of a table, or within an array a key with its value.
+fn begins_statement(line: &str, open: Option<&(usize, char)>) -> bool {
+    let Some((_, open)) = open else { return false };
+    let line = line.lines().next().unwrap_or_default().trim_start();
+    let is_letter = |letter: char| letter.is_ascii_alphabetic();
+    let is_key = |letter: char| letter.is_ascii_alphanumeric() || "._-".contains(letter);
+    let is_header = line.starts_with('[') && line.trim_start_matches('[').starts_with(is_letter);
+    is_header
+        || *open == '[' && line.starts_with(is_letter) && line.trim_start_matches(is_key).trim_start().starts_with('=')
 }
 
 /// The fault in a line about which the parser says these words.
@@ -51,10 +146,6 @@ fn fault(line: &str, column: usize, words: &str) -> Option<Fault> {
     let text = line.trim();
     if let Some(sign) = ["//", "/*", "(*", "(", ";", "'"].into_iter().find(|sign| text.starts_with(sign)) {
         return Some((start, format!("`{sign}` begins no comment of TOML"), "`#` before a comment".to_owned()));
-    }
-    if text.starts_with('{') {
-        let found = "`{` begins no line of TOML: the file seems to be JSON".to_owned();
-        return Some((start, found, "key = value, and [axis.X] above what belongs to an axis".to_owned()));
     }
     if let Some(at) = line.find(['\u{201c}', '\u{201d}', '\u{201e}', '\u{2018}', '\u{2019}']) {
         return Some((
@@ -137,8 +228,10 @@ fn value_fault(Written { at, text, next }: Written<'_>) -> Option<Fault> {
             "s" | "ms" | "us" | "ns" => (found("a time without quotes"), format!("\"{text}\"")),
             _ => (found("a number with a unit"), number.to_owned()),
         },
-        () if text.matches('.').count() > 1 && is_digits(&text.replace('.', "")) => {
-            (found("a number with several points"), text.replace('.', ""))
+        () if text.matches('.').count() > 1
+            && let Some(number) = grouped(text, '.') =>
+        {
+            (found("a number with several points"), number)
         }
         () if text.starts_with('.') && is_number(text) => {
             (found("a number that begins with a point"), format!("0{text}"))

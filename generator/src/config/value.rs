@@ -2,7 +2,7 @@
 
 use super::closest;
 use crate::codes;
-use crate::diagnostics::{Diagnostic, Place};
+use crate::diagnostics::{Diagnostic, Place, on_a_line};
 use crate::parameters::{Kind, Name, Parameter, Value, Word, real_text};
 use std::borrow::Cow;
 use toml::{Spanned, de::DeValue};
@@ -115,7 +115,15 @@ pub(crate) fn of_text(parameter: &Parameter, text: &str) -> Result<Value, Refuse
 pub(crate) fn of_toml(parameter: &Parameter, value: &Spanned<DeValue<'_>>) -> Result<Value, Vec<(usize, Refused)>> {
     let found = match (parameter.kind, value.get_ref()) {
         (Kind::Words(words), DeValue::Array(array)) => return of_array(parameter, words, array),
-        (kind, value) if toml_types(kind).1.contains(&value.type_str()) => of_text(parameter, &scalar(value)),
+        (kind, value) if toml_types(kind).1.contains(&value.type_str()) => {
+            of_text(parameter, &scalar(value)).map_err(|refused| Refused {
+                instead: match value {
+                    DeValue::Float(x) => whole(parameter, x.as_str()),
+                    _ => refused.instead,
+                },
+                ..refused
+            })
+        }
         (_, other) => Err(wrong_type(parameter, other)),
     };
     found.map_err(|refused| vec![(value.span().start, refused)])
@@ -140,18 +148,6 @@ pub(crate) fn shown(text: &str) -> String {
     let start: String = text.chars().take(LONGEST).collect();
     let dots = if text.chars().nth(LONGEST).is_some() { "..." } else { "" };
     format!("`{}{dots}`", on_a_line(&start))
-}
-
-/// A text in which everything is escaped that could end a line, control a terminal or change the direction of the letters.
-pub(super) fn on_a_line(text: &str) -> String {
-    let mut line = String::with_capacity(text.len());
-    for letter in text.chars() {
-        match letter {
-            '"' | '\'' | '\\' => line.push(letter),
-            other => line.extend(other.escape_debug()),
-        }
-    }
-    line
 }
 
 fn of_word(parameter: &Parameter, words: &'static [Word], text: &str) -> Result<&'static str, Refused> {
@@ -251,7 +247,7 @@ fn of_integer(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
             code: if too_large { codes::RANGE } else { codes::NUMBER },
             found: format!("is {}{}", shown(text), if too_large { "" } else { ", no whole number" }),
             allowed: format!("a whole number, {}", parameter.allowed()),
-            instead: without_groups(text).or_else(|| without_unit(parameter, text)),
+            instead: meant_number(parameter, text).or_else(|| without_unit(parameter, text)),
         }
     })
 }
@@ -261,38 +257,71 @@ fn of_real(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         code: codes::NUMBER,
         found: format!("is {}, no finite number", shown(text)),
         allowed: format!("a number, {}", parameter.allowed()),
-        instead: without_groups(text).or_else(|| without_unit(parameter, text)),
+        instead: meant_number(parameter, text).or_else(|| without_unit(parameter, text)),
     })
 }
 
-/// A number written with digit groups or a decimal comma, in the form of a list.
-pub(crate) fn without_groups(text: &str) -> Option<String> {
-    let grouped = |sign: char| {
-        let mut groups = text.split(sign);
-        let first = groups.next().filter(|first| is_number(first) && first.len() <= 4)?;
-        let rest: Vec<&str> = groups.collect();
-        let is_group = |group: &&str| group.len() == 3 && group.bytes().all(|byte| byte.is_ascii_digit());
-        (!rest.is_empty() && rest.iter().all(is_group)).then(|| [&[first], rest.as_slice()].concat().concat())
+/// Whether a parameter takes a text: no other one is advised.
+fn is_taken(parameter: &Parameter, text: &str) -> bool {
+    let value = match parameter.kind {
+        Kind::Integer { .. } => integer(text).map(Value::Integer),
+        Kind::Real { .. } => real(text).map(Value::Real),
+        Kind::Word(_) | Kind::Words(_) | Kind::Flags(_) | Kind::Duration { .. } | Kind::Text => {
+            of_text(parameter, text).ok()
+        }
     };
+    value.is_some_and(|value| parameter.contains(&value))
+}
+
+/// The whole number that a float of TOML is: its point separates no groups of digits.
+fn whole(parameter: &Parameter, text: &str) -> Option<String> {
+    let text = real(text).filter(|x| x.fract() == 0.0)?.to_string();
+    is_taken(parameter, &text).then_some(text)
+}
+
+/// The number that a text of a list with digit groups or a decimal comma means. A single point or comma may be either.
+pub(crate) fn meant_number(parameter: &Parameter, text: &str) -> Option<String> {
     let point = text.trim_end_matches(',').replace([' ', '\t'], "").replace(',', ".");
     // `2000,0` is a whole number, which a parameter without decimals takes.
-    let whole = point
-        .split_once('.')
-        .filter(|(_, digits)| digits.bytes().all(|digit| digit == b'0'))
-        .map(|(whole, _)| whole.to_owned());
-    let point = (text.contains(',') && is_number(&point)).then_some(whole.unwrap_or(point));
-    [' ', '\'', '_', '.'].into_iter().find_map(grouped).or(point)
+    let is_zero = |digits: &str| digits.bytes().all(|digit| digit == b'0');
+    let point = match point.split_once('.').filter(|(_, digits)| is_zero(digits)) {
+        Some((whole, _)) => whole.to_owned(),
+        None => point,
+    };
+    let point = Some(point).filter(|point| text.contains([',', '.']) && is_taken(parameter, point));
+    let signs = [(' ', "blank"), ('\'', "sign"), ('_', "sign"), ('.', "point"), (',', "comma")];
+    let groups = signs.into_iter().find_map(|(sign, name)| Some((grouped(text, sign)?, sign, name)));
+    let groups = groups.filter(|(number, ..)| is_taken(parameter, number));
+    match (point, groups) {
+        (point, Some((number, sign @ ('.' | ','), name))) if text.matches(sign).count() == 1 => {
+            let point = point.map(|point| format!("{point}, or ")).unwrap_or_default();
+            Some(format!("{point}{number}, if the {name} separates groups of digits"))
+        }
+        (_, Some((number, ..))) => Some(number),
+        (point, None) => point,
+    }
+}
+
+/// A number whose digits a sign separates into groups of three; a first group with a leading 0 is the whole part of a decimal.
+pub(super) fn grouped(text: &str, sign: char) -> Option<String> {
+    let mut groups = text.split(sign);
+    let is_digits = |group: &str| group.bytes().all(|byte| byte.is_ascii_digit());
+    let first = signed(groups.next()?).1;
+    let is_first = matches!(first.len(), 1..=3) && is_digits(first) && !first.starts_with('0');
+    let is_rest = groups.clone().next().is_some() && groups.all(|group| group.len() == 3 && is_digits(group));
+    (is_first && is_rest).then(|| text.replace(sign, ""))
 }
 
 /// A number written with its unit, converted to the unit of the parameter.
 fn without_unit(parameter: &Parameter, text: &str) -> Option<String> {
     let (number, unit) = text.split_at(text.find(|c: char| !c.is_ascii_digit() && c != '.')?);
     let value = real(number)?;
-    match unit {
-        "%" if parameter.unit == "0.1 %" => Some(real_text(value * 10.0)),
-        _ if unit == parameter.unit || unit == "f" => Some(number.to_owned()),
-        _ => None,
-    }
+    let meant = match unit {
+        "%" if parameter.unit == "0.1 %" => real_text(value * 10.0),
+        _ if unit == parameter.unit || unit == "f" => number.to_owned(),
+        _ => return None,
+    };
+    is_taken(parameter, &meant).then_some(meant)
 }
 
 /// Decimal or 0x, with a sign.
@@ -338,7 +367,7 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
         "ms" => 6,
         "us" | "\u{b5}s" | "\u{3bc}s" => 3,
         "ns" => 0,
-        "" => return Err(refused("which has no unit", real(number).map(|time| with_unit(number, time)))),
+        "" => return Err(refused("which has no unit", with_unit(parameter, number))),
         _ => return Err(refused("not a duration", None)),
     };
     let (whole, fraction) = number.split_once('.').unwrap_or((number, ""));
@@ -354,11 +383,16 @@ fn of_duration(parameter: &Parameter, text: &str) -> Result<Value, Refused> {
 }
 
 /// A time without a unit with the units that are likely.
-fn with_unit(number: &str, time: f64) -> String {
+fn with_unit(parameter: &Parameter, number: &str) -> Option<String> {
+    let of = |unit: &str, word: &str| {
+        let time = format!("{number}{unit}");
+        is_taken(parameter, &time).then(|| format!("\"{time}\", if {word} are"))
+    };
     // Hardly any cycle is shorter than a tenth of a millisecond: such a number is probably in seconds.
-    match time < 0.1 {
-        true => format!("\"{number}s\", if seconds are meant, or \"{number}ms\", if milliseconds are"),
-        false => format!("\"{number}ms\", if milliseconds are meant"),
+    let seconds = real(number).filter(|time| *time < 0.1).and_then(|_| of("s", "seconds"));
+    match (seconds, of("ms", "milliseconds")) {
+        (Some(seconds), Some(milliseconds)) => Some(format!("{seconds} meant, or {milliseconds}")),
+        (seconds, milliseconds) => seconds.or(milliseconds).map(|time| format!("{time} meant")),
     }
 }
 
@@ -366,12 +400,10 @@ fn wrong_type(parameter: &Parameter, value: &DeValue<'_>) -> Refused {
     let (needed, _) = toml_types(parameter.kind);
     let instead = match (parameter.kind, value) {
         (Kind::Integer { .. } | Kind::Real { .. }, DeValue::String(text)) => {
-            of_text(parameter, text).ok().map(|value| format!("{}, without quotes", value.text()))
+            let value = of_text(parameter, text).ok().filter(|value| parameter.contains(value));
+            value.map(|value| format!("{}, without quotes", value.text()))
         }
-        (Kind::Duration { .. }, DeValue::Integer(_) | DeValue::Float(_)) => {
-            let number = scalar(value);
-            real(&number).map(|time| with_unit(&number, time))
-        }
+        (Kind::Duration { .. }, DeValue::Integer(_) | DeValue::Float(_)) => with_unit(parameter, &scalar(value)),
         _ => None,
     };
     Refused {

@@ -1,12 +1,13 @@
 //! The lines of a list with the present values, and new lines for the values without a line. No file is read here.
 
-use super::slot::{self, HOLE, OWN, Slot};
+use super::slot::{self, HOLE, Slot};
 use super::spelling;
 use crate::codes;
-use crate::config::lines::{self, Content, Line, Statement};
+use crate::config::lines::{self, Content, Line};
+use crate::config::own_key::{self, OWN};
 use crate::config::{AxisList, Encoding, Key, Setting, Source, Values, key, list, of_text};
 use crate::diagnostics::{Diagnostic, Report, Severity};
-use crate::parameters::{Name, Parameter, Scope, Value, path_with};
+use crate::parameters::{Name, Scope, Value, path_with};
 use std::collections::BTreeSet;
 
 pub(super) struct Filling<'r> {
@@ -60,29 +61,24 @@ impl Filling<'_> {
         let range = slot.range.clone();
         let hole = slot.text.strip_prefix(HOLE);
         let spelled = hole.unwrap_or(slot.text);
-        if slot.own && spelled.starts_with(HOLE) {
-            // A comment that resembles a hole.
-            text.splice(range, spelled.bytes());
-            return;
-        }
-        let is_comment = || !spelled.is_empty() && slot::own_value(slot.key, spelled).is_none();
-        if slot.own && (written.contains(&slot.key) || is_comment()) {
+        if slot.own && written.contains(&slot.key) {
             return;
         }
         let Some((setting, Some(value))) = self.values.get(slot.key).map(|setting| (setting, &setting.value)) else {
             match line.content {
-                Content::Statement(statement) if hole.is_none() => self.warn_of(&statement),
+                Content::Statement(statement) if hole.is_none() => self.warn_of(statement.path),
                 // The value was removed from the set: so is its line, but not the comment after it.
                 Content::Statement(statement) if !statement.comment.is_empty() => {
                     text.drain(statement.path_at()..statement.comment_at());
                 }
                 _ if hole.is_some() => text.clear(),
-                _ => {}
+                _ => self.warn_of(&path_with(slot.template, slot.key.1)),
             }
             return;
         };
-        if of_text(parameter, spelled).as_ref() != Ok(value) {
-            text.splice(range, text_of(parameter, setting, value).bytes());
+        let read = if slot.own { own_key::value_of(parameter, spelled) } else { of_text(parameter, spelled) };
+        if read.as_ref() != Ok(value) {
+            text.splice(range, text_of(slot.key, setting, value).bytes());
         } else if hole.is_some() {
             text.splice(range, spelled.bytes());
         }
@@ -90,9 +86,9 @@ impl Filling<'_> {
     }
 
     /// Warns of a parameter that the importing version of axgen did not know, or that was added by hand.
-    fn warn_of(&mut self, statement: &Statement<'_>) {
+    fn warn_of(&mut self, path: &str) {
         let Some(lines) = self.values.get(key(Name::ImportedLines)) else { return };
-        let found = format!("`{}` stands in the imported lines only: the axis does not have it", statement.path);
+        let found = format!("`{path}` stands in the imported lines only: the axis does not have it");
         let diagnostic = Diagnostic::warning(codes::PASSED_OVER, lines.value_place(), found);
         self.report.push(diagnostic.instead("the value below the axis, or import the list again"));
     }
@@ -106,7 +102,7 @@ impl Filling<'_> {
         for (key, setting) in values {
             let parameter = key.0.parameter();
             let path = path_with(setting.spelling, key.1);
-            let own = slot::is_own(key.0);
+            let own = own_key::is_own(key.0);
             if own {
                 let found =
                     format!("`{path}` is a key of an axis set: no controller knows it, and it stands in a comment");
@@ -117,7 +113,7 @@ impl Filling<'_> {
             };
             if !written.contains(&key) {
                 let sign = if own { OWN } else { "" };
-                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(parameter, setting, value))));
+                lines.push((setting.path_at, format!("{sign}{path} {}", text_of(key, setting, value))));
             }
         }
         lines.sort();
@@ -130,14 +126,17 @@ impl Filling<'_> {
         let read = list::read(&AxisList { source, range: 0..list.len(), name: None, said: None });
         let errors = read.report.diagnostics.into_iter().filter(|said| said.severity == Severity::Error);
         self.report.diagnostics.extend(errors);
-        let of_a_list = self.values.iter().filter(|((name, _), _)| name.parameter().scope == Scope::List);
-        for (key, setting) in of_a_list {
-            let found = read.values.get(key).map(|setting| &setting.value);
+        let is_in_it = |name: Name| name.parameter().scope == Scope::List || own_key::is_own(name);
+        // The original list had no cycle time.
+        let in_it = self.values.iter().filter(|((name, _), _)| is_in_it(*name) && *name != Name::CycleTime);
+        for (key, setting) in in_it {
+            let found = read.values.get(key).or_else(|| read.own.get(key)).map(|setting| &setting.value);
             assert!(self.report.has_errors() || found == Some(&setting.value), "export: {key:?} is {found:?}");
         }
     }
 }
 
-fn text_of(parameter: &Parameter, setting: &Setting, value: &Value) -> String {
-    spelling::in_list(parameter, &setting.source.bytes[setting.value_at..], value)
+fn text_of((name, _): Key, setting: &Setting, value: &Value) -> String {
+    let text = spelling::in_list(name.parameter(), &setting.source.bytes[setting.value_at..], value);
+    if own_key::is_own(name) { own_key::text_of(value, text) } else { text }
 }

@@ -1,15 +1,14 @@
 //! An axis list as a TOML set: each known value once, as TOML, with its comments; and the lines themselves for the export.
 
 use super::encoding::{Encoded, encoded, toml_string};
-use super::slot::{self, HOLE, Slot};
+use super::slot::{self, HOLE};
 use super::{spelling, tables};
 use crate::check;
 use crate::config::lines::{self, Content};
-use crate::config::{AxisList, Key, ListOptions, Load, Values, file, given, key, latin_1, list, other_kind, project};
+use crate::config::{AxisList, ListOptions, Load, Values, file, given, key, latin_1, list, other_kind, project};
 use crate::diagnostics::Report;
 use crate::parameters::words::{ListEncoding, Words};
 use crate::parameters::{Name, Value};
-use std::collections::BTreeSet;
 use std::path::Path;
 use toml_edit::Table;
 
@@ -42,13 +41,14 @@ pub fn import(path: &Path, options: &ListOptions, load: Load<'_>) -> (Option<Str
     };
     // Without a value that the axis uses, the set would have another meaning. An unused value is treated like one of another
     // function: its line is kept.
-    let said = check::axis(&name, Some(cycle_time), &list.values, source.whole(), false).effective.report;
-    report.diagnostics.extend(list.values.refused(&said));
+    let values = list.values.overridden_by(list.own);
+    let said = check::axis(&name, Some(cycle_time), &values, source.whole(), false).effective.report;
+    report.diagnostics.extend(values.refused(&said));
     if report.has_errors() {
         return (None, report);
     }
     let file = path.file_name().unwrap_or_default().to_string_lossy();
-    let taken = Taken::from_list(&list_of_axis, &list.values);
+    let taken = Taken::from_list(&list_of_axis, &values);
     (Some(taken.set(&name, &file, options.cycle_time.clone())), report)
 }
 
@@ -68,10 +68,9 @@ impl Taken {
         let mut axis = Table::new();
         let mut cycle_time = None;
         let mut above = Vec::new();
-        let mut own = BTreeSet::new();
         for (line, text) in lines.zip(bytes[mark.len()..].split_inclusive(|byte| *byte == b'\n')) {
             let slot = slot::in_line(&line);
-            let value = slot.as_ref().and_then(|slot| value_of(slot, values, &mut own));
+            let value = slot.as_ref().and_then(|slot| values.get(slot.key)?.value.clone());
             let mut text = text.to_vec();
             match (slot, value) {
                 (Some(slot), Some(value)) => {
@@ -93,10 +92,6 @@ impl Taken {
                         };
                         tables::insert(&mut axis, slot.template, slot.key.1, toml, &above, comment.trim_end());
                     }
-                }
-                (Some(slot), None) if slot.own && slot.text.starts_with(HOLE) => {
-                    // A comment that resembles a hole: a second sign marks it.
-                    text.insert(slot.range.start, HOLE as u8);
                 }
                 _ => match line.content {
                     Content::Remark { comment, .. } => above.push(comment_text(comment)),
@@ -144,15 +139,6 @@ impl Taken {
              [axis.{name}.imported_list]\n{encoding}{line_end}{before}lines = {lines}\n{after}"
         )
     }
-}
-
-/// The value that the set takes from a line: of a parameter, or of axgen's first comment with this key.
-fn value_of(slot: &Slot<'_>, values: &Values, own: &mut BTreeSet<Key>) -> Option<Value> {
-    if !slot.own {
-        return values.get(slot.key)?.value.clone();
-    }
-    let value = slot::own_value(slot.key, slot.text)?;
-    own.insert(slot.key).then_some(value)
 }
 
 /// The comments above a value, one per line. Several blank lines become one, also before them.

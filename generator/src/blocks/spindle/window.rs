@@ -42,7 +42,13 @@ pub(super) fn settled(e: &mut Effective<'_>, cycle_ns: Option<u32>, gear: u32, o
     let off = of.map_or(0, |of| of.off.value);
     match steps {
         Some(Steps { two, .. }) if !is_given => least = least.larger(two),
-        Some(Steps { two, .. }) if window(off, least) < two => narrow(e, least, window(off, least), two),
+        Some(Steps { two, .. }) if window(off, least) < two => {
+            let steps = format!("two steps of the encoder are {} rpm", rpm(two));
+            narrow(e, least, window(off, least), &steps, two);
+        }
+        _ if is_given && least < window(off, least) => {
+            narrow(e, least, least, &format!("1 % of Voff holds, {} rpm", rpm(window(off, least))), window(off, least));
+        }
         _ => {}
     }
     // Another rule reports velocities in the wrong order. A drive with velocity control alone never begins position control.
@@ -52,17 +58,11 @@ pub(super) fn settled(e: &mut Effective<'_>, cycle_ns: Option<u32>, gear: u32, o
     Some(least)
 }
 
-/// Warns of a written window below the steps of the encoder.
-fn narrow(e: &mut Effective<'_>, least: f64, holds: f64, steps: f64) {
+/// Warns of a written window below another width, in the words of `other`.
+fn narrow(e: &mut Effective<'_>, least: f64, holds: f64, other: &str, width: f64) {
     let at = key(Name::SpindleWindow);
-    let found = format!(
-        "{} is {}, {} rpm: two steps of the encoder are {} rpm",
-        e.title(at),
-        rounded(least),
-        rpm(holds),
-        rpm(steps)
-    );
-    let instead = format!("spindle.window = {}, or without it", steps.ceil());
+    let found = format!("{} is {}, {} rpm: {other}", e.title(at), rounded(least), rpm(holds));
+    let instead = format!("spindle.window = {}, or without it", width.ceil());
     e.warn(codes::NARROW_WINDOW, at, found, instead);
 }
 
