@@ -527,8 +527,9 @@ codes! {
          / Kv, and the block spindle_axis stops the spindle with error_id 48 at 170 deg. Write a larger Kv (P-AXIS-00099), a \
          lower v_velocity_control_on, or vorsteuer.default_active TRUE (P-AXIS-00255).";
     NARROW_WINDOW = "AX450", "a window narrower than the encoder's steps, or than 1 % of Voff",
-        "Below 1 % of Voff the window is replaced by that. An actual velocity from an encoder has steps of one increment in a cycle. The spindle has slowed down where it is \
-         within spindle.window for three cycles: with a window below two steps it may never have, and stops with error_id 42.";
+        "A smaller window than 1 % of Voff is replaced by 1 % of Voff. An actual velocity from an encoder has steps of one \
+         increment in a cycle. The spindle has slowed down where it is within spindle.window for three cycles: with a window \
+         below two steps it may never have, and stops with error_id 42.";
     WITHOUT_ERRORS = "AX451", "a frequency response without standard errors",
         "The margins are those of exactly this response. With coherence and the number of averages, or with a standard \
          error, they are lowered by what is uncertain.";

@@ -85,7 +85,7 @@ fn numbers(designed: &Designed) -> Numbers {
 }
 
 /// The numbers of each block that differ in any of some versions of the same block: the real type and the signals of a block
-/// are no numbers.
+/// do not count as numbers.
 fn changed(before: &Numbers, versions: &[Numbers]) -> Vec<(&'static str, Vec<usize>)> {
     let of_block = |(block, old): &(&'static str, Vec<Literal>)| {
         let named = versions.iter().flatten().filter(|(name, _)| name == block).map(|(_, new)| new);

@@ -15,7 +15,7 @@ pub(super) struct Excite {
     pub(super) speed: String,
     /// what the axis travels at that speed, with its unit
     pub(super) path: String,
-    /// whether the drive controls the position: what is measured then is no response of its velocity loop
+    /// whether the drive controls the position: the measured response is then not that of its velocity loop
     pub(super) in_drive: bool,
     /// what the excitation does to the machine
     pub(super) facts: Vec<Fact>,

@@ -48,7 +48,7 @@ pub(crate) fn in_a_set(known: &str, written: &str) -> String {
     }
 }
 
-/// `filter = [{ fg_f0 = ... }]` for `filter[0].fg_f0`; a key alone has no value.
+/// `filter = [{ fg_f0 = ... }]` for `filter[0].fg_f0`; a key alone is written without a value.
 fn keys(parts: &[&str]) -> String {
     let name = |part: &str| part.split('[').next().unwrap_or_default().to_owned();
     let [part, below @ ..] = parts else { return String::new() };

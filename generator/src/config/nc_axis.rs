@@ -132,7 +132,7 @@ fn list(axis: Node<'_, '_>, cycle: Option<u64>, document: &Document<'_>, source:
     }
 }
 
-/// A value that was not taken: its element and its attribute, the text that is no value, and what to write.
+/// A value that was not accepted: its element and its attribute, the text found there, and what to write.
 type Left = (&'static str, &'static str, Option<String>, &'static str);
 
 /// The message about the axis: what was taken, what is missing, and what cannot be read.

@@ -33,8 +33,8 @@ pub(super) fn said(source: &Source, text: &str, faults: impl Iterator<Item = (us
         }
     }
     let mut unclosed = unclosed(text);
-    // What the parser says about the lines below follows from it; where something is closed that was not opened, what it says about
-    // the lines above too, unless that is explained otherwise.
+    // What the parser says about the lines below follows from it. Where something is closed that was not opened, what it says
+    // about the lines above does too, unless another fault explains that.
     let is_cause = unclosed.as_ref().is_some_and(|(at, ..)| text[*at..].starts_with([']', '}']));
     let last = unclosed.as_ref().map_or(text.len(), |(at, ..)| *at);
     let last = text[..last].rfind('\n').map_or(0, |end| end + 1);
