@@ -1,13 +1,16 @@
 //! Stages that are written where an axis has its parameters, proved by reading the result: the axis has exactly these
 //! stages, the mode DRYRUN, and all else as before. No file is written here.
 
-use crate::axis::{Axis, Enable, Stage};
+use crate::axis::{Enable, Stage};
 use crate::blocks::Designed;
 use crate::codes;
+use crate::config::given::{self, Given, GivenAxis};
+use crate::config::values::{Key, Values};
 use crate::config::{ListOptions, Load, Unreadable};
 use crate::diagnostics::{Diagnostic, Place, Report, Slashes};
 use crate::diff;
 use crate::import_export;
+use crate::parameters::{Name, Value};
 use crate::pipeline::{self, Set};
 use std::path::Path;
 
@@ -43,7 +46,12 @@ pub fn stages(
     let (was, _) = pipeline::read_to_look_at(path, options, &old);
     let (is, report) = pipeline::read_with(path, options, &new);
     let (Some(was), Some(is)) = (was, is) else { return (None, report) };
-    if !is_proved(&was, &is, axis, stages) {
+    let given = |load| given::read(path, options, load);
+    let is_kept = match (given(&old), given(&new)) {
+        (Ok(was), Ok(new)) => is_proved(&was, &new, axis, stages, &is),
+        (Err(_), _) | (_, Err(_)) => false,
+    };
+    if !is_kept {
         let found =
             format!("the stages of the axis {axis} stand in a form that is not edited: other values would change");
         let said = Diagnostic::error(codes::NOT_WRITTEN, Place::whole(path.slashes()), found);
@@ -53,28 +61,21 @@ pub fn stages(
     (Some(Applied { before, after, changes }), report)
 }
 
-/// Whether the axis has the stages and all else is as it was.
-fn is_proved(was: &Set, is: &Set, axis: &str, stages: &[Stage]) -> bool {
-    let same = |(was, is): (&Designed, &Designed)| match is.axis.name == axis {
-        true => is_changed(&was.axis, &is.axis, stages),
-        false => was.axis == is.axis,
+/// Whether the axis has the stages and the mode DRYRUN, and every other value of the file is as it was. Values are compared as
+/// they were read: what they mean can depend on whether a stage is active.
+fn is_proved(was: &Given, is: &Given, axis: &str, stages: &[Stage], set: &Set) -> bool {
+    let of_axis = |designed: &&Designed| designed.axis.name == axis;
+    let ipc = set.axes.iter().find(of_axis).map(|designed| &designed.axis.ipc);
+    let is_written = ipc.is_some_and(|ipc| ipc.enable == Enable::DryRun && ipc.stage.iter().flatten().eq(stages));
+    let same = |(was, is): (&GivenAxis, &GivenAxis)| {
+        was.name == is.name && was.foreign.count == is.foreign.count && kept(was, axis) == kept(is, axis)
     };
-    was.axes.len() == is.axes.len() && was.axes.iter().zip(&is.axes).all(same)
+    is_written && was.axes.len() == is.axes.len() && was.axes.iter().zip(&is.axes).all(same)
 }
 
-fn is_changed(was: &Axis, is: &Axis, stages: &[Stage]) -> bool {
-    let mut expected = was.clone();
-    expected.ipc.enable = Enable::DryRun;
-    expected.ipc.stage = std::array::from_fn(|k| stages.get(k).cloned());
-    // A measured response is read only where a stage is active.
-    expected.drive.clone_from(&is.drive);
-    // What the digests are made of names the stages and the mode; the other blocks have neither.
-    let rest = |axis: &Axis| {
-        let is_kept =
-            |line: &&str| !line.contains(".improved_position_control.stage[") && !line.contains("_control.enable ");
-        axis.canonical.lines().filter(is_kept).map(str::to_owned).collect::<Vec<_>>()
-    };
-    let is_rest_same = rest(was) == rest(is);
-    (expected.canonical, expected.canonical_of) = (is.canonical.clone(), is.canonical_of.clone());
-    is_rest_same && expected == *is
+/// The values of an axis, without those that are written to it.
+fn kept<'g>(of: &'g GivenAxis, axis: &str) -> Vec<(Key, &'g Option<Value>)> {
+    let is_kept = |(name, _): Key| of.name != axis || name != Name::Enable && !given::is_of_stage(name);
+    let values = of.values.iter().flat_map(Values::iter);
+    values.filter(|(key, _)| is_kept(*key)).map(|(key, setting)| (key, &setting.value)).collect()
 }

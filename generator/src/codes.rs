@@ -509,9 +509,9 @@ codes! {
         "Velocity control begins above P-AXIS-00767, whose default is 33333 rpm. The spindle does not turn so fast, or is not \
          meant to: it would stay in position control.";
     ADDS = "AX445", "an additive velocity together with a changeover",
-        "ADD_VEL sends the whole velocity as an additive command. In velocity control the drive would get it twice, and the \
-         position command of the change to position control counts the drive's own feedforward only. Switch it off (G137) while \
-         `loop_closed` is FALSE, or use the feedforward of the drive.";
+        "ADD_VEL sends the whole velocity as an additive command. In velocity control, and while the drive changes its mode, it \
+         would get it twice. `spindle_axis` takes it out of `velocity_command`. With the block `spindle` alone switch it off \
+         (G137) while `loop_closed` is FALSE, or use the feedforward of the drive.";
     TWO_WEIGHTS = "AX446", "two weights of the drive's feedforward",
         "P-AXIS-00833 replaces P-AXIS-00766. Both are given, and differ: the new one holds. Write what the drive has (SERCOS \
          S-0-0296, CANopen 3062h).";
@@ -735,10 +735,11 @@ codes! {
     CLIPPED = "AX505", "a channel that is clipped",
         "The channel stays at its largest value, to the last digit, and comes there and leaves from there suddenly: the sensor or \
          the recorder was at its limit. Clipping makes lines that the machine does not have. Choose a larger range.";
-    UNITS_DIFFER = "AX506", "velocities that do not fit each other",
+    UNITS_DIFFER = "AX506", "velocities that do not fit each other, or the kind of axis",
         "The motor follows the commanded velocity at low frequencies, so that both have the same size and sign. A factor of \
          1000 is mm/s in the place of um/s, -1 a motor that counts in the other direction. The block takes both in um/s (rotary \
-         axes: 0.001 deg/s) in the direction of the command.";
+         axes: 0.001 deg/s) in the direction of the command. A rotary axis is recorded in degrees or revolutions: millimetres are \
+         probably the recording of another axis.";
     NOT_OF_THE_TASK = "AX507", "channels of which one is from elsewhere",
         "Between the cycle that writes the commanded velocity and the cycle that reads its effect lies a whole number of cycles, \
          at least one, if the task of the block records both. The dead time of this recording is not one. A channel was recorded \

@@ -10,6 +10,11 @@ pub struct Spindle {
     /// velocity at which position control begins again [0.001 deg/s] (P-AXIS-00768, 00266)
     pub v_position_control_on: u32,
     pub drive: Changeover,
+    /// weight of the CNC's feedforward of the velocity, of a drive that controls the position that of an additive velocity
+    /// (P-AXIS-00228/00229)
+    pub feedforward: Option<Ratio>,
+    /// whether that feedforward is active despite G137 (P-AXIS-00255)
+    pub default_active: bool,
     /// gain of the position controller, in the drive or in the CNC [0.01/s] (P-AXIS-00099); 0 for velocity control alone
     pub kv: u32,
     /// position control in the drive: cycles between sending a command and receiving the actual value that it caused
@@ -40,12 +45,7 @@ impl Spindle {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Changeover {
     /// position control in the CNC: only the CNC, by opening its loop
-    Cnc {
-        /// weight of the feedforward of the velocity (P-AXIS-00228/00229)
-        feedforward: Option<Ratio>,
-        /// whether the feedforward is active despite G137 (P-AXIS-00255)
-        default_active: bool,
-    },
+    Cnc,
     /// position control in the drive: the drive receives the mode and displays it
     Drive {
         bus: Bus,

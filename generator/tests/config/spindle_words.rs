@@ -55,6 +55,8 @@ fn the_example_of_a_sercos_drive() {
         v_velocity_control_on: 1_200_000,
         v_position_control_on: 300_000,
         drive,
+        feedforward: None,
+        default_active: false,
         kv: 2000,
         delay_cycles: 4,
         deceleration: 6e6,
@@ -134,18 +136,16 @@ fn one_per_cent() {
 /// With position control in the CNC the lag is what feedforward leaves of it.
 #[test]
 fn feedforward_of_the_cnc() {
-    let drive =
-        |lines: &str| spindle(&in_cnc(&format!("vorsteuer = {{ vs_v_faktor = 8, vs_v_nenner = 10, {lines} }}"))).drive;
+    let counted = |lines: &str| {
+        let of = spindle(&in_cnc(&format!("vorsteuer = {{ vs_v_faktor = 8, vs_v_nenner = 10, {lines} }}")));
+        (of.feedforward, of.default_active)
+    };
     let weight = Some(Ratio { num: 8, denom: 10 });
-    let none = Changeover::Cnc { feedforward: None, default_active: false };
-    assert_eq!(drive("vorsteuerung = 'VEL'"), Changeover::Cnc { feedforward: weight, default_active: false });
-    assert_eq!(
-        drive("vorsteuerung = 'VEL', default_active = true"),
-        Changeover::Cnc { feedforward: weight, default_active: true }
-    );
-    assert_eq!(drive("vorsteuerung = 'ACC'"), none);
-    assert_eq!(drive("vorsteuerung = 'NONE'"), none);
-    assert_eq!(drive("vorsteuerung = 'VEL', global_disable = true"), none);
+    assert_eq!(counted("vorsteuerung = 'VEL'"), (weight, false));
+    assert_eq!(counted("vorsteuerung = 'VEL', default_active = true"), (weight, true));
+    for none in ["vorsteuerung = 'ACC'", "vorsteuerung = 'NONE'", "vorsteuerung = 'VEL', global_disable = true"] {
+        assert_eq!(counted(none), (None, false));
+    }
 }
 
 /// The old names are the new ones.

@@ -71,7 +71,7 @@ pub fn coverage(designed: &Designed, block: &Block, inputs: &Samples, outputs: &
         let states: BTreeSet<usize> = reached.iter().flatten().copied().collect();
         let missing = (0..STATES.len()).filter(|state| !states.contains(state)).map(|state| STATES[state].to_owned());
         rows.push(("states", STATES.len(), missing.collect()));
-        let in_cnc = matches!(spindle.drive, Changeover::Cnc { .. });
+        let in_cnc = matches!(spindle.drive, Changeover::Cnc);
         let there: Vec<_> = TRANSITIONS.iter().filter(|of| !(in_cnc && NOT_IN_THE_CNC.contains(of))).collect();
         let missing = there.iter().filter(|of| !reached.contains(**of));
         let missing = missing.map(|[from, to]| format!("{} to {}", STATES[*from], STATES[*to]));

@@ -98,7 +98,7 @@ impl Unit {
         quantity.units().iter().find(|unit| unit.name.replace(' ', "") == plain).copied()
     }
 
-    pub(super) fn is_rotary(self) -> bool {
+    pub(crate) fn is_rotary(self) -> bool {
         self.name.contains("deg") || matches!(self.name, "1/min" | "rpm")
     }
 

@@ -31,7 +31,7 @@ impl<'a> Machine<'a> {
         let (cycle, acceleration) = (axis.cycle_time(), spindle.deceleration);
         let limits = Limits { velocity: axis.ipc.v_max, acceleration, jerk: acceleration / JERK_TIME };
         let (position_mode, weight) = match spindle.drive {
-            Changeover::Cnc { .. } => (None, 0.0),
+            Changeover::Cnc => (None, 0.0),
             Changeover::Drive { position_mode, feed_forward_v_weighting, .. } => {
                 ((!spindle.only_velocity()).then_some(position_mode), f64::from(feed_forward_v_weighting) / 1000.0)
             }
@@ -85,17 +85,17 @@ impl<'a> Machine<'a> {
     fn command(&self, outputs: Outputs<'_>, feedforward: [f64; 2]) -> Command {
         let get = |name| outputs(name).unwrap_or(0.0);
         let (x, v, mode) = (get("x_spindle"), get("v_spindle"), get("operation_mode") as i32);
-        let Changeover::Cnc { feedforward: of_velocity, default_active } = &self.spindle.drive else {
+        if let Changeover::Drive { .. } = self.spindle.drive {
             return Command { x, v, mode };
-        };
+        }
         if let Some(v_command) = outputs("v_command") {
             return Command { x, v: v_command + get("v_add"), mode };
         }
         if get("loop_closed") == 0.0 {
             return Command { x, v, mode };
         }
-        let is_active = *default_active || feedforward[0] != 0.0;
-        let weight = of_velocity.filter(|_| is_active).map_or(0.0, Ratio::value);
+        let is_active = self.spindle.default_active || feedforward[0] != 0.0;
+        let weight = self.spindle.feedforward.filter(|_| is_active).map_or(0.0, Ratio::value);
         let weight = weight * feedforward[1].clamp(0.0, 100.0) / 100.0;
         let v = f64::from(self.spindle.kv) / 100.0 * shortest(x - self.actual.x) + weight * v;
         Command { x, v, mode }

@@ -19,7 +19,7 @@ const MOVING: f64 = 1000.0;
 /// The constructs of an axis.
 pub fn constructs(axis: &Axis) -> BTreeSet<String> {
     let word = |drive: &Changeover| match drive {
-        Changeover::Cnc { .. } => "changeover in the CNC",
+        Changeover::Cnc => "changeover in the CNC",
         Changeover::Drive { bus: Bus::Sercos, .. } => "changeover of a SERCOS drive",
         Changeover::Drive { bus: Bus::CanOpen, .. } => "changeover of a CANopen drive",
     };

@@ -13,7 +13,7 @@ pub use identification::proposals::Kind;
 pub use identification::proposals::Prediction;
 pub use proposal::Proposal;
 
-use crate::measure::{Measured, Record, Verdict, find_error_unit, is_same_interval};
+use crate::measure::{Channel, Measured, Quantity, Record, Verdict, find_error_unit, is_same_interval};
 use generator::axis::{Axis, Stage};
 use generator::blocks::Designed;
 use generator::codes;
@@ -94,6 +94,7 @@ pub fn tune(
     if records.iter().any(|record| !is_of_block(axis, record, &mut tuning.verdicts)) {
         return tuning;
     }
+    tuning.verdicts.extend(records.iter().find_map(|record| of_other_kind(record, tuning.is_rotary)));
     tuning.chosen = chosen::choose(moves, &mut tuning.verdicts);
     let of_set = axis.drive.response.as_ref().map(|measured| Lines::of(&measured.response));
     let of_excited = excited.and_then(|measured| Some(measured.excited.as_ref()?.lines.clone()));
@@ -137,6 +138,16 @@ fn proposals(
         }
         (None, None) => of.first(verdicts),
     })
+}
+
+/// The first velocity or position whose stated unit is that of the other kind of axis: probably another axis was recorded.
+fn of_other_kind(record: &Record, is_rotary: bool) -> Option<Verdict> {
+    let is_way = |channel: &&Channel| channel.is_stated && channel.quantity != Quantity::Acceleration;
+    let units = record.channels().iter().filter(is_way).filter_map(|channel| Some((channel.signal, channel.unit?)));
+    let (signal, unit) = units.into_iter().find(|(_, unit)| unit.is_rotary() != is_rotary)?;
+    let kind = if is_rotary { "is a rotary axis or a spindle" } else { "moves along a line" };
+    let found = format!("{signal} is in {}, and the axis of the set {kind}", unit.name);
+    Some(Verdict::note(codes::UNITS_DIFFER, found, "record this axis, or select the recorded one with --axis"))
 }
 
 /// Whether `v_motor` is what the block took, as far as a dry run shows it: `v_add_calculated` is C times that, with C

@@ -2,6 +2,7 @@
 
 use super::change::lead_time;
 use super::signals::Inputs;
+use super::start::hold_back;
 use super::state::{Coeffs, State};
 use crate::angle::position_limit;
 use crate::call_rate;
@@ -9,12 +10,12 @@ use crate::signal::{error_call_rate, error_none, sample_limit};
 use portable::{Real, in_range, portable};
 
 /// After a pause the commands begin at the actual state of the spindle: at its actual velocity, and at the position for
-/// which the position controller has its lag. An unknown value keeps its last output.
+/// which the position controller has its lag. An unknown value keeps its last output. In the pause the drive kept its last
+/// command: what v_actual shows beyond that is a difference of positions over the whole pause.
 #[portable]
 pub fn catch_up<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R>) {
-    let v_largest = if coeffs.in_drive { coeffs.v_largest } else { sample_limit() };
-    if in_range(inputs.v_actual, v_largest) {
-        state.v = inputs.v_actual;
+    if in_range(inputs.v_actual, sample_limit()) {
+        hold_back(state, inputs.v_actual);
         if in_range(inputs.x_actual, position_limit()) {
             let lead = lead_time(coeffs, inputs);
             let x_caught = inputs.x_actual + state.v * lead;

@@ -53,7 +53,7 @@ pub struct Coeffs<R> {
     pub v_largest: R,
     /// lead of the position command over the actual position where position control begins [s]
     pub lead_time: R,
-    /// whether the CNC's feedforward shortens that time
+    /// whether the CNC's feedforward shortens that time; of a drive that controls the position, an additive velocity
     pub has_feedforward: bool,
     /// whether the feedforward is active despite G137 (P-AXIS-00255)
     pub default_active: bool,

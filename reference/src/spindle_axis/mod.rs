@@ -20,7 +20,7 @@ use crate::angle::{full_turn, shortest};
 use crate::position_control::Location;
 use crate::signal::{error_lag, error_none, error_unstable, sample_limit};
 use crate::spindle::SpindleState;
-use crate::{axis, ipc, position_control, spindle};
+use crate::{axis, ipc, position_control, process_data, spindle};
 use portable::{Block, Enable, Real, copy, from_u32, in_range, note, portable, within};
 
 /// Coefficients.
@@ -155,9 +155,11 @@ pub fn act<R: Real>(
         axis_inputs.x_actual = spindle_outputs.x_spindle - lag;
     }
     axis_inputs.v_interpolator = spindle_outputs.v_spindle;
+    if spindle_outputs.spindle_state != SpindleState::ToPosition {
+        copy!(axis_inputs = inputs: a_interpolator, j_interpolator);
+    }
     copy!(axis_inputs = inputs:
-        a_interpolator, j_interpolator, v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active,
-        feedforward_percentage);
+        v_motor, v_direct, tuning_weight, tuning_limit, mode, feedforward_active, feedforward_percentage);
     // A reset ends what is added, as everywhere; the position loop still holds the spindle.
     let improves = spindle_outputs.loop_closed && !inputs.reset;
     let v_additive = axis::act(&mut state.axis, &coeffs.axis, &axis_inputs, axis_outputs, improves);
@@ -171,6 +173,23 @@ pub fn put_out_changeover<R: Real>(spindle_outputs: &spindle::Outputs<R>, output
     copy!(outputs = spindle_outputs:
         x_spindle, v_spindle, job_speed, job_position, spindle_state, job, job_number, waiting, operation_mode,
         velocity_command, loop_closed);
+}
+
+/// Takes the additive velocity of the feedforward out of the velocity command: in the cycles of a change the drive may be in
+/// either mode, and in velocity control it adds both.
+#[portable]
+pub fn share<R: Real>(
+    coeffs: &Coeffs<R>,
+    spindle_outputs: &spindle::Outputs<R>,
+    outputs: &mut Outputs<R>,
+    v_additive: R,
+) {
+    if coeffs.spindle.in_drive && coeffs.spindle.has_feedforward {
+        let mut datum = process_data::Datum::default();
+        let shared_increments = coeffs.spindle.velocity_scale * (spindle_outputs.v_spindle - v_additive);
+        process_data::round(&mut datum, &coeffs.spindle.velocity_range, shared_increments);
+        outputs.velocity_command = datum.value;
+    }
 }
 
 /// Writes the outputs of the axis.
@@ -289,12 +308,15 @@ pub fn any_cycle<R: Real>(
     let is_position = follows && !has_failed && (is_in_cnc || inputs.drive_on);
     if is_position && state.spindle.missing == 0u32 {
         close(state, coeffs, inputs, &spindle_outputs, outputs, missed, v_missed);
+        put_out_changeover(&spindle_outputs, outputs);
+        share(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else {
         let mut command = Command::<R>::default();
         held::command_of_open(state, coeffs, &spindle_outputs, &mut command, is_position);
         open(state, coeffs, &spindle_outputs, outputs, &command);
+        put_out_changeover(&spindle_outputs, outputs);
+        share(coeffs, &spindle_outputs, outputs, command.v_additive);
     }
-    put_out_changeover(&spindle_outputs, outputs);
 }
 
 /// One cycle.
@@ -312,6 +334,7 @@ pub fn step<R: Real>(state: &mut State<R>, coeffs: &Coeffs<R>, inputs: &Inputs<R
         spindle::remain_in_position(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);
         close(state, coeffs, inputs, &spindle_outputs, outputs, 0u32, R::ZERO);
         put_out_changeover(&spindle_outputs, outputs);
+        share(coeffs, &spindle_outputs, outputs, state.held.v_additive);
     } else if spindle::stays_in_velocity(&state.spindle, &coeffs.spindle, &spindle_inputs) {
         let mut spindle_outputs = spindle::Outputs::<R>::default();
         spindle::remain_in_velocity(&mut state.spindle, &coeffs.spindle, &spindle_inputs, &mut spindle_outputs);

@@ -185,6 +185,30 @@ fn a_proposal_into_the_set() {
     assert_eq!(names.filter(|name| name.contains("axgen-")).collect::<Vec<_>>(), Vec::<String>::new());
 }
 
+/// What other keys mean depends on whether the axis has a stage; a proposal changes none of them.
+#[test]
+fn first_stages_of_every_kind_of_axis() {
+    let folder = folder(&[("moves.csv", &MOVES)]);
+    let in_drive = "antr = { v_reso_num = 10000, v_reso_denom = 3333 }\nprocess_data.additive_velocity = \"INT32\"\nkenngr.antr_typ = \"";
+    let slave =
+        "[axis.S]\nkopf.achs_nr = 2\nkenngr.gantry_ax_nr = 1\ngetriebe = [{ dynamik.vb_max = 530000, kv = 2000 }]\n";
+    for (keys, after) in [
+        ("tunable = \"all\"\n", ""),
+        (&format!("{in_drive}SERCOS\"\n"), ""),
+        (&format!("{in_drive}PROFIDRIVE\"\n"), ""),
+        ("", slave),
+    ] {
+        write(&folder, "set.toml", &(SET.replace("kopf", &format!("{keys}kopf")) + after));
+        let run = tune(&folder, &["--apply", "first"]);
+        assert!(run.code == 0 && !run.err.contains("AX506"), "{keys}{after}: {}{}", run.out, run.err);
+        assert!(read(&folder, "set.toml").contains("enable = \"DRYRUN\""));
+    }
+    write(&folder, "set.toml", &SET.replace("TRANSLATOR", "ROTATOR"));
+    let run = tune(&folder, &[]);
+    let said = "warning[AX506]: x_command is in mm, and the axis of the set is a rotary axis or a spindle";
+    assert!(run.code == 0 && run.err.contains(said), "{}{}", run.out, run.err);
+}
+
 #[test]
 fn proposals_that_are_not_written() {
     let folder = folder(&[("moves.csv", &MOVES)]);

@@ -60,26 +60,24 @@ fn never(axis: &Axis, spindle: &Spindle, gear: u32, e: &mut Effective<'_>) {
     e.report.push(diagnostic.instead("v_velocity_control_on with a speed of the spindle: 200 rpm are 1200000"));
 }
 
-/// Warns of an additive velocity: in velocity control it would be added to the velocity command. The block of the whole axis
-/// outputs none then.
+/// Warns of an additive velocity: in velocity control it would be added to the velocity command of the block `spindle`. The
+/// block of the whole axis takes it out of that command.
 fn adds(axis: &Axis, spindle: &Spindle, e: &mut Effective<'_>) {
     let adds = |of: &&Feedforward| of.additive.velocity && !of.global_disable;
     let Some(feedforward) = axis.control.feedforward.as_ref().filter(adds) else { return };
     let mode = key(Name::FeedforwardMode);
-    let (counted, other) = match spindle.drive {
-        Changeover::Cnc { .. } => ("", "VEL"),
-        Changeover::Drive { .. } => {
-            (", and the change to position control does not count it", "the feedforward of the drive (P-AXIS-00833)")
-        }
+    let other = match spindle.drive {
+        Changeover::Cnc => "VEL",
+        Changeover::Drive { .. } => "the feedforward of the drive (P-AXIS-00833)",
     };
     let found = format!(
-        "{} has ADD_VEL: in addition to the block spindle the drive would get the velocity twice in velocity control, where spindle_axis puts out \
-             none{counted}",
+        "{} has ADD_VEL: with the block spindle alone the drive would get the velocity twice in velocity control; spindle_axis sends it \
+             once",
         e.title(mode)
     );
     // P-AXIS-00255 overrides G137.
     let first = if feedforward.default_active { "vorsteuer.default_active FALSE, and " } else { "" };
-    let instead = format!("{first}G137 while `loop_closed` is FALSE, or {other}");
+    let instead = format!("spindle_axis; or {first}G137 while `loop_closed` is FALSE; or {other}");
     e.warn(codes::ADDS, mode, found, instead);
 }
 
@@ -90,7 +88,7 @@ fn no_effect(spindle: &Spindle, e: &mut Effective<'_>) {
     let canopen = [CyclicPositionOpMode, CyclicVelocityOpMode];
     let weights = [FeedForwardVWeighting, ChangeFeedForwardVWeighting, ProcessDataObjects];
     let (who, idle) = match spindle.drive {
-        Changeover::Cnc { .. } => ("position control in the CNC", [&sercos[..], &canopen, &weights].concat()),
+        Changeover::Cnc => ("position control in the CNC", [&sercos[..], &canopen, &weights].concat()),
         Changeover::Drive { bus: Bus::Sercos, .. } => ("a SERCOS drive", canopen.to_vec()),
         Changeover::Drive { bus: Bus::CanOpen, .. } => ("a CANopen drive", sercos.to_vec()),
     };

@@ -80,14 +80,15 @@ pub(crate) fn check(
     let window = window::settled(e, cycle_time, drive.gear, changing);
     let takeover_window = e.real(key(Name::SpindleTakeoverWindow));
     let (changeover, delay_cycles) = if drive.location == Location::Cnc {
-        (Some(in_cnc(e, feedforward)), Some(0))
+        (Some(Changeover::Cnc), Some(0))
     } else {
         (in_drive::check(e, drive.location, feedforward, is_alone), in_drive::delay_cycles(e, is_alone))
     };
+    let counted = if is_alone { None } else { counted(e, feedforward) };
     if let (Some(changeover), Some(of), Some(kv), Some(window)) = (&changeover, changing, kv, window) {
         let gain = lag::Gain { key: (Name::Kv, [drive.gear, 0]), kv };
-        lags(e, changeover, of, window, gain);
-        if let (Changeover::Cnc { .. }, Some(ns)) = (changeover, cycle_time) {
+        lags(e, changeover, counted, of, window, gain);
+        if let (Changeover::Cnc, Some(ns)) = (changeover, cycle_time) {
             lag::seen(e, of, ns);
         }
     }
@@ -107,6 +108,8 @@ pub(crate) fn check(
         v_velocity_control_on: velocities.on.value,
         v_position_control_on: velocities.off.value,
         drive: changeover?,
+        feedforward: counted.map(|of| of.weight),
+        default_active: counted.is_some_and(|of| of.default_active),
         kv: kv?,
         delay_cycles: delay_cycles?,
         deceleration: deceleration?,
@@ -118,11 +121,18 @@ pub(crate) fn check(
 }
 
 /// The position lag, of the loop in the CNC or where the drive takes up position control.
-fn lags(e: &mut Effective<'_>, changeover: &Changeover, of: &Velocities, least_window: f64, gain: lag::Gain) {
+fn lags(
+    e: &mut Effective<'_>,
+    changeover: &Changeover,
+    feedforward: Option<&Feedforward>,
+    of: &Velocities,
+    least_window: f64,
+    gain: lag::Gain,
+) {
     match changeover {
-        Changeover::Cnc { feedforward, default_active } => {
-            let weight = feedforward.map_or(0.0, |weight| weight.value());
-            lag::in_cnc(e, of, gain, (weight, feedforward.is_none() || *default_active));
+        Changeover::Cnc => {
+            let weight = feedforward.map_or(0.0, |of| of.weight.value());
+            lag::in_cnc(e, of, gain, (weight, feedforward.is_none_or(|of| of.default_active)));
         }
         Changeover::Drive { feed_forward_v_weighting, .. } => {
             let part = (1.0 - f64::from(*feed_forward_v_weighting) / 1000.0).abs();
@@ -163,13 +173,11 @@ pub(crate) fn no_changeover(
     e.warn(codes::NO_EFFECT, key(*first), found, None);
 }
 
-/// Position control in the CNC: a feedforward of the velocity reduces the position lag.
-fn in_cnc(e: &mut Effective<'_>, feedforward: Option<&Feedforward>) -> Changeover {
-    let acts = |of: &&Feedforward| of.sums().velocity && !of.global_disable;
-    let Some(of) = feedforward.filter(acts) else {
-        return Changeover::Cnc { feedforward: None, default_active: false };
-    };
+/// The feedforward of the velocity that reduces the position lag: any one of the CNC, of a drive that controls the position an
+/// additive one.
+fn counted<'f>(e: &mut Effective<'_>, feedforward: Option<&'f Feedforward>) -> Option<&'f Feedforward> {
+    let of = feedforward.filter(|of| of.sums().velocity && !of.global_disable)?;
     let names = [Name::FeedforwardMode, Name::VsVFaktor, Name::VsVNenner, Name::DefaultActive, Name::GlobalDisable];
     drive::note(e, &names);
-    Changeover::Cnc { feedforward: Some(of.weight), default_active: of.default_active }
+    Some(of)
 }

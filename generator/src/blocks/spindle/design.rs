@@ -17,7 +17,8 @@ const START: u32 = 2;
 /// Coefficients of the changeover of one axis; all zero for an axis without it.
 ///
 /// ```text
-/// lead_time = (Nd + 1) T + (1 - w) / Kv        position control in the drive, w its feedforward
+/// lead_time = (Nd + 1) T + (1 - w) / Kv        position control in the drive, w its feedforward; reduced by the weight of an
+///                                              additive velocity / Kv while feedforward is active
 /// lead_time = (Nd + 1) T                       velocity control alone: no position controller lags
 /// lead_time = T + 1 / Kv                       position control in the CNC: its loop compares with the delayed
 ///                                              x_actual, so the delay is part of the lag; reduced by w / Kv while
@@ -46,16 +47,14 @@ pub(crate) fn coefficients(axis: &Axis) -> Coeffs<f64> {
         mode_cycles,
         start_cycles: mode_cycles.saturating_add(START),
         brake_cycles: cycles(of.brake_timeout_ns, axis),
+        has_feedforward: of.feedforward.is_some(),
+        default_active: of.default_active,
+        lead_time_per_percent: of.feedforward.map_or(0.0, |weight| weight.value() / 100.0 / kv(of)),
         call_rate: call_rate::Coeffs { active: axis.counts_calls },
         ..Coeffs::default()
     };
     match &of.drive {
-        Changeover::Cnc { feedforward, default_active } => Coeffs {
-            has_feedforward: feedforward.is_some(),
-            default_active: *default_active,
-            lead_time_per_percent: feedforward.map_or(0.0, |weight| weight.value() / 100.0 / kv(of)),
-            ..coeffs
-        },
+        Changeover::Cnc => coeffs,
         Changeover::Drive { position_mode, velocity_mode, velocity, .. } => Coeffs {
             in_drive: true,
             only_velocity: of.only_velocity(),
@@ -76,7 +75,7 @@ pub(crate) fn kv(of: &Spindle) -> f64 {
 /// Weight w of the drive's feedforward; 0 with position control in the CNC.
 pub(crate) fn weight(of: &Spindle) -> f64 {
     match of.drive {
-        Changeover::Cnc { .. } => 0.0,
+        Changeover::Cnc => 0.0,
         Changeover::Drive { feed_forward_v_weighting, .. } => f64::from(feed_forward_v_weighting) / 1000.0,
     }
 }

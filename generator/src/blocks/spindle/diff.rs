@@ -14,7 +14,7 @@ pub(crate) fn effects(axis: &Axis) -> Effects {
     let [on, off] = [of.v_velocity_control_on, of.v_position_control_on].map(f64::from);
     let seconds = |ns: u64| Some(Effect::Number(ns as f64 / 1e9, " s"));
     let (place, modes, velocity) = match &of.drive {
-        Changeover::Cnc { .. } => ("in the CNC", None, None),
+        Changeover::Cnc => ("in the CNC", None, None),
         Changeover::Drive { position_mode, velocity_mode, velocity, .. } => {
             ("in the drive", Some(format!("{position_mode} and {velocity_mode}")), Some(velocity))
         }

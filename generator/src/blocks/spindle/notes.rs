@@ -34,11 +34,12 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
         note("start_cycles", format!("{timeout} (key spindle.mode_timeout) and two cycles")),
         note("brake_cycles", brake),
     ];
+    notes.extend(of.feedforward.map(|weight| {
+        let weight = digits(weight.value());
+        note("lead_time_per_percent", format!("weight of the feedforward {weight} (P-AXIS-00228/00229) / 100 / Kv"))
+    }));
     match &of.drive {
-        Changeover::Cnc { feedforward, .. } => notes.extend(feedforward.map(|weight| {
-            let weight = digits(weight.value());
-            note("lead_time_per_percent", format!("weight of the feedforward {weight} (P-AXIS-00228/00229) / 100 / Kv"))
-        })),
+        Changeover::Cnc => {}
         Changeover::Drive { velocity, bus, .. } => {
             let modes = match bus {
                 Bus::Sercos => "operation modes of the drive, as in S-0-0134 (P-AXIS-00264)",
@@ -57,14 +58,13 @@ pub(crate) fn notes(axis: &Axis) -> Vec<(String, String)> {
 fn lead(of: &Spindle) -> String {
     let delay = format!("Nd + 1 = {} cycles (P-AXIS-00191)", of.delay_cycles + 1);
     let kv = format!("Kv = {}/s (P-AXIS-00099)", digits(kv(of)));
+    let shorter = if of.feedforward.is_some() { "; an active feedforward shortens it" } else { "" };
     match of.drive {
-        Changeover::Cnc { feedforward, .. } => {
-            let shorter = if feedforward.is_some() { "; an active feedforward shortens it" } else { "" };
-            format!("T + 1 / Kv, {kv}{shorter}")
-        }
+        Changeover::Cnc => format!("T + 1 / Kv, {kv}{shorter}"),
         Changeover::Drive { .. } if of.only_velocity() => format!("(Nd + 1) T, {delay}"),
         Changeover::Drive { .. } => {
-            format!("(Nd + 1) T + (1 - w) / Kv, {delay}, w = {} (P-AXIS-00833, 00766), {kv}", digits(weight(of)))
+            let weight = digits(weight(of));
+            format!("(Nd + 1) T + (1 - w) / Kv, {delay}, w = {weight} (P-AXIS-00833, 00766), {kv}{shorter}")
         }
     }
 }

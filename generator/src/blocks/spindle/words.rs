@@ -48,7 +48,7 @@ fn speeds(spindle: &Spindle) -> String {
 fn who(spindle: &Spindle) -> String {
     let timeout = time_text(spindle.mode_timeout_ns);
     match spindle.drive {
-        Changeover::Cnc { .. } => {
+        Changeover::Cnc => {
             "the CNC opens and closes its position loop, within a cycle; the drive stays in velocity control".to_owned()
         }
         Changeover::Drive { bus, position_mode, velocity_mode, .. } => {
@@ -81,14 +81,14 @@ fn brake(axis: &Axis, spindle: &Spindle) -> String {
 fn lag(axis: &Axis, spindle: &Spindle) -> String {
     let kv = f64::from(spindle.kv) / 100.0;
     let mut largest = f64::from(spindle.v_velocity_control_on).smaller(axis.ipc.v_max);
-    if let Changeover::Cnc { .. } = spindle.drive {
+    if let Changeover::Cnc = spindle.drive {
         largest = largest.smaller(MEASURED_LAG * kv);
     }
     let lag = |weight: f64| digits((1.0 - weight) * largest / 1000.0 / kv);
     let (speed, kv) = (rpm(largest), digits(kv));
     let cycles = spindle.delay_cycles;
     match &spindle.drive {
-        Changeover::Cnc { .. } => format!(
+        Changeover::Cnc => format!(
             "without feedforward the position lag at {speed} rpm must be {} deg, within 1 %: else P-AXIS-00129/00128 do not scale the velocity \
              command as the drive does (Kv {kv}/s)",
             lag(0.0)
